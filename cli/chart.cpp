@@ -14,6 +14,7 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/targets.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
 #include "reports/run/report_data.hpp"
@@ -30,7 +31,7 @@ struct ChartArguments {
 void chart(const ChartArguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
-  RunData run = read_run(arguments.run);
+  RunData run = read_run(arguments.run, campaign_families());
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
   if (arguments.stability)

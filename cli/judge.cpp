@@ -83,8 +83,7 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
     const auto margin = [](const JudgedFinding& x) { return x.finding.margin ? x.finding.margin->lo : -1; };
     if (!most || margin(f) > margin(*most)) most = &f;
   }
-  for (const GroupRecord& g : judged.groups())
-    worst[{*from_word<Severity>(g.severity), *from_word<FindingKind>(g.kind)}].second += g.count;
+  for (const GroupRecord& g : judged.groups()) worst[{g.severity, g.kind}].second += g.count;
   for (const auto& [key, value] : worst) {
     const auto& [f, count] = value;
     fmt::print("\n{}: {} findings. The worst has the id {}", in_words(f->finding), count,

@@ -46,9 +46,10 @@ Evidence finding(const Mutant& mutant) {
   for (std::uint64_t at = 0; at < fuzz_indices; at += fuzz_step) {
     const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + fuzz_step);
     for (const FindingRecord& f : batch.findings)
-      if (f.severity != to_string(Severity::resolution))
-        return {fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair),
-                is_method_row(f.method) ? std::optional(f.family_index) : std::nullopt};
+      if (f.severity != Severity::resolution)
+        return {
+            fmt::format("{}: {} on {} {}; {}", f.method, to_string(f.kind), f.family, f.family_index, f.pair),
+            is_method_row(f.method) ? std::optional(f.family_index) : std::nullopt};
   }
   return {};
 }

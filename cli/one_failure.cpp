@@ -93,8 +93,8 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   const bool stored = target.finding && (options.method.empty() || options.method == target.finding->method);
   const std::string name = stored ? target.finding->method : options.method;
   if (name.empty()) throw UsageError("give the method with --method NAME");
-  const std::string word = !options.kind.empty() ? options.kind : stored ? target.finding->kind : "";
-  if (!word.empty()) return {name, kind_of_word(word), target.pair};
+  if (!options.kind.empty()) return {name, kind_of_word(options.kind), target.pair};
+  if (stored) return {name, target.finding->kind, target.pair};
   const Trial now = try_method(find_method(methods, name), target.pair);
   if (!now.finding())
     throw UsageError(fmt::format("{} is right on {}: it answers {}, and the solids are {}", name,

@@ -48,9 +48,8 @@ std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr
       if (now.truth.verdict == Verdict::undecided) return "open: the truth is undecided";
       return now.answers[m].status == Status::declined ? "gone: declined now" : "gone";
     }
-    if (to_string(now.findings[m]->kind) != stored.kind)
-      return "stands, as " + describe_finding(*now.findings[m]);
-    if (to_string(now.findings[m]->severity) != stored.severity)
+    if (now.findings[m]->kind != stored.kind) return "stands, as " + describe_finding(*now.findings[m]);
+    if (now.findings[m]->severity != stored.severity)
       return "stands, now " + describe_finding(*now.findings[m]);
     return "stands";
   }
@@ -123,8 +122,8 @@ class Replayer {
     }
     if (target.finding) {
       const std::string what = outcome(*target.finding, methods_, now);
-      fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, target.finding->kind,
-                 target.finding->severity, what);
+      fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, to_string(target.finding->kind),
+                 to_string(target.finding->severity), what);
     }
     undecided_ += now.truth.verdict == Verdict::undecided;
   }

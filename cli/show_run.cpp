@@ -8,6 +8,7 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/run/run_summary.hpp"
@@ -31,14 +32,15 @@ void point_latest_at(const fs::path& run) {
 }
 
 void show_run(const std::string& folder, bool table) {
-  RunData run = read_run(folder);
+  RunData run = read_run(folder, campaign_families());
   write_charts(run, {});
   write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   fmt::print("{}", format_summary(run));
   if (const auto worst = worst_finding(run)) {
-    fmt::print("worst finding: {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,
-               own_command(), shell_quoted(fmt::format("{}:{}", folder, worst->id)));
+    fmt::print("worst finding: {} {} ({}): {} replay {}\n", worst->method, to_string(worst->kind),
+               to_string(worst->severity), own_command(),
+               shell_quoted(fmt::format("{}:{}", folder, worst->id)));
     fmt::print("causes: {} triage {}\n", own_command(), shell_quoted(folder));
   }
   fmt::print("page: {}/report.html\n", folder);

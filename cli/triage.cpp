@@ -26,6 +26,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "reports/explain/explain.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/triage/cause_notes.hpp"
@@ -87,7 +88,7 @@ int triage(const TriageArguments& arguments) {
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.buckets).dump(1) + '\n');
-  write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(read_run(arguments.run, campaign_families()), in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }
@@ -138,7 +139,7 @@ int annotate_bucket(const TriageArguments& arguments) {
   const std::string file = notes_file_of(arguments.run);
   write_note(file, arguments.annotated, arguments.note);
   fmt::print("stored in {}\n", file);
-  write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(read_run(arguments.run, campaign_families()), in_source_tree("props/mutants/kill_matrix.jsonl"));
   return exit_pass;
 }
 

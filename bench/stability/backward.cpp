@@ -61,8 +61,7 @@ std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findi
   std::vector<WrongVerdict> all;
   std::map<std::pair<std::string, Verdict>, std::optional<double>> known;  // many methods err on one pair
   for (const FindingRecord& f : findings) {
-    const auto kind = from_word<FindingKind>(f.kind);
-    const Verdict said = kind ? wrong_verdict(*kind) : Verdict::undecided;
+    const Verdict said = wrong_verdict(f.kind);
     if (said == Verdict::undecided) continue;
     const auto [at, is_new] = known.try_emplace({f.pair, said});
     const CaseLine line = parse_case(f.pair, 1);

@@ -83,7 +83,7 @@ TEST(Backward, NothingLessMakesTheAnswerRight) {
   }
 }
 
-FindingRecord finding(const char* method, const char* kind, const Pair& pair) {
+FindingRecord finding(const char* method, FindingKind kind, const Pair& pair) {
   FindingRecord f;
   f.method = method;
   f.kind = kind;
@@ -95,9 +95,11 @@ FindingRecord finding(const char* method, const char* kind, const Pair& pair) {
 
 TEST(Backward, OfFindingsThatAreVerdicts) {
   const std::vector<WrongVerdict> wrong = wrong_verdicts(
-      {finding("x", "wrong_disjoint", beside(-1e-4)), finding("x", "crash", beside(1)),
-       finding("y", "wrong_intersecting", beside(1e-2)), finding("x", "wrong_intersecting", beside(1e-2)),
-       finding("x", "distance_outside", beside(1e-2)), finding("x", "wrong_disjoint", beside(1))});
+      {finding("x", FindingKind::wrong_disjoint, beside(-1e-4)), finding("x", FindingKind::crash, beside(1)),
+       finding("y", FindingKind::wrong_intersecting, beside(1e-2)),
+       finding("x", FindingKind::wrong_intersecting, beside(1e-2)),
+       finding("x", FindingKind::distance_outside, beside(1e-2)),
+       finding("x", FindingKind::wrong_disjoint, beside(1))});
   ASSERT_EQ(wrong.size(), 3u);
   EXPECT_EQ(wrong[0].method, "x");
   EXPECT_NEAR(wrong[0].backward, 1e-4, 1e-6);

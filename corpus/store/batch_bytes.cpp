@@ -33,6 +33,19 @@ std::string as_utf8(const std::string& text) {
 
 }  // namespace
 
+/// An enum travels as its word, so that a number without a meaning does not come in.
+template <class Enum>
+requires std::is_enum_v<Enum>
+void to_json(json& to, Enum value) { to = to_string(value); }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void from_json(const json& from, Enum& value) {
+  const auto word = from.get<std::string>();
+  const std::optional<Enum> known = from_word<Enum>(word);
+  if (!known) throw std::runtime_error("a batch cannot be read: it has the unknown word " + word);
+  value = *known;
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, asked, declined, failed, contract, resolution, undecided,
                                    nanoseconds, hung_nanoseconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TallyRecord, method, family, counts)

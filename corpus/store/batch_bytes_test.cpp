@@ -14,14 +14,14 @@ namespace {
 TEST(BatchBytes, ComesBackAsItWent) {
   BatchRecord batch;
   batch.tallies = {{"m", "f", Counts{1, 2, 3, 4, 5, 6, ~0ull}}, {"n", "f", {}}};
-  batch.groups = {{"m", "hang", "contract", "f", 9, GroupRecord::no_binade}};
+  batch.groups = {{"m", FindingKind::hang, Severity::contract, "f", 9, GroupRecord::no_binade}};
   FindingRecord f;
   f.index = ~0ull;
   f.family = "f";
   f.family_index = 8;
   f.method = "m";
-  f.kind = "hang";
-  f.severity = "contract";
+  f.kind = FindingKind::hang;
+  f.severity = Severity::contract;
   f.margin = Enclosure{5e-324, std::numeric_limits<double>::infinity()};
   f.pair = "{\"a\":\"\n\0x\"}";
   f.answers = "</script>";
@@ -73,6 +73,14 @@ TEST(BatchBytes, OneThatIsCutIsRefused) {
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_THROW(parse_batch(whole.substr(0, size)), std::runtime_error);
   }
+}
+
+TEST(BatchBytes, AWordThatIsNoKindIsRefused) {
+  BatchRecord batch;
+  batch.groups = {{"m", FindingKind::hang, Severity::contract, "f", 9, 0}};
+  std::string bytes = format_batch(batch);
+  bytes.replace(bytes.find("hang"), 4, "bang");
+  EXPECT_THROW(parse_batch(bytes), std::runtime_error);
 }
 
 }  // namespace

@@ -83,4 +83,23 @@ std::vector<CellCounts> parse_cell_counts(std::string_view text) {
   return methods;
 }
 
+void count_answer(CellCounts& counts, const MethodAnswer& answer, const std::optional<Finding>& wrong) {
+  ++counts.asked;
+  if (answer.status == Status::failed || (wrong && wrong->kind == FindingKind::non_finite)) {
+    ++counts.failed;
+  } else if (answer.status == Status::declined) {
+    ++counts.declined;
+  } else if (answer.verdict == Verdict::undecided || (wrong && wrong->kind == FindingKind::wrong_invalid)) {
+    ++counts.undecided;
+  } else if (wrong) {
+    const bool disjoint = wrong->kind == FindingKind::wrong_disjoint,
+               intersecting = wrong->kind == FindingKind::wrong_intersecting,
+               within = wrong->severity == Severity::resolution;
+    counts.wrong_disjoint += disjoint;
+    counts.wrong_intersecting += intersecting;
+    counts.within_disjoint += disjoint && within;
+    counts.within_intersecting += intersecting && within;
+  }
+}
+
 }  // namespace cyl

@@ -6,10 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
+
+#include "corpus/pairs/finding.hpp"
+#include "corpus/pairs/method_answer.hpp"
 
 namespace cyl {
 
@@ -28,6 +32,10 @@ struct CellCounts {
   CellCounts& operator+=(const CellCounts& other);
   bool operator==(const CellCounts&) const = default;
 };
+
+/// Adds an answer and what was wrong with it, if anything. A right verdict with a wrong distance or witness
+/// is right.
+void count_answer(CellCounts& counts, const MethodAnswer& answer, const std::optional<Finding>& wrong);
 
 struct CellRecord {
   std::string plane;

@@ -6,10 +6,6 @@
 
 namespace cyl {
 
-Representatives::Key Representatives::key_of(const FindingRecord& f) {
-  return {f.method, f.kind, f.severity, f.family};
-}
-
 // The first rule keeps by place in the group, the second by the running maximum of the binade. A piece knows
 // less of both than the whole, so it admits a superset, and every finding that raised the whole's maximum is
 // in it. That holds of shards, whose pieces lie between each other, as of stretches: let S be a group's
@@ -19,8 +15,7 @@ Representatives::Key Representatives::key_of(const FindingRecord& f) {
 // holds every finding that raised the maximum of S, the maximum before any place is the same in U and in S.
 // So U, filtered in index order, keeps what S does.
 bool Representatives::admit(const FindingRecord& f) {
-  GroupRecord& group =
-      groups_.try_emplace(key_of(f), GroupRecord{f.method, f.kind, f.severity, f.family}).first->second;
+  GroupRecord& group = groups_.try_emplace(f, GroupRecord{f}).first->second;
   const double margin = f.margin ? f.margin->lo : 0;
   const int binade =
       margin > 0 ? std::min(std::ilogb(margin), -(GroupRecord::no_binade + 1)) : GroupRecord::no_binade;
@@ -30,10 +25,8 @@ bool Representatives::admit(const FindingRecord& f) {
 }
 
 void Representatives::add(const GroupRecord& g) {
-  GroupRecord& group = groups_
-                           .try_emplace({g.method, g.kind, g.severity, g.family},
-                                        GroupRecord{g.method, g.kind, g.severity, g.family})
-                           .first->second;
+  const FindingGroup& key = g;  // without the counts
+  GroupRecord& group = groups_.try_emplace(key, GroupRecord{key}).first->second;
   group.count += g.count;
   group.binade = std::max(group.binade, g.binade);
 }

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <map>
-#include <string>
-#include <tuple>
 #include <vector>
 
 #include "corpus/store/run_store.hpp"
@@ -22,9 +20,7 @@ class Representatives {
   std::vector<GroupRecord> groups() const;
 
  private:
-  using Key = std::tuple<std::string, std::string, std::string, std::string>;
-  static Key key_of(const FindingRecord& finding);
-  std::map<Key, GroupRecord> groups_;
+  std::map<FindingGroup, GroupRecord> groups_;
 };
 
 }  // namespace cyl

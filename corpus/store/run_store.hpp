@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "corpus/pairs/certificate.hpp"
+#include "corpus/pairs/finding.hpp"
 #include "corpus/store/cell_counts.hpp"
 
 namespace cyl {
@@ -64,13 +65,21 @@ struct TallyRecord {
   static auto columns(auto& t) { return std::tie(t.method, t.family, t.counts); }
 };
 
+/// What findings have in common that are counted together.
+struct FindingGroup {
+  std::string method;
+  FindingKind kind = FindingKind::wrong_disjoint;
+  Severity severity = Severity::contract;
+  std::string family;
+
+  auto operator<=>(const FindingGroup&) const = default;
+};
+
 /// One thing that is wrong, with all that is needed to see it again.
-struct FindingRecord {
+struct FindingRecord : FindingGroup {
   std::int64_t id = 0;      ///< 1, 2, ... in the order they were found; given by the store
   std::uint64_t index = 0;  ///< of the pair in the run
-  std::string family;
   std::uint64_t family_index = 0;
-  std::string method, kind, severity;
   std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
   // The same of all findings of one pair, and stored once.
   std::string pair;     ///< one JSON line of corpus/pair_io
@@ -86,17 +95,15 @@ struct FindingRecord {
   }
 };
 
-/// The group of a finding.
-struct FindingHead {
+/// The group of a stored finding.
+struct FindingHead : FindingGroup {
   std::int64_t id = 0;
-  std::string method, kind, severity, family;
 
   static auto columns(auto& f) { return std::tie(f.id, f.method, f.kind, f.severity, f.family); }
 };
 
 /// How many findings of a group there were, kept or not.
-struct GroupRecord {
-  std::string method, kind, severity, family;
+struct GroupRecord : FindingGroup {
   std::uint64_t count = 0;
   int binade = no_binade;  ///< the greatest power of two that a margin's lower bound reached
 

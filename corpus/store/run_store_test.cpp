@@ -39,8 +39,8 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.family = "scene";
   f.family_index = index;
   f.method = "fake";
-  f.kind = "wrong_disjoint";
-  f.severity = "contract";
+  f.kind = FindingKind::wrong_disjoint;
+  f.severity = Severity::contract;
   f.margin = Enclosure{margin, margin * 2};
   f.pair = R"({"a":{},"b":{}})";
   f.answers = "[]";
@@ -86,7 +86,7 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
     f.margin = Enclosure{5e-324, std::numeric_limits<double>::infinity()};
     batch.findings = {f, finding_at(5, 0.5)};
     batch.findings[1].margin.reset();
-    batch.groups = {{"fake", "wrong_disjoint", "contract", "scene", 2, -1}};
+    batch.groups = {{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene", 2, -1}};
     batch.tallies = {{"fake", "scene", Counts{1, 2, 3, 4, 5, 6, 7}}};
     store.commit(batch, 12);
   }
@@ -108,6 +108,23 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
   EXPECT_EQ(store.tallies()[0].counts.nanoseconds, 7u);
   ASSERT_EQ(store.groups().size(), 1u);
   EXPECT_EQ(store.groups()[0].count, 2u);
+}
+
+TEST_F(Store, AWordThatNoVersionWroteIsRefusedWithTheFile) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 7;
+  batch.groups = {{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene", 2, -1}};
+  store.commit(batch, 0);
+  SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE)
+      .exec("UPDATE finding_group SET kind = 'odd'");
+  try {
+    store.groups();
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("run.sqlite"), std::string_view::npos) << error.what();
+    EXPECT_NE(std::string_view(error.what()).find("'odd'"), std::string_view::npos) << error.what();
+  }
 }
 
 TEST_F(Store, StoresTheAnswersOfAPairOnce) {

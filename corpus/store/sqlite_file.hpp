@@ -6,8 +6,9 @@
 //   static auto columns(auto& row) { return std::tie(row.method, row.family, row.counts); }
 //
 // A member that is a record itself stands for all its columns, and an empty optional one for as many NULLs.
-// Doubles are stored as their shortest text, since a column has no infinity and no -0; unsigned numbers by
-// their bits. Every call throws std::runtime_error that names the file where it cannot be read or written.
+// Doubles are stored as their shortest text, since a column has no infinity and no -0, unsigned numbers by
+// their bits, and enums as their words. Every call throws std::runtime_error that names the file if it cannot
+// be read or written.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -26,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/cell_counts.hpp"
 
@@ -64,6 +66,8 @@ void write(SQLite::Statement& to, int& at, const T& value) {
     to.bind(at++, format_double(value));
   } else if constexpr (std::is_same_v<T, std::vector<CellCounts>>) {
     to.bind(at++, format_cell_counts(value));
+  } else if constexpr (Worded<T>) {
+    to.bind(at++, to_string(value));
   } else if constexpr (std::is_integral_v<T>) {
     to.bind(at++, static_cast<std::int64_t>(value));
   } else {
@@ -97,6 +101,10 @@ void read(SQLite::Statement& row, int& at, T& value) {
       std::from_chars(text.data(), text.data() + text.size(), value);
     } else if constexpr (std::is_same_v<T, std::vector<CellCounts>>) {
       value = parse_cell_counts(text);
+    } else if constexpr (Worded<T>) {
+      const std::optional<T> known = from_word<T>(text);
+      if (!known) throw SQLite::Exception("'" + text + "' is not a word that this version writes");
+      value = *known;
     } else {
       value = text;
     }

@@ -352,8 +352,8 @@ class Batch {
     record.family = family_name(drawn.family);
     record.family_index = drawn.index;
     record.method = row_name(row);
-    record.kind = to_string(finding.kind);
-    record.severity = to_string(finding.severity);
+    record.kind = finding.kind;
+    record.severity = finding.severity;
     record.margin = finding.margin;
     // Both count it. What the job has kept of earlier batches makes most findings of a later batch needless
     // (representatives.cpp has the proof).
@@ -413,11 +413,6 @@ class Batch {
 };
 
 }  // namespace
-
-bool is_method_row(std::string_view name) {
-  return name != corpus_row && name != referee_row &&
-         std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
-}
 
 std::uint64_t batch_size_for(const Workload& workload) {
   const auto is_program = [](const auto& method) { return method->program(); };

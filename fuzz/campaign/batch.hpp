@@ -4,25 +4,14 @@
 // batches.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <string_view>
 
-#include "corpus/store/run_store.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "fuzz/campaign/workload.hpp"
 
 namespace cyl {
 
-/// Rows of the tally, and findings, that do not belong to a method: the truths that cases state, and the
-/// referee.
-inline constexpr const char* corpus_row = "corpus";
-inline constexpr const char* referee_row = "referee";
-/// How often each arithmetic gave the verdict, decided or not, and the time of those pairs, in the order of
-/// Stage.
-inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
-/// Returns whether a row belongs to a method and is not one of the rows above.
-bool is_method_row(std::string_view name);
 /// Our methods are asked twice on every index divisible by this: often enough to catch a method that keeps
 /// state, at 2 % of the cost.
 inline constexpr std::uint64_t repeat_share = 64;

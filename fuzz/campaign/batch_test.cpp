@@ -102,7 +102,7 @@ TEST(Batch, AWrongVerdictIsNotedAndTheCostlyAreAsked) {
   methods.push_back(wrong(false));
   const BatchRecord batch = run_batch({methods, apart, {}}, 1, 1, 3);
   ASSERT_EQ(batch.findings.size(), 2u);
-  EXPECT_EQ(batch.findings[0].kind, "wrong_intersecting");
+  EXPECT_EQ(batch.findings[0].kind, FindingKind::wrong_intersecting);
   std::uint64_t asked = 0;
   for (const TallyRecord& t : batch.tallies) asked += t.method == "costly" ? t.counts.asked : 0;
   EXPECT_EQ(asked, 2u);
@@ -113,7 +113,7 @@ TEST(Batch, AMemoryIsNoted) {
   methods.push_back(wrong(true));
   bool noted = false;
   for (const FindingRecord& f : run_batch({methods, apart, {}}, 1, 0, 2 * repeat_share + 1).findings)
-    noted = noted || f.kind == "nondeterminism";
+    noted = noted || f.kind == FindingKind::nondeterminism;
   EXPECT_TRUE(noted);
 }
 
@@ -127,7 +127,7 @@ TEST(Batch, AStateThatBreaksIsNamed) {
   methods.push_back(fake_method("stateful", ask, {.foreign = true}));
   const BatchRecord batch = run_batch({methods, apart, {}}, 1, 0, 4);
   ASSERT_EQ(batch.findings.size(), 1u);
-  EXPECT_EQ(batch.findings[0].kind, "state_dependent");
+  EXPECT_EQ(batch.findings[0].kind, FindingKind::state_dependent);
   EXPECT_EQ(batch.findings[0].reason,
             "exception: x.c:34: the cache is stale; after indices 0 to 2, not alone");
   EXPECT_EQ(batch.tallies[0].counts.failed, 1u);

@@ -19,7 +19,6 @@
 #include "base/fnv.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
-#include "fuzz/campaign/batch_process.hpp"
 #include "fuzz/campaign/job_process.hpp"
 
 namespace cyl {
@@ -50,11 +49,6 @@ std::vector<MethodRecord> record_methods(const Workload& workload) {
                    claim.absolute, std::string(claim.source), method->share()});
   }
   return all;
-}
-
-std::string format_shard(const Shard& shard) {
-  if (shard.count == 1) return "";
-  return fmt::format("{}/{} of batches of {}", shard.index, shard.count, shard.batch);
 }
 
 /// With the methods, what the findings are a function of. Two sessions of one run agree in all of it.
@@ -184,8 +178,8 @@ class Search {
  private:
   /// Returns how [first, next) died, or nothing.
   std::string death(std::uint64_t first, std::uint64_t next) {
-    BatchProcess part(
-        first, next, [&] { return run_batch(workload_, seed_, first, next); }, search_cpu_cap);
+    JobProcess part([&] { return batch_maker(workload_, seed_); }, search_cpu_cap);
+    part.begin(first, next);
     while (!part.advance()) {
       if (StopSignals::asked()) return {};
       const int descriptor = part.descriptor();
@@ -365,22 +359,6 @@ class Session {
 };
 
 }  // namespace
-
-std::string value_of(const Config& config, const std::string& key) {
-  const auto found = config.find(key);
-  return found == config.end() ? "" : found->second;
-}
-
-Shard shard_of(const Config& config) {
-  const std::string text = value_of(config, "shard");
-  unsigned long long index = 0, count = 1, batch = 1;
-  if (text.empty()) return {};
-  if (std::sscanf(text.c_str(), "%llu/%llu of batches of %llu", &index, &count, &batch) != 3 ||
-      index >= count || batch == 0) {
-    throw std::runtime_error("'" + text + "' names no shard");
-  }
-  return {index, count, batch};
-}
 
 void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) {
   for (const auto& [method, family, counts] : tallies) {

@@ -9,9 +9,9 @@
 #include <functional>
 #include <string>
 
+#include "corpus/store/run_facts.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/self_check.hpp"
-#include "fuzz/campaign/shard.hpp"
 
 namespace cyl {
 
@@ -62,20 +62,9 @@ struct CampaignSummary {
 /// Adds what the rows of a tally count.
 void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies);
 
-/// Values of "status" in a run's store. A killed run stays `running`. A run with a fault of the harness has
-/// `failed: ` and the cause.
-inline constexpr const char *status_planned = "planned", *status_running = "running",
-                            *status_stopped = "stopped", *status_complete = "complete",
-                            *status_failed = "failed: ";
-
 /// CPU time that each part of a batch may take that is run again to find the pair that broke it. A whole one
 /// takes about a second.
 inline constexpr std::chrono::seconds search_cpu_cap{60};
-
-/// Returns the shard of a run from its configuration, or the whole run if it names none.
-Shard shard_of(const Config& config);
-/// A value of a configuration, or an empty text.
-std::string value_of(const Config& config, const std::string& key);
 
 /// Runs until a limit is reached or a signal asks it to stop. Calls `on_progress` after every commit and at
 /// least five times a second, from this thread. Throws std::runtime_error if the run folder cannot be used or

@@ -65,12 +65,12 @@ TEST_F(Campaign, AFindingHoldsAllThatIsNeededToSeeItAgain) {
     EXPECT_EQ(answers["good"]["verdict"], to_string(right(pair)));
     EXPECT_EQ(parse_json(f.truth)["verdict"], to_string(right(pair)));
     if (f.method == "blind") {
-      EXPECT_EQ(f.kind, "wrong_disjoint");
+      EXPECT_EQ(f.kind, FindingKind::wrong_disjoint);
       EXPECT_LE(f.margin->lo, (2 - pair.b.center.x()) / 8);
       EXPECT_GE(f.margin->hi, (2 - pair.b.center.x()) / 8);
     } else {
       EXPECT_EQ(f.method, "crashing");
-      EXPECT_EQ(f.kind, "crash");
+      EXPECT_EQ(f.kind, FindingKind::crash);
       EXPECT_NE(f.reason.find("ABRT"), std::string::npos) << f.reason;
     }
   }
@@ -344,8 +344,9 @@ TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {
       false));
   run_campaign(options("run", 3), workload());
   const auto findings = store("run").findings();
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
-                          [](const FindingRecord& f) { return f.kind == "nondeterminism" && f.index == 0; }));
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const FindingRecord& f) {
+    return f.kind == FindingKind::nondeterminism && f.index == 0;
+  }));
 }
 
 TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesThePair) {

@@ -90,8 +90,8 @@ inline std::string content(const RunStore& store, std::uint64_t below = ~0ull) {
   std::string text;
   for (const FindingRecord& f : store.findings()) {
     if (f.index >= below) continue;
-    text += std::to_string(f.index) + f.family + std::to_string(f.family_index) + f.method + f.kind +
-            f.severity + f.pair + f.answers + f.truth + f.stage + f.reason;
+    text += std::to_string(f.index) + f.family + std::to_string(f.family_index) + f.method +
+            to_string(f.kind) + to_string(f.severity) + f.pair + f.answers + f.truth + f.stage + f.reason;
     if (f.margin) text += std::to_string(f.margin->lo) + std::to_string(f.margin->hi);
     text += '\n';
   }
@@ -101,7 +101,7 @@ inline std::string content(const RunStore& store, std::uint64_t below = ~0ull) {
             format_cell_counts(c.methods) + '\n';
   }
   for (const GroupRecord& g : store.groups()) {
-    text += g.method + g.kind + g.severity + g.family + std::to_string(g.count) + '\n';
+    text += g.method + to_string(g.kind) + to_string(g.severity) + g.family + std::to_string(g.count) + '\n';
   }
   for (const auto& [method, family, c] : store.tallies()) {
     text += method + family;

@@ -145,13 +145,9 @@ const ClimbGoal& goal_of_climb(std::uint64_t climb) {
 }
 
 const Family& climbed_family() {
-  static constexpr Family family{"climbed", "changed again and again to the worst for our own calls",
+  static constexpr Family family{climbed_name, "changed again and again to the worst for our own calls",
                                  climbed};
   return family;
-}
-
-std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs) {
-  return family == climbed_family().name ? (pairs + climb_size - 1) / climb_size : pairs;
 }
 
 std::span<const Family> campaign_families() {

@@ -6,9 +6,9 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "corpus/pairs/families.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "oracles/trial/objective.hpp"
 
 namespace cyl {
@@ -24,9 +24,9 @@ struct ClimbGoal {
 /// Costs one call of the scored function.
 double height_of(const ClimbGoal& goal, const Pair& pair);
 
-/// Pairs of one climb: the first are drawn, each of the others is the best one before it, changed. Pair i of
-/// the family is pair i % climb_size of climb i / climb_size.
-inline constexpr std::uint64_t climb_size = 256, climb_starts = 16;
+/// The first of the climb_size pairs of a climb are drawn. Each of the others is the best one before it,
+/// changed. Pair i of the family is pair i % climb_size of climb i / climb_size.
+inline constexpr std::uint64_t climb_starts = 16;
 
 /// Returns what climb number `climb` is for: in turn, with one of eight for the referee, whose calls cost
 /// most.
@@ -37,9 +37,5 @@ const Family& climbed_family();
 
 /// families(), `climbed` and `derived`: what a campaign draws from.
 std::span<const Family> campaign_families();
-
-/// Returns how many of `pairs` pairs of a family were drawn independently of each other, at least: the pairs
-/// of one climb are not.
-std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs);
 
 }  // namespace cyl

@@ -9,9 +9,12 @@
 
 #include "base/process/child.hpp"
 #include "corpus/store/run_store.hpp"
-#include "fuzz/campaign/batch_process.hpp"
 
 namespace cyl {
+
+/// CPU time that a process itself may take for a batch, ten minutes against the usual second: beyond it our
+/// own code hangs.
+inline constexpr std::chrono::seconds batch_cpu_cap{600};
 
 class JobProcess {
  public:

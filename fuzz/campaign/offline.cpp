@@ -243,8 +243,8 @@ void OfflineJudge::judge_answer(const Case& question, std::size_t line, std::uin
   FindingRecord record;
   record.method = name_;
   record.family = families_[family];
-  record.kind = to_string(wrong->kind);
-  record.severity = to_string(wrong->severity);
+  record.kind = wrong->kind;
+  record.severity = wrong->severity;
   record.margin = wrong->margin;
   if (!kept_.admit(record)) return;
   trial.truth = judge(question.pair, offered);

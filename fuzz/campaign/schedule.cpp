@@ -34,10 +34,10 @@ std::vector<unsigned> weights_from(const std::string& folder, std::span<const Fa
   std::vector<std::string> runs;
   if (!holds_run(folder)) runs = runs_in(folder);
   if (runs.empty()) runs.push_back(folder);  // where that holds none, opening it says so
-  std::map<std::string, std::set<std::pair<std::string, std::string>>> found;
+  std::map<std::string, std::set<std::pair<std::string, FindingKind>>> found;
   for (const std::string& run : runs) {
     for (const GroupRecord& g : RunStore::open(run).groups()) {
-      if (g.severity == "contract") found[g.family].emplace(g.method, g.kind);
+      if (g.severity == Severity::contract) found[g.family].emplace(g.method, g.kind);
     }
   }
   std::size_t most = 1;

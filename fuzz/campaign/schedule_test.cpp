@@ -45,13 +45,13 @@ TEST(Weights, GrowWithWhatWasFoundAndLeaveNobodyOut) {
     batch.groups = std::move(groups);
     store.commit(batch, 1);
   };
-  commit("1", {{"x", "wrong_disjoint", "contract", "rich", 1000, 0},
-               {"x", "crash", "contract", "rich", 1, 0},
-               {"x", "wrong_disjoint", "contract", "middling", 1, 0},
-               {"x", "wrong_disjoint", "resolution", "poor", 1000, 0}});
-  commit("2", {{"x", "wrong_disjoint", "contract", "rich", 5, 0},
-               {"y", "crash", "contract", "rich", 1, 0},
-               {"y", "hang", "contract", "rich", 1, 0}});
+  commit("1", {{"x", FindingKind::wrong_disjoint, Severity::contract, "rich", 1000, 0},
+               {"x", FindingKind::crash, Severity::contract, "rich", 1, 0},
+               {"x", FindingKind::wrong_disjoint, Severity::contract, "middling", 1, 0},
+               {"x", FindingKind::wrong_disjoint, Severity::resolution, "poor", 1000, 0}});
+  commit("2", {{"x", FindingKind::wrong_disjoint, Severity::contract, "rich", 5, 0},
+               {"y", FindingKind::crash, Severity::contract, "rich", 1, 0},
+               {"y", FindingKind::hang, Severity::contract, "rich", 1, 0}});
   EXPECT_EQ(weights_from(folder, families), (std::vector<unsigned>{1, weight_cap, 3}));
   EXPECT_EQ(weights_from(folder / "1", families), (std::vector<unsigned>{1, weight_cap, 5}));
   EXPECT_THROW(weights_from(folder / "none", families), std::invalid_argument);

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
+#include "base/process/process.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/store/batch_bytes.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -39,7 +42,7 @@ BatchRecord run_until_found(const Workload& workload, std::uint64_t seed, std::u
   for (std::uint64_t at = first; at < record.next; at += self_check_octave) {
     BatchRecord batch = run_batch(workload, seed, at, std::min(record.next, at + self_check_octave));
     for (FindingRecord& f : batch.findings) {
-      if (f.severity != to_string(Severity::contract)) continue;
+      if (f.severity != Severity::contract) continue;
       record.findings.push_back(std::move(f));
       return record;
     }
@@ -58,7 +61,11 @@ SelfChecks::SelfChecks(const SelfCheckOptions& options, const Workload& workload
 
 bool SelfChecks::advance(std::uint64_t next) {
   if (options_.program.empty()) return true;
-  if (process_ && !process_->advance()) return false;
+  if (process_ && !process_->advance()) {
+    over_cap_ = process_->cpu_time() > self_check_cpu_cap;
+    if (over_cap_) process_->kill_now();
+    return false;
+  }
   if (process_) store_what_ended();
   if (next_ >= std::min<std::size_t>(order_.size(), starts_cap)) return true;
   at_.start = workload_.cases.size() + self_check_start(seed_, next_);
@@ -79,25 +86,33 @@ void SelfChecks::launch() {
   for (const Family& family : workload_.families)
     families.append(families.empty() ? "" : ",").append(family.name);
   const std::uint64_t first = at_.start - workload_.cases.size();
+  over_cap_ = false;
   process_.emplace(
-      first, first + self_check_pairs_cap,
       std::vector<std::string>{options_.program, "self-check", "--mutant", std::to_string(fault.number),
                                "--seed", std::to_string(seed_), "--first", std::to_string(first), "--pairs",
                                std::to_string(self_check_pairs_cap), "--methods", fault.asks, "--families",
                                families, "--weights", format_weights(workload_.weights)},
-      self_check_cpu_cap);
+      ChildOptions{.failure = "a self-check failed", .own_group = true});
+}
+
+BatchRecord SelfChecks::take() const {
+  if (over_cap_)
+    throw std::runtime_error(fmt::format("no end after {} s of CPU time", self_check_cpu_cap.count()));
+  if (process_->status() != 0) throw std::runtime_error(how_it_ended(process_->status()));
+  return parse_batch(process_->bytes());
 }
 
 void SelfChecks::store_what_ended() {
-  at_.milliseconds = static_cast<std::uint64_t>(process_->cpu_time().count());
+  at_.milliseconds = static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::milliseconds>(process_->cpu_time()).count());
   at_.pairs = self_check_pairs_cap;
   try {
-    const BatchRecord batch = process_->take();
+    const BatchRecord batch = take();
     at_.found = !batch.findings.empty();
     if (at_.found) {
       const FindingRecord& f = batch.findings.front();
-      at_.pairs = f.index - batch.first + 1;
-      at_.said = fmt::format("{}: {} on {} {}", f.method, f.kind, f.family, f.family_index);
+      at_.pairs = f.index - (at_.start - workload_.cases.size()) + 1;
+      at_.said = fmt::format("{}: {} on {} {}", f.method, to_string(f.kind), f.family, f.family_index);
     }
   } catch (const std::exception& error) {
     at_.pairs = 0;
@@ -106,32 +121,6 @@ void SelfChecks::store_what_ended() {
   store_.add(at_);
   process_.reset();
   ++next_;
-}
-
-std::string describe_failed_checks(std::span<const SelfCheckRecord> checks) {
-  std::string text;
-  for (const SelfCheckRecord& a : checks) {
-    if (a.found) continue;
-    if (!text.empty()) text += "; ";
-    text += fmt::format("planted fault {} ({}) was not found from index {} on", a.mutant, a.what, a.start);
-    text += a.said.empty() ? fmt::format(" in {} pairs", a.pairs)
-                           : fmt::format(", because its process ended: {}", a.said);
-  }
-  return text;
-}
-
-std::string format_self_checks(std::span<const SelfCheckRecord> checks) {
-  if (checks.empty()) return {};
-  if (const std::string failed = describe_failed_checks(checks); !failed.empty())
-    return "SELF-CHECK FAILED: " + failed;
-  std::uint64_t most = 0, milliseconds = 0;
-  for (const SelfCheckRecord& a : checks) {
-    most = std::max(most, a.pairs);
-    milliseconds += a.milliseconds;
-  }
-  return fmt::format("self-check: {} planted fault{} found, each after at most {} pairs, in {:.1f} s",
-                     checks.size(), checks.size() == 1 ? "" : "s", most,
-                     static_cast<double>(milliseconds) / 1000);
 }
 
 }  // namespace cyl

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "base/process/child.hpp"
 #include "fuzz/campaign/batch.hpp"
-#include "fuzz/campaign/batch_process.hpp"
 
 namespace cyl {
 
@@ -55,6 +55,7 @@ class SelfChecks {
 
  private:
   void store_what_ended();
+  BatchRecord take() const;
   void launch();
 
   const SelfCheckOptions& options_;
@@ -64,12 +65,8 @@ class SelfChecks {
   std::vector<KnownFault> order_;  ///< as they are drawn
   unsigned next_ = 0;              ///< the first that is not done
   SelfCheckRecord at_;             ///< that of process_
-  std::optional<BatchProcess> process_;
+  std::optional<Child> process_;
+  bool over_cap_ = false;
 };
-
-/// Returns each fault that was not found, in words; empty if all were.
-std::string describe_failed_checks(std::span<const SelfCheckRecord> checks);
-/// Returns "self-check: 7 planted faults found, ..", or which were not; empty if none was planted.
-std::string format_self_checks(std::span<const SelfCheckRecord> checks);
 
 }  // namespace cyl

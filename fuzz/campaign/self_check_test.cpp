@@ -84,8 +84,8 @@ class SelfCheck : public testing::Test {
     finding.index = 0x12345678;  // four bytes, as every index here; the script puts in its own
     finding.family = "row";
     finding.method = "decide";
-    finding.kind = "wrong_disjoint";
-    finding.severity = "contract";
+    finding.kind = FindingKind::wrong_disjoint;
+    finding.severity = Severity::contract;
     batch.findings = {finding};
     const std::string bytes = format_batch(batch), index("\x12\x34\x56\x78", 4);
     const std::size_t at = bytes.find(index);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/store/run_facts.hpp"
 
 namespace cyl {
 

@@ -40,7 +40,4 @@ bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index);
 /// Returns whether a method is asked that is not ours.
 bool any_foreign(const Workload& workload);
 
-/// The family name of the cases.
-inline constexpr const char* cases_family = "cases";
-
 }  // namespace cyl

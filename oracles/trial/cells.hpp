@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "corpus/store/cell_counts.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -50,9 +49,5 @@ struct Cell {
 ///   scale  size of the pair; offset: the largest coordinate of a centre over it
 /// Cost: that of the solver's distance, and 0.1 us.
 std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth);
-
-/// Adds an answer and what was wrong with it, if anything. A right verdict with a wrong distance or witness
-/// is right.
-void count_answer(CellCounts& counts, const MethodAnswer& answer, const std::optional<Finding>& wrong);
 
 }  // namespace cyl

@@ -135,36 +135,5 @@ TEST(Cells, EveryPairHasAPlaceOnThePlanes) {
   }
 }
 
-TEST(CountAnswer, EachAnswerIsCountedOnce) {
-  const auto counted = [](Status status, Verdict said, std::optional<FindingKind> kind,
-                          Severity severity = Severity::contract) {
-    MethodAnswer answer;
-    answer.status = status;
-    answer.verdict = said;
-    std::optional<Finding> wrong;
-    if (kind) wrong = Finding{*kind, severity, {}};
-    CellCounts counts;
-    count_answer(counts, answer, wrong);
-    return counts;
-  };
-  using K = FindingKind;
-  const auto answered = Status::answered;
-  EXPECT_EQ(counted(answered, Verdict::disjoint, {}), (CellCounts{1, 0, 0, 0, 0}));
-  EXPECT_EQ(counted(answered, Verdict::disjoint, K::wrong_disjoint), (CellCounts{1, 1, 0, 0, 0}));
-  EXPECT_EQ(counted(answered, Verdict::touching, K::wrong_intersecting), (CellCounts{1, 0, 1, 0, 0}));
-  EXPECT_EQ(counted(Status::failed, Verdict::undecided, K::crash), (CellCounts{1, 0, 0, 1, 0}));
-  EXPECT_EQ(counted(answered, Verdict::disjoint, K::non_finite), (CellCounts{1, 0, 0, 1, 0}));
-  EXPECT_EQ(counted(answered, Verdict::undecided, {}), (CellCounts{1, 0, 0, 0, 1}));
-  EXPECT_EQ(counted(Status::declined, Verdict::undecided, {}), (CellCounts{1, 0, 0, 0, 0, 1}));
-  const auto within = Severity::resolution;
-  EXPECT_EQ(counted(answered, Verdict::disjoint, K::wrong_disjoint, within),
-            (CellCounts{1, 1, 0, 0, 0, 0, 1, 0}));
-  EXPECT_EQ(counted(answered, Verdict::touching, K::wrong_intersecting, within),
-            (CellCounts{1, 0, 1, 0, 0, 0, 0, 1}));
-  EXPECT_EQ(counted(answered, Verdict::invalid, K::wrong_invalid), (CellCounts{1, 0, 0, 0, 1}));
-  for (const K kind : {K::distance_outside, K::bad_witness, K::wrong_touching, K::nondeterminism})
-    EXPECT_EQ(counted(answered, Verdict::disjoint, kind), (CellCounts{1, 0, 0, 0, 0}));
-}
-
 }  // namespace
 }  // namespace cyl

@@ -92,10 +92,16 @@ Trial try_method(const std::unique_ptr<Method>& method, const Pair& pair) {
   return trial;
 }
 
+std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> methods,
+                                       std::string_view name) {
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    if (methods[m]->name() == name) return m;
+  return {};
+}
+
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name) {
-  for (const auto& method : methods)
-    if (method->name() == name) return method;
+  if (const auto m = position_of(methods, name)) return methods[*m];
   throw UsageError(fmt::format("no method is named '{}'", name));
 }
 

@@ -75,7 +75,10 @@ std::vector<Trial> try_method(const std::unique_ptr<Method>& method, std::span<c
 /// The same of one pair, with the caps of a campaign, and the distance narrow.
 Trial try_method(const std::unique_ptr<Method>& method, const Pair& pair);
 
-/// Returns the method of that name. Throws UsageError where there is none.
+/// Returns the index of the method of that name, or nothing.
+std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> methods,
+                                       std::string_view name);
+/// Returns the method of that name. Throws UsageError if there is none.
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 

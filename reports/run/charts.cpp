@@ -27,9 +27,8 @@ bool is_wrong_or_failed(const CellCounts& c) {
   return c.wrong_disjoint + c.wrong_intersecting + c.failed > 0;
 }
 
-bool is_counted(const std::string& kind) {
-  const auto k = from_word<FindingKind>(kind);
-  return k == FindingKind::wrong_disjoint || k == FindingKind::wrong_intersecting || (k && is_failure(*k));
+bool is_counted(FindingKind k) {
+  return k == FindingKind::wrong_disjoint || k == FindingKind::wrong_intersecting || is_failure(k);
 }
 
 using MapPlace = std::tuple<std::string, std::size_t, int, int>;  // method, plane, x, y

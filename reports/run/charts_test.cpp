@@ -23,11 +23,11 @@ Pair beside(double margin) {
   return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, {0, 0, 1}, 1, 2}};
 }
 
-FindingRecord finding(const char* method, const char* kind, const Pair& pair, Verdict truth) {
+FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Verdict truth) {
   FindingRecord f;
   f.method = method;
   f.kind = kind;
-  f.severity = "contract";
+  f.severity = Severity::contract;
   f.family = "f";
   Case line;
   line.pair = pair;
@@ -63,11 +63,11 @@ class Charts : public testing::Test {
     ask(beside(0), Verdict::touching, {{7}, {0}});
     ask(beside(1e-17), Verdict::disjoint, {{1}, {0}});
     batch.cells = cells.records();
-    batch.findings = {finding("bad", "distance_outside", beside(3e-7), Verdict::disjoint),
-                      finding("bad", "wrong_intersecting", beside(4e-7), Verdict::undecided),
-                      finding("bad", "wrong_intersecting", beside(4e-7), Verdict::disjoint),
-                      finding("bad", "wrong_intersecting", beside(3e-7), Verdict::disjoint),
-                      finding("bad", "crash", beside(1), Verdict::disjoint)};
+    batch.findings = {finding("bad", FindingKind::distance_outside, beside(3e-7), Verdict::disjoint),
+                      finding("bad", FindingKind::wrong_intersecting, beside(4e-7), Verdict::undecided),
+                      finding("bad", FindingKind::wrong_intersecting, beside(4e-7), Verdict::disjoint),
+                      finding("bad", FindingKind::wrong_intersecting, beside(3e-7), Verdict::disjoint),
+                      finding("bad", FindingKind::crash, beside(1), Verdict::disjoint)};
     for (std::size_t i = 0; i < batch.findings.size(); ++i) batch.findings[i].index = i;
     run.commit(batch, 1);
   }
@@ -87,7 +87,7 @@ const MapCell* cell_at(const FailureMap& map, const Pair& pair, Verdict truth) {
 }
 
 TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
-  const std::vector<FailureMap> maps = failure_maps(read_run(folder));
+  const std::vector<FailureMap> maps = failure_maps(read_run(folder, {}));
   ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent one was not asked
   EXPECT_EQ(maps[0].method, "good");
   EXPECT_EQ(maps[3].method, "bad");
@@ -104,7 +104,7 @@ TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
 }
 
 TEST_F(Charts, CalibrationIsByDecadeAndTouchingIsBelowAll) {
-  const std::vector<Calibration> all = calibration_of(failure_maps(read_run(folder)));
+  const std::vector<Calibration> all = calibration_of(failure_maps(read_run(folder, {})));
   ASSERT_EQ(all.size(), 2u);
   ASSERT_EQ(all[0].bins.size(), 3u);
   EXPECT_EQ(all[0].bins[0].first, 0);
@@ -116,7 +116,7 @@ TEST_F(Charts, CalibrationIsByDecadeAndTouchingIsBelowAll) {
 
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   std::ofstream(folder / "charts.json") << R"({"paths":[1],"maps":[],"speed":[5]})";
-  RunData run = read_run(folder);
+  RunData run = read_run(folder, {});
   write_charts(run, {});
   EXPECT_EQ(charts()["paths"], parse_json("[1]"));
   EXPECT_EQ(charts()["speed"], parse_json("[5]"));

@@ -11,8 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include "fuzz/campaign/campaign.hpp"
-#include "fuzz/campaign/climbed.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "reports/run/run_data.hpp"
 
 namespace cyl {
@@ -21,21 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 
 using MethodFamily = std::pair<std::string, std::string>;
-using Key = std::tuple<std::string, std::string, std::string, std::string>;  // method, kind, severity, family
 
 /// What history needs of a run.
 struct Past {
   std::string began, folder;
   bool shard = false;  ///< a part of a run
   std::map<MethodFamily, std::uint64_t> asked;
-  std::map<Key, GroupRecord> found;
+  std::map<FindingGroup, GroupRecord> found;
 };
 
 Past past_of(const std::string& folder, const Config& config, const std::vector<TallyRecord>& tallies,
              const std::vector<GroupRecord>& groups) {
   Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
   for (const TallyRecord& t : tallies) past.asked[{t.method, t.family}] += t.counts.asked;
-  for (const GroupRecord& g : groups) past.found[{g.method, g.kind, g.severity, g.family}] = g;
+  for (const GroupRecord& g : groups) past.found[g] = g;
   return past;
 }
 
@@ -43,13 +41,12 @@ bool before(const Past& x, const Past& y) {
   return std::pair(x.began, x.folder) < std::pair(y.began, y.folder);
 }
 
-Observation observation_of(const Key& key, const Past& run) {
-  const auto asked = run.asked.find({std::get<0>(key), std::get<3>(key)});
+Observation observation_of(const FindingGroup& key, const Past& run) {
+  const auto asked = run.asked.find({key.method, key.family});
   if (asked == run.asked.end()) return {};
   const auto found = run.found.find(key);
-  const std::string& family = std::get<3>(key);
-  return {found == run.found.end() ? 0 : independent_draws(family, found->second.count),
-          independent_draws(family, asked->second)};
+  return {found == run.found.end() ? 0 : independent_draws(key.family, found->second.count),
+          independent_draws(key.family, asked->second)};
 }
 
 }  // namespace
@@ -78,7 +75,7 @@ History compare_with_earlier(const RunData& data) {
   std::sort(earlier.begin(), earlier.end(), before);
   history.runs = earlier.size();
 
-  std::map<Key, GroupRecord> all = here.found;
+  std::map<FindingGroup, GroupRecord> all = here.found;
   for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
   for (const auto& [key, group] : all) {
     std::vector<Observation> before;

@@ -16,6 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Kinds by what becomes of them in the runs below.
+constexpr auto held = FindingKind::hang, lost = FindingKind::crash, old = FindingKind::exception,
+               late = FindingKind::malformed, first = FindingKind::wrong_disjoint,
+               seldom = FindingKind::nondeterminism, other = FindingKind::reported;
+
 class HistoryTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -26,19 +31,19 @@ class HistoryTest : public testing::Test {
 
   /// A run that asked `methods` about one family and found these kinds of each.
   void run(const std::string& name, const std::string& began,
-           const std::map<std::string, std::set<std::string>>& methods) const {
+           const std::map<std::string, std::set<FindingKind>>& methods) const {
     RunStore store = RunStore::create(folder / name, {{"started", began}});
     BatchRecord batch;
     batch.next = 1;
     for (const auto& [method, kinds] : methods) {
       batch.tallies.push_back({method, "flat", Counts{100, 0, 0, 0, 0, 0, 0}});
-      for (const std::string& kind : kinds)
-        batch.groups.push_back({method, kind, "contract", "flat", kind == "seldom" ? 2u : 30u, 0});
+      for (const FindingKind kind : kinds)
+        batch.groups.push_back({{method, kind, Severity::contract, "flat"}, kind == seldom ? 2u : 30u, 0});
     }
     store.commit(batch, 1);
   }
-  std::string standing(const std::string& name, const std::string& method, const std::string& kind) const {
-    for (const auto& [group, standing] : read_run(folder / name).history.groups) {
+  std::string standing(const std::string& name, const std::string& method, FindingKind kind) const {
+    for (const auto& [group, standing] : read_run(folder / name, {}).history.groups) {
       if (group.method == method && group.kind == kind) return to_string(standing);
     }
     return "";
@@ -48,49 +53,49 @@ class HistoryTest : public testing::Test {
 };
 
 TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
-  run("c", "2026-11-01", {{"x", {"lost", "held", "old"}}});
-  run("b", "2026-11-02", {{"x", {"held", "late"}}});
-  run("a", "2026-11-03", {{"x", {"held", "lost", "first", "seldom"}}, {"y", {"other"}}});
-  run("later", "2026-11-04", {{"x", {"first"}}});
-  EXPECT_EQ(standing("a", "x", "first"), "new");
-  EXPECT_EQ(standing("a", "y", "other"), "new");
-  EXPECT_EQ(standing("a", "x", "seldom"), "rare") << "two may be chance";
-  EXPECT_EQ(standing("a", "x", "held"), "known");
-  EXPECT_EQ(standing("a", "x", "lost"), "back");
-  EXPECT_EQ(standing("a", "x", "late"), "gone");
-  EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
-  EXPECT_EQ(format_history(read_run(folder / "a").history),
+  run("c", "2026-11-01", {{"x", {lost, held, old}}});
+  run("b", "2026-11-02", {{"x", {held, late}}});
+  run("a", "2026-11-03", {{"x", {held, lost, first, seldom}}, {"y", {other}}});
+  run("later", "2026-11-04", {{"x", {first}}});
+  EXPECT_EQ(standing("a", "x", first), "new");
+  EXPECT_EQ(standing("a", "y", other), "new");
+  EXPECT_EQ(standing("a", "x", seldom), "rare") << "two may be chance";
+  EXPECT_EQ(standing("a", "x", held), "known");
+  EXPECT_EQ(standing("a", "x", lost), "back");
+  EXPECT_EQ(standing("a", "x", late), "gone");
+  EXPECT_EQ(standing("a", "x", old), "") << "gone before";
+  EXPECT_EQ(format_history(read_run(folder / "a", {}).history),
             "compared with 2 earlier runs in the same folder, groups by method, kind and family: 2 new, 1 "
             "back, 1 gone, 1 known, 1 rare");
-  EXPECT_EQ(format_history(read_run(folder / "c").history),
+  EXPECT_EQ(format_history(read_run(folder / "c", {}).history),
             "compared with 0 earlier runs in the same folder, groups by method, kind and family: 3 new, 0 "
             "back, 0 gone, 0 known, 0 rare");
 }
 
 TEST_F(HistoryTest, ARunThatDidNotAskDoesNotCount) {
-  run("1", "2026-11-01", {{"x", {"held"}}});
+  run("1", "2026-11-01", {{"x", {held}}});
   run("2", "2026-11-02", {{"y", {}}});
-  run("3", "2026-11-03", {{"x", {"held"}}});
+  run("3", "2026-11-03", {{"x", {held}}});
   run("4", "2026-11-04", {{"y", {}}});
-  EXPECT_EQ(standing("3", "x", "held"), "known");
-  EXPECT_EQ(standing("4", "x", "held"), "");
+  EXPECT_EQ(standing("3", "x", held), "known");
+  EXPECT_EQ(standing("4", "x", held), "");
 }
 
 TEST_F(HistoryTest, ShardsHaveNoHistoryOfTheirOwn) {
-  run("0", "2026-11-01", {{"x", {"held"}}});
-  run("1", "2026-11-02", {{"x", {"held"}}});
-  run("2", "2026-11-03", {{"x", {"held"}}});
+  run("0", "2026-11-01", {{"x", {held}}});
+  run("1", "2026-11-02", {{"x", {held}}});
+  run("2", "2026-11-03", {{"x", {held}}});
   RunStore::open(folder / "1").set("shard", "1/3 of batches of 512");
-  EXPECT_EQ(read_run(folder / "1").history.runs, 0u);
-  EXPECT_EQ(read_run(folder / "2").history.runs, 1u);
+  EXPECT_EQ(read_run(folder / "1", {}).history.runs, 0u);
+  EXPECT_EQ(read_run(folder / "2", {}).history.runs, 1u);
 }
 
 TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
-  run("1", "2026-11-01", {{"x", {"held"}}});
-  run("2", "2026-11-02", {{"x", {"held"}}});
+  run("1", "2026-11-01", {{"x", {held}}});
+  run("2", "2026-11-02", {{"x", {held}}});
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
-  EXPECT_EQ(format_history(read_run(folder / "2").history),
+  EXPECT_EQ(format_history(read_run(folder / "2", {}).history),
             "compared with 1 earlier run in the same folder, groups by method, kind and family: 0 new, 0 "
             "back, 0 gone, 1 known, 0 rare\n"
             "  skipped because they cannot be read: 1 runs");

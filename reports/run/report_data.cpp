@@ -19,10 +19,6 @@
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/stored_answers.hpp"
-#include "fuzz/campaign/batch.hpp"
-#include "fuzz/campaign/campaign.hpp"
-#include "fuzz/campaign/climbed.hpp"
-#include "fuzz/campaign/self_check.hpp"
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
 #include "reports/run/tally_table.hpp"
@@ -69,7 +65,7 @@ std::string command_of(const RunData& run) {
   std::vector<std::string> asked, all, all_families;
   for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());
-  for (const Family& f : campaign_families()) all_families.emplace_back(f.name);
+  for (const Family& f : run.families) all_families.emplace_back(f.name);
   const Shard shard = shard_of(config);
   std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
                                     shell_quoted(value_of(config, "seed")), run.progress.next);
@@ -116,7 +112,7 @@ json methods_json(const RunData& run) {
   return all;
 }
 
-json families_json(const std::vector<MethodTally>& tallies) {
+json families_json(const RunData& run, const std::vector<MethodTally>& tallies) {
   std::set<std::string> asked;
   for (const MethodTally& m : tallies)
     for (const TallyRecord& t : m.families) asked.insert(t.family);
@@ -125,7 +121,7 @@ json families_json(const std::vector<MethodTally>& tallies) {
     if (asked.erase(name) > 0) all.push_back({{"name", name}, {"summary", summary}});
   };
   tell(cases_family, "the case files, played first");
-  for (const Family& f : campaign_families()) tell(std::string(f.name), f.summary);
+  for (const Family& f : run.families) tell(std::string(f.name), f.summary);
   for (const std::string& name : std::set(asked)) tell(name, "of another build");
   return all;
 }
@@ -153,8 +149,8 @@ json history_json(const History& history) {
   json groups = json::array();
   for (const auto& [g, standing] : history.groups) {
     groups.push_back({{"method", g.method},
-                      {"kind", g.kind},
-                      {"severity", g.severity},
+                      {"kind", to_string(g.kind)},
+                      {"severity", to_string(g.severity)},
                       {"family", g.family},
                       {"count", g.count},
                       {"standing", to_string(standing)}});
@@ -255,7 +251,7 @@ void add_findings(json& report, const RunData& run) {
     Shared& s = shared[at->second];
     s.methods.insert(f.method);
     // Of a wrong distance the margin is its error.
-    if (!s.margin && f.kind != to_string(FindingKind::distance_outside)) s.margin = f.margin;
+    if (!s.margin && f.kind != FindingKind::distance_outside) s.margin = f.margin;
     case_at.push_back(at->second);
   }
 
@@ -274,8 +270,8 @@ void add_findings(json& report, const RunData& run) {
     const auto bucket = bucket_of.find(f.id);
     findings.push_back({{"id", f.id},
                         {"method", f.method},
-                        {"kind", f.kind},
-                        {"severity", f.severity},
+                        {"kind", to_string(f.kind)},
+                        {"severity", to_string(f.severity)},
                         {"family", f.family},
                         {"bucket", bucket == bucket_of.end() ? json() : json(bucket->second)},
                         {"margin", margin_json(f.margin)},
@@ -359,7 +355,7 @@ json report_of(const RunData& run, const std::string& kill_matrix) {
   json report = {{"schema", 1},
                  {"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
-                 {"families", families_json(tallies)},
+                 {"families", families_json(run, tallies)},
                  {"tallies", tallies_json(tallies)},
                  {"history", history_json(run.history)},
                  {"alarm", self_check_json(run.self_checks)},

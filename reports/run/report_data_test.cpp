@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "base/json.hpp"
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/store/triage_store.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/mutants/kill_data.hpp"
+#include "reports/triage/triage_store.hpp"
 #include "reports/web/page_data_test.hpp"
 #include "reports/web/page_template.hpp"
 
@@ -51,7 +52,7 @@ class ReportData : public testing::Test {
     fs::create_directories(folder.parent_path());
   }
   void TearDown() override { fs::remove_all(folder.parent_path()); }
-  json data() const { return parse_ordered_json(report_json(read_run(folder))); }
+  json data() const { return parse_ordered_json(report_json(read_run(folder, families()))); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
   fs::path folder;
 };
@@ -61,8 +62,8 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   f.index = f.family_index = index;
   f.family = "cases";
   f.method = method;
-  f.kind = "wrong_disjoint";
-  f.severity = "contract";
+  f.kind = FindingKind::wrong_disjoint;
+  f.severity = Severity::contract;
   f.margin = Enclosure{margin, margin};
   Case c;
   c.pair.a.radius = static_cast<double>(index) + 0.1;
@@ -129,7 +130,7 @@ TEST_F(ReportData, TheCommandBringsTheGuests) {
     std::vector<MethodRecord> asked;
     for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
     RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
-    return parse_ordered_json(report_json(read_run(run)))["run"]["command"].get<std::string>();
+    return parse_ordered_json(report_json(read_run(run, families())))["run"]["command"].get<std::string>();
   };
   const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
   EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
@@ -175,7 +176,7 @@ TEST_F(ReportData, EachFindingHasItsOwnMargin) {
   RunStore store = RunStore::create(folder, {});
   std::vector<FindingRecord> findings{finding(0, "far_off", 0.25), finding(0, "fake", 1e-7),
                                       finding(0, "other", 1e-7)};
-  findings[0].kind = "distance_outside";
+  findings[0].kind = FindingKind::distance_outside;
   findings[2].margin.reset();
   commit(store, findings);
   const json report = data();
@@ -235,7 +236,7 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   const auto refused = [&](const char* name, const char* text) {
     put(name, text);
     try {
-      report_json(read_run(folder));
+      report_json(read_run(folder, families()));
       return false;
     } catch (const std::runtime_error& error) {
       return std::string(error.what()).find(name) != std::string::npos;
@@ -252,7 +253,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   Case c;
   c.id = c.source = c.note = hostile;
   f.pair = format_case(c);
-  f.kind = f.reason = f.stage = hostile;
+  f.reason = f.stage = hostile;
   f.answers = R"([[{"failed":)" + quote_json(hostile) + "},[" + quote_json(hostile) + "]]]";
   f.truth = R"({"verdict":)" + quote_json(hostile) + R"(,"point":["1/3",)" + quote_json(hostile) + ",0]}";
   FindingRecord broken = f;
@@ -261,7 +262,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   FindingRecord half = finding(1, "half", 0.5);
   half.answers = half.truth = "[1]";
   commit(store, {f, broken, half});
-  write_page(read_run(folder));
+  write_page(read_run(folder, families()));
   std::ifstream in(folder / "report.html");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   EXPECT_EQ(page.find("<img"), page.npos);
@@ -290,7 +291,7 @@ TEST_F(ReportData, ThePageHoldsTheSameFindingsAndMaps) {
                                    {{"x", 2}, {"y", 0}, {"asked", 5}}};
   const json maps = {{{"method", "fake"}, {"cells", cells}}, {{"method", "other"}, {"cells", json::array()}}};
   put("charts.json", json{{"maps", maps}}.dump());
-  const RunData run = read_run(folder);
+  const RunData run = read_run(folder, families());
   write_page(run);
   std::ifstream in(folder / "report.html");
   json page = parse_ordered_json(page_data({std::istreambuf_iterator<char>(in), {}})), whole = data();
@@ -306,8 +307,8 @@ TEST_F(ReportData, ThePageHoldsTheSameFindingsAndMaps) {
 TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {
   RunStore store = RunStore::create(folder, {});
   commit(store, {finding(0, "fake", 1)});
-  write_page(read_run(folder));
-  write_page(read_run(folder));
+  write_page(read_run(folder, families()));
+  write_page(read_run(folder, families()));
   const std::string page = fill_template("{}");
   for (const char* word : {"src=\"", "@import", "<link", "url(http"})
     EXPECT_EQ(page.find(word), page.npos) << word;

@@ -19,10 +19,11 @@ FoundPair found_pair(const FindingRecord& finding) {
 
 }  // namespace
 
-RunData read_run(const std::string& folder) {
+RunData read_run(const std::string& folder, std::span<const Family> families) {
   const RunStore store = RunStore::open(folder);
   RunData run;
   run.folder = folder;
+  run.families = families;
   run.config = store.config();
   run.progress = store.progress();
   run.methods = store.methods();

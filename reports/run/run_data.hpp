@@ -4,12 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/json.hpp"
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/store/run_store.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "reports/run/history.hpp"
 
 namespace cyl {
@@ -21,7 +23,8 @@ struct FoundPair {
 };
 
 struct RunData {
-  std::string folder;  ///< as it was named
+  std::string folder;                ///< as it was named
+  std::span<const Family> families;  ///< that this build draws from
   Config config;
   Progress progress;
   std::vector<MethodRecord> methods;
@@ -37,6 +40,6 @@ struct RunData {
 
 /// Reads the run in a folder. Throws UsageError if there is none, and std::runtime_error that names a file
 /// that cannot be read.
-RunData read_run(const std::string& folder);
+RunData read_run(const std::string& folder, std::span<const Family> families);
 
 }  // namespace cyl

@@ -13,8 +13,7 @@
 #include "corpus/pairs/finding.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "fuzz/campaign/batch.hpp"
-#include "fuzz/campaign/self_check.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "oracles/methods/method.hpp"
 #include "reports/run/tally_table.hpp"
 
@@ -41,8 +40,7 @@ std::string most_of(Ranked counts) {
 Ranked failures_of(const RunData& run) {
   std::map<std::string, std::uint64_t> counts;
   for (const GroupRecord& g : run.groups) {
-    const auto kind = from_word<FindingKind>(g.kind);
-    if (kind && is_failure(*kind)) counts[g.method + ' ' + g.kind] += g.count;
+    if (is_failure(g.kind)) counts[g.method + ' ' + to_string(g.kind)] += g.count;
   }
   return {counts.begin(), counts.end()};
 }
@@ -52,11 +50,9 @@ Ranked failures_of(const RunData& run) {
 const FindingRecord* worst_finding(const RunData& run) {
   const FindingRecord* worst = nullptr;
   const auto key = [](const FindingRecord& f) {
-    const auto kind = from_word<FindingKind>(f.kind);
     const CaseLine line = parse_case(f.pair, 1);
-    return std::tuple(f.severity == to_string(Severity::contract),
-                      f.severity == to_string(Severity::resolution),
-                      line.value && is_ordinary(line.value->pair), kind && is_refuted_verdict(*kind),
+    return std::tuple(f.severity == Severity::contract, f.severity == Severity::resolution,
+                      line.value && is_ordinary(line.value->pair), is_refuted_verdict(f.kind),
                       f.margin ? f.margin->lo : 0.0);
   };
   decltype(key(*worst)) most;

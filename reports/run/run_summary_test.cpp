@@ -8,9 +8,9 @@
 namespace cyl {
 namespace {
 
-FindingRecord finding(double size, const char* severity, double margin) {
+FindingRecord finding(double size, Severity severity, double margin) {
   FindingRecord f;
-  f.kind = "wrong_disjoint";
+  f.kind = FindingKind::wrong_disjoint;
   f.severity = severity;
   f.margin = Enclosure{margin, margin};
   f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, size, size}, {{size, 0, 0}, {0, 1, 0}, size, size}});
@@ -19,11 +19,11 @@ FindingRecord finding(double size, const char* severity, double margin) {
 
 TEST(RunSummary, TheWorstIsOfOrdinarySizeIfOneIs) {
   RunData run;
-  run.findings = {finding(1e200, "contract", 0.9), finding(1, "resolution", 0.8),
-                  finding(1e-9, "contract", 0.7)};
+  run.findings = {finding(1e200, Severity::contract, 0.9), finding(1, Severity::resolution, 0.8),
+                  finding(1e-9, Severity::contract, 0.7)};
   EXPECT_EQ(worst_finding(run), &run.findings[0]);
-  run.findings.push_back(finding(1, "contract", 0.1));
-  run.findings.push_back(finding(1, "contract", 0.2));
+  run.findings.push_back(finding(1, Severity::contract, 0.1));
+  run.findings.push_back(finding(1, Severity::contract, 0.2));
   EXPECT_EQ(worst_finding(run), &run.findings[4]);
 }
 

@@ -21,8 +21,8 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   fs::remove_all(folder);
   FindingRecord f;
   f.method = "stored";
-  f.kind = "wrong_disjoint";
-  f.severity = "contract";
+  f.kind = FindingKind::wrong_disjoint;
+  f.severity = Severity::contract;
   f.family = "f";
   Case line;
   line.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.4, 0, 0}, {0, 0, 1}, 1, 2}};  // a tenth of 6 deep
@@ -36,7 +36,7 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   RunStore::create(folder, {}).commit(batch, 1);
   std::ofstream(folder / "charts.json") << R"({"maps":[3],"paths":[4]})";
   const auto methods = select_methods(own_methods(), "intersect");
-  RunData run = read_run(folder);
+  RunData run = read_run(folder, {});
   write_stability(run, methods, DAYLIGHT_SOURCE_DIR "/bench/stability/builds.jsonl");
   std::ifstream in(folder / "charts.json");
   const json charts = json::parse(in);

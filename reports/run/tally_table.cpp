@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "fuzz/campaign/batch.hpp"
+#include "corpus/store/run_facts.hpp"
 
 namespace cyl {
 namespace {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/statistics.hpp"
+#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/triage/buckets.hpp"
 
@@ -19,16 +21,13 @@ void visit_plain(B& b, Visit visit) {
   visit("key", b.key);
   visit("method", b.method);
   visit("methods", b.methods);
-  visit("kind", b.kind);
   visit("count", b.count);
   visit("pairs", b.pairs);
   visit("families", b.families);
   visit("findings", b.findings);
   visit("merged", b.merged);
-  visit("simplest", b.simplest);
   visit("simplified", b.simplified);
   visit("seen_again", b.seen_again);
-  visit("worst", b.worst);
   visit("feature", b.feature);
   visit("coordinate", b.coordinate);
   visit("cause", b.cause);
@@ -46,6 +45,21 @@ Json margin_json(const std::optional<Enclosure>& margin) {
 
 /// Reads what number_json() wrote of an end.
 double end_of(const Json& x) { return x.is_string() ? std::stod(x.get<std::string>()) : x.get<double>(); }
+
+template <Worded E>
+E word_of(const Json& word) {
+  const auto value = from_word<E>(word.get<std::string>());
+  if (!value) throw std::runtime_error(word.dump() + " is not a word that this version writes");
+  return *value;
+}
+
+/// Reads the pair and the margin of a page's Case.
+ShownCase case_of(const Json& j) {
+  ShownCase shown{parse_case(j.at("pair").dump(), 1).value.value().pair, {}, j.dump()};
+  if (const Json& margin = j.at("margin"); !margin.is_null())
+    shown.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
+  return shown;
+}
 
 Json share_json(const std::optional<Bucket::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
@@ -94,18 +108,20 @@ std::string format_bucket(const Bucket& b) {
                       counted(b.families.size(), "family", "families"),
                       counted(b.methods.size(), "method", "methods"));
   if (b.margin) text += fmt::format("; margins {:.1e} to at least {:.1e}", b.margin->lo, b.margin->hi);
-  if (b.worst_was_searched)
-    text += fmt::format(", at least {:.1e} by search", end_of(b.worst.at("margin").at(0)));
+  if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);
   if (b.share)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
                         b.share->asked);
-  return text + fmt::format("\n    {}: {}\n", some_of(b.methods), b.simplest.at("pair").dump());
+  return text + fmt::format("\n    {}: {}\n", some_of(b.methods), pair_to_json(b.simplest.pair).dump());
 }
 
 }  // namespace
 
 Json to_json(const Bucket& b) {
-  Json j{{"severity", to_string(b.severity)},
+  Json j{{"kind", to_string(b.kind)},
+         {"simplest", parse_json(b.simplest.page)},
+         {"worst", b.worst ? parse_json(b.worst->page) : Json()},
+         {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
          {"mechanism", to_string(b.mechanism)},
          {"share", share_json(b.share)},
@@ -129,15 +145,19 @@ Json to_json(const std::vector<Bucket>& buckets) {
 Bucket bucket_from_json(const Json& j) {
   Bucket b;
   visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
-  b.worst_was_searched = b.worst.contains("note");
-  b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
-  b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
+  b.simplest = case_of(j.at("simplest"));
+  if (const Json& worst = j.at("worst"); !worst.is_null()) {
+    b.worst = case_of(worst);
+    b.worst_was_searched = worst.contains("note");
+  }
+  b.kind = word_of<FindingKind>(j.at("kind"));
+  b.severity = word_of<Severity>(j.at("severity"));
+  b.mechanism = word_of<Mechanism>(j.at("mechanism"));
   if (const Json& margin = j.at("margin"); !margin.is_null())
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
-  if (const Json& status = j.at("standing"); !status.is_null())
-    b.status = from_word<Recurrence>(status.get<std::string>());
+  if (const Json& status = j.at("standing"); !status.is_null()) b.status = word_of<Recurrence>(status);
   if (const Json& chance = j.at("chance"); !chance.is_null()) b.chance = chance.get<double>();
   for (const Json& night : j.at("nights"))
     b.history.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});

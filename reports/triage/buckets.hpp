@@ -11,20 +11,28 @@
 #include <set>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/enum_words.hpp"
 #include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "corpus/store/suppressions.hpp"
-#include "corpus/store/triage_store.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "reports/triage/recurrence.hpp"
+#include "reports/triage/triage_store.hpp"
 
 namespace cyl {
+
+struct TriageRecords;
+
+/// A pair that is shown of a cause.
+struct ShownCase {
+  Pair pair;
+  std::optional<Enclosure> margin;  ///< |distance| / size; empty if it is not known
+  std::string page;                 ///< the same with truth and answers: interface Case of the page, as JSON
+};
 
 /// A cause: the findings with this cause, and the data that is shown of them.
 struct Bucket {
@@ -40,7 +48,8 @@ struct Bucket {
   };
 
   std::string key;
-  std::string method, kind;  ///< of the finding that the simplest pair comes from
+  std::string method;                              ///< of the finding that the simplest pair comes from
+  FindingKind kind = FindingKind::wrong_disjoint;  ///< likewise
   std::set<std::string> methods, families;
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
@@ -48,12 +57,13 @@ struct Bucket {
   std::vector<std::int64_t> findings;  ///< ids of the stored findings
   std::optional<Enclosure> margin;     ///< the least and the greatest lower bound
   std::vector<std::string> merged;     ///< keys of the simplified pairs
-  nlohmann::json simplest, worst;      ///< in the form of the page's Case
-  bool ordinary = true;                ///< the simplest is: is_ordinary()
-  bool simplified = false;             ///< the simplest is; else it is as it was found
-  bool seen_again = false;             ///< its method, asked alone, failed on the simplest
-  bool worst_was_searched = false;     ///< it is not a finding
-  std::string feature, coordinate;     ///< of the simplest pair, in words
+  ShownCase simplest;
+  std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
+  bool ordinary = true;             ///< the simplest is: is_ordinary()
+  bool simplified = false;          ///< the simplest is; else it is as it was found
+  bool seen_again = false;          ///< its method, asked alone, failed on the simplest
+  bool worst_was_searched = false;  ///< it comes from a search and is not a finding
+  std::string feature, coordinate;  ///< of the simplest pair, in words
   Mechanism mechanism = Mechanism::unclassified;
   std::string cause;                ///< in words
   std::vector<std::string> labels;  ///< the cause and further labels
@@ -71,8 +81,7 @@ struct ExaminedFindings {
   std::uint64_t found = 0, looked_at = 0;
   std::map<std::string, std::uint64_t> by_cause;
 };
-using ExaminedGroups =
-    std::map<std::tuple<std::string, std::string, std::string, std::string>, ExaminedFindings>;
+using ExaminedGroups = std::map<FindingGroup, ExaminedFindings>;
 
 ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
                                const std::vector<FindingHead>& findings,
@@ -94,32 +103,6 @@ nlohmann::json to_json(const std::vector<Bucket>& buckets);
 /// Reads the output of to_json(), except for the suppression. Throws nlohmann::json::exception if the value
 /// has another form.
 Bucket bucket_from_json(const nlohmann::json& stored);
-
-/// All that is known of a run's findings.
-struct TriageRecords {
-  std::string folder;                   ///< of the run
-  std::vector<FindingRecord> findings;  ///< by id
-  std::vector<GroupRecord> groups;
-  std::vector<CauseRecord> causes;    ///< by finding; findings without one are left out of the buckets
-  std::vector<SimpleRecord> simples;  ///< by finding
-  std::vector<WorstRecord> worsts;    ///< by bucket
-};
-
-/// Whether x is the worse of two findings: a refuted verdict before all else, then the larger proved margin.
-bool is_worse(const FindingRecord& x, const FindingRecord& y);
-/// The proved margin of a finding, or -1 if there is none.
-double least_margin(const FindingRecord& finding);
-
-/// Returns how many findings a bucket stands for. Findings that are not stored are only counted by group
-/// (method, kind, severity, family). The buckets share the count of a group in proportion to its stored
-/// findings. The remainder goes to the larger parts first.
-struct BucketCount {
-  std::uint64_t findings = 0;
-  std::map<std::string, std::uint64_t> by_method;
-
-  std::uint64_t most() const;  ///< of a method: pairs, since it has one finding a pair
-};
-std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records);
 
 /// Makes the buckets, those beyond claims first, then by count. Status, first and last seen are not set. The
 /// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a

@@ -5,10 +5,9 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
-#include "fuzz/campaign/batch.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "reports/triage/triage_context.hpp"
 
 namespace cyl {
@@ -33,20 +32,18 @@ void forget_changed_guests(const TriageContext& context) {
 /// The first of each method, kind, severity and family before the second of any: where time ends, few causes
 /// are missing.
 void put_in_turns(std::vector<const Subject*>& subjects) {
-  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t> seen;
+  std::map<FindingGroup, std::size_t> seen;
   std::vector<std::pair<std::size_t, const Subject*>> turns;
-  for (const Subject* s : subjects)
-    turns.emplace_back(seen[{s->record->method, s->record->kind, s->record->severity, s->record->family}]++,
-                       s);
+  for (const Subject* s : subjects) turns.emplace_back(seen[*s->record]++, s);
   std::stable_sort(turns.begin(), turns.end(),
                    [](const auto& x, const auto& y) { return x.first < y.first; });
   for (std::size_t i = 0; i < turns.size(); ++i) subjects[i] = turns[i].second;
 }
 
 std::string key_of(const Subject& s, const GroupedMethods& methods, Mechanism mechanism) {
-  if (!is_method_row(s.record->method)) return s.record->method + '/' + s.record->kind;
-  if (!s.method || !s.kind) return s.record->method + "/not-in-this-build";
-  return cause_key(methods, *s.method, *s.kind, s.severity, mechanism, s.record->reason);
+  if (!is_method_row(s.record->method)) return s.record->method + '/' + to_string(s.kind());
+  if (!s.method) return s.record->method + "/not-in-this-build";
+  return cause_key(methods, *s.method, s.kind(), s.severity(), mechanism, s.record->reason);
 }
 
 std::string mechanism_labels(const Classification& found, std::span<const std::unique_ptr<Method>> methods) {
@@ -71,8 +68,8 @@ std::vector<CauseRecord> causes_together(std::span<const Subject* const> subject
   auto next = found.begin();
   for (const Subject* s : subjects) {
     const Classification c = s->can_be_classified() ? *next++ : Classification{};
-    causes.push_back({s->record->id, key_of(*s, methods, c.mechanism), to_string(c.mechanism),
-                      mechanism_labels(c, methods.methods)});
+    causes.push_back(
+        {s->record->id, key_of(*s, methods, c.mechanism), c.mechanism, mechanism_labels(c, methods.methods)});
   }
   return causes;
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/json.hpp"
-#include "fuzz/campaign/climbed.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "reports/triage/buckets.hpp"
 
 namespace cyl {
@@ -45,14 +45,14 @@ Places places_of(const std::vector<Seen>& seen) {
   for (const auto& [run, key] : seen)
     for (const auto& [group, examined] : run->examined)
       if (const auto n = examined.by_cause.find(key); n != examined.by_cause.end())
-        by_method[std::get<0>(group)] += n->second;
+        by_method[group.method] += n->second;
   Places places;
   std::uint64_t most = 0;
   for (const auto& [method, n] : by_method)
     if (n > most) most = n, places.method = method;
   for (const auto& [run, key] : seen)
     for (const auto& [group, examined] : run->examined)
-      if (std::get<0>(group) == places.method && examined.by_cause.contains(key)) places.groups.insert(group);
+      if (group.method == places.method && examined.by_cause.contains(key)) places.groups.insert(group);
   return places;
 }
 
@@ -63,7 +63,7 @@ Observation observation_of(const Seen& seen, const Places& places) {
   double asked = 0;
   bool was_asked = false;
   for (const ExaminedGroups::key_type& group : places.groups) {
-    const std::string& family = std::get<3>(group);
+    const std::string& family = group.family;
     double pairs = 0;
     for (const TallyRecord& t : seen.run->tallies)
       if (t.method == places.method && t.family == family)
@@ -155,11 +155,11 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
   std::map<std::int64_t, const std::string*> cause_of;
   for (const CauseRecord& c : causes) cause_of[c.finding] = &c.bucket;
   ExaminedGroups examined;
-  for (const GroupRecord& g : groups) examined[{g.method, g.kind, g.severity, g.family}].found = g.count;
+  for (const GroupRecord& g : groups) examined[g].found = g.count;
   for (const FindingHead& f : findings) {
     const auto cause = cause_of.find(f.id);
     if (cause == cause_of.end()) continue;
-    ExaminedFindings& e = examined[{f.method, f.kind, f.severity, f.family}];
+    ExaminedFindings& e = examined[f];
     ++e.looked_at;
     ++e.by_cause[*cause->second];
   }

@@ -38,12 +38,12 @@ CauseSought cause_sought(const std::string& key, std::vector<const Subject*> sub
                          const std::map<std::int64_t, Mechanism>& mechanism_of,
                          const std::map<std::int64_t, Pair>& simple_of) {
   const Subject& worst = **std::min_element(subjects.begin(), subjects.end(), is_worse_subject);
-  std::erase_if(subjects, [&](const Subject* s) { return s->kind != worst.kind; });
+  std::erase_if(subjects, [&](const Subject* s) { return s->kind() != worst.kind(); });
   std::sort(subjects.begin(), subjects.end(), [&](const Subject* x, const Subject* y) {
     const bool own_x = x->method == worst.method, own_y = y->method == worst.method;
     return own_x != own_y ? own_x : is_worse_subject(x, y);
   });
-  CauseSought cause{key, mechanism_of.at(worst.record->id), *worst.method, *worst.kind, {}};
+  CauseSought cause{key, mechanism_of.at(worst.record->id), *worst.method, worst.kind(), {}};
   for (const Subject* s : subjects) cause.starts.push_back(s->pair);
   if (const Pair* simplest = simplest_of(subjects, simple_of))
     cause.starts.insert(cause.starts.begin() + 1, *simplest);
@@ -56,11 +56,10 @@ std::vector<CauseSought> causes_sought(const TriageContext& context) {
   std::map<std::int64_t, Mechanism> mechanism_of;
   for (const CauseRecord& c : context.causes()) {
     const auto found = context.by_id.find(c.finding);
-    const Mechanism mechanism = from_word<Mechanism>(c.mechanism).value_or(Mechanism::gone);
-    if (found == context.by_id.end() || mechanism == Mechanism::gone || !found->second->can_be_searched())
+    if (found == context.by_id.end() || c.mechanism == Mechanism::gone || !found->second->can_be_searched())
       continue;
     buckets[c.bucket].push_back(found->second);
-    mechanism_of[c.finding] = mechanism;
+    mechanism_of[c.finding] = c.mechanism;
   }
   std::map<std::int64_t, Pair> simple_of;
   for (const SimpleRecord& s : context.simples())
@@ -81,7 +80,7 @@ WorstRecord searched(const TriageContext& context, CauseSought cause, const Wors
   options.budget = budget;
   const milliseconds began = context.elapsed();
   const auto found = worst_of_cause(context.grouped(), cause, options, triage_caps);
-  return {cause.key, std::string(context.methods[cause.method]->name()), to_string(cause.kind),
+  return {cause.key, std::string(context.methods[cause.method]->name()), cause.kind,
           found ? format_pair(found->pair) : earlier.pair, context.elapsed() - began < budget};
 }
 

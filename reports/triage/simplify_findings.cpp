@@ -37,7 +37,7 @@ bool is_simpler(const Waiting& x, const Waiting& y) {
 /// Puts the simplest first, and other methods, kinds and families before more of the same.
 void put_in_order(std::vector<Waiting>& bucket) {
   std::sort(bucket.begin(), bucket.end(), is_simpler);
-  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> seen;
+  std::map<std::tuple<std::string, FindingKind, std::string>, std::size_t> seen;
   for (Waiting& w : bucket)
     w.turn = seen[{w.subject->record->method, w.subject->record->kind, w.subject->record->family}]++;
   std::stable_sort(bucket.begin(), bucket.end(),
@@ -48,10 +48,10 @@ void put_in_order(std::vector<Waiting>& bucket) {
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
                  std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said, Asker& asker) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
-  if (!found || found->kind != *s.kind || found->severity != s.severity) return false;
+  if (!found || found->kind != s.kind() || found->severity != s.severity()) return false;
   if (contact_feature(trial.pair, trial.truth) != feature) return false;
   if (!s.can_be_classified()) return true;
-  return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, asker) == cause;
+  return find_cause(methods, {*s.method, s.kind(), trial.pair}, s.severity(), said.reason, asker) == cause;
 }
 
 /// Which of the pairs fail alike: no more than the first of them, since no others are looked at.
@@ -73,7 +73,7 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
                         const SimpleRecord& earlier, double part) {
   const auto feature = contact_feature(s.pair);
-  Asker asker(context.methods, s.kind == FindingKind::hang ? hang_caps : triage_caps);
+  Asker asker(context.methods, s.kind() == FindingKind::hang ? hang_caps : triage_caps);
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
     cut = cut || context.out_of_time(part);
@@ -81,10 +81,10 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
                : fail_alike(context.grouped(), s, cause, feature, pairs, asker);
   };
   const CaseLine begun = parse_case(earlier.pair, 1);
-  const std::size_t cap = s.kind == FindingKind::hang ? simplify_hang_cap : simplify_cap;
+  const std::size_t cap = s.kind() == FindingKind::hang ? simplify_hang_cap : simplify_cap;
   const Simplified simple = simplify(begun.value ? begun.value->pair : s.pair, still_fails, cap);
-  return {s.record->id, format_pair(simple.pair), bucket_of(s.record->method, s.record->kind, simple.pair),
-          simple.questions, !cut};
+  return {s.record->id, format_pair(simple.pair),
+          bucket_of(s.record->method, to_string(s.kind()), simple.pair), simple.questions, !cut};
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ std::vector<const Subject*> simplification_order(const TriageContext& context,
   for (const CauseRecord& c : context.causes()) {
     const auto found = context.by_id.find(c.finding);
     if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
-    if (c.mechanism == to_string(Mechanism::gone)) continue;
+    if (c.mechanism == Mechanism::gone) continue;
     buckets[{known.contains(c.bucket), c.bucket}].push_back(
         {0, complexity(found->second->pair), found->second});
   }

@@ -55,10 +55,9 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
   for (GateFailure& f : report.failures) {
     if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
     const auto kind = from_word<FindingKind>(f.kind);
-    const auto method =
-        std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == f.method; });
-    if (f.known || !kind || method == methods.end()) continue;
-    const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
+    const auto method = position_of(methods, f.method);
+    if (f.known || !kind || !method) continue;
+    const Failing failing{*method, *kind, f.simplest};
     const GroupedMethods grouped{methods, groups};
     const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
     const std::string cause =

@@ -13,9 +13,10 @@
 #include <utility>
 
 #include "base/files.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "fuzz/campaign/campaign.hpp"
+#include "corpus/pairs/pair_json.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "reports/triage/buckets.hpp"
+#include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 #include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_context.hpp"
@@ -63,17 +64,14 @@ std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
 /// Asks a method of the bucket about the pairs it stored. What comes and goes, and who is not here, tells
 /// nothing.
 std::optional<bool> fails_today(const Bucket& bucket, std::span<const std::unique_ptr<Method>> methods) {
-  const auto kind = from_word<FindingKind>(bucket.kind);
-  if (!kind || kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent) return {};
-  const auto method =
-      std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == bucket.method; });
-  if (method == methods.end() || !bucket.seen_again) return {};
-  const FailingMethod blamed{static_cast<std::size_t>(method - methods.begin()), *kind};
-  return fails_alone(methods, blamed, parse_case(bucket.simplest.at("pair").dump(), 1).value.value().pair);
+  if (bucket.kind == FindingKind::nondeterminism || bucket.kind == FindingKind::state_dependent) return {};
+  const auto method = position_of(methods, bucket.method);
+  if (!method || !bucket.seen_again) return {};
+  return fails_alone(methods, {*method, bucket.kind}, bucket.simplest.pair);
 }
 
-void write_pair(const fs::path& file, const Bucket& bucket, const Json& shown) {
-  Json line = shown.at("pair");
+void write_pair(const fs::path& file, const Bucket& bucket, const Pair& shown) {
+  Json line = pair_to_json(shown);
   line["id"] = bucket.key;
   line["note"] = bucket.cause;
   replace_file(file, line.dump() + '\n');
@@ -89,8 +87,8 @@ void write_pairs(const std::string& run_folder, const std::vector<Bucket>& bucke
   for (const Bucket& b : buckets) {
     if (b.status == Recurrence::gone) continue;
     const std::string name = file_name_of(b.key);
-    write_pair(folder / (name + ".jsonl"), b, b.simplest);
-    if (b.worst_was_searched) write_pair(folder / (name + ".worst.jsonl"), b, b.worst);
+    write_pair(folder / (name + ".jsonl"), b, b.simplest.pair);
+    if (b.worst_was_searched) write_pair(folder / (name + ".worst.jsonl"), b, b.worst->pair);
   }
 }
 

@@ -11,9 +11,10 @@
 
 #include "base/process/child.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "fuzz/campaign/campaign.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
+#include "oracles/trial/trial.hpp"
 #include "reports/triage/case_distance.hpp"
 
 namespace cyl {
@@ -23,13 +24,6 @@ using std::chrono::milliseconds;
 
 /// How often the processes' end is looked for, and how far they are.
 constexpr milliseconds poll_interval{50}, show_interval{500};
-
-std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> methods,
-                                       std::string_view name) {
-  for (std::size_t m = 0; m < methods.size(); ++m)
-    if (methods[m]->name() == name) return m;
-  return {};
-}
 
 /// Returns how long it will take to write the page, which encloses the distance of each pair: measured on a
 /// few.
@@ -84,9 +78,8 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
   for (const FindingRecord& f : findings) {
     const CaseLine line = parse_case(f.pair, 1);
     if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
-    subjects.push_back({&f, position_of(methods, f.method), absent_guests.contains(f.method),
-                        from_word<FindingKind>(f.kind),
-                        from_word<Severity>(f.severity).value_or(Severity::contract), line.value->pair});
+    subjects.push_back(
+        {&f, position_of(methods, f.method), absent_guests.contains(f.method), line.value->pair});
     if (subjects.back().absent) absent.insert(f.id);
   }
   for (const Subject& s : subjects) by_id[s.record->id] = &s;

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "corpus/store/run_store.hpp"
-#include "corpus/store/triage_store.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/trial/compare.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "reports/triage/triage.hpp"
+#include "reports/triage/triage_store.hpp"
 
 namespace cyl {
 
@@ -31,23 +31,25 @@ struct Subject {
   const FindingRecord* record;
   std::optional<std::size_t> method;
   bool absent = false;  ///< its method is a guest of the run that is not here
-  std::optional<FindingKind> kind;
-  Severity severity = Severity::contract;
   Pair pair;
 
   /// Hangs and failures that are not deterministic reveal nothing on a second call. Findings within the claim
   /// have one cause.
   bool can_be_classified() const {
-    return method && kind && severity == Severity::contract && kind != FindingKind::hang && recurs();
+    return method && severity() == Severity::contract && kind() != FindingKind::hang && recurs();
   }
-  bool can_be_simplified() const { return method && kind && recurs(); }
-  bool recurs() const { return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent; }
+  bool can_be_simplified() const { return method && recurs(); }
+  bool recurs() const {
+    return kind() != FindingKind::nondeterminism && kind() != FindingKind::state_dependent;
+  }
   /// Crashes and hangs do not have a margin, and touching pairs cannot be searched.
   bool can_be_searched() const {
-    return method && severity == Severity::contract &&
-           (kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting);
+    return method && severity() == Severity::contract &&
+           (kind() == FindingKind::wrong_disjoint || kind() == FindingKind::wrong_intersecting);
   }
-  Failing failing() const { return {*method, *kind, pair}; }
+  FindingKind kind() const { return record->kind; }
+  Severity severity() const { return record->severity; }
+  Failing failing() const { return {*method, kind(), pair}; }
 };
 
 struct TriageContext {

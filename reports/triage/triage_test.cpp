@@ -12,12 +12,13 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/store/triage_store.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "reports/triage/buckets.hpp"
+#include "reports/triage/group_findings.hpp"
 #include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_context.hpp"
+#include "reports/triage/triage_store.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -27,12 +28,12 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 FindingRecord finding(const std::string& method, const std::string& family, const Pair& pair,
-                      const std::string& kind = "wrong_disjoint") {
+                      FindingKind kind = FindingKind::wrong_disjoint) {
   FindingRecord f;
   f.family = family;
   f.method = method;
   f.kind = kind;
-  f.severity = "contract";
+  f.severity = Severity::contract;
   f.margin = Enclosure{0.1, 0.2};
   f.pair = format_pair(pair);
   f.answers = "[]";
@@ -59,7 +60,7 @@ Pair apart() {
 
 std::vector<FindingRecord> three() {
   return {finding("fcl-libccd", "tiny_and_huge", huge(1e156)), finding("mujoco", "random", huge(1e160)),
-          finding("seedbook-printed", "random", apart(), "wrong_intersecting")};
+          finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting)};
 }
 
 /// All but those that take nine tenths of the time, and are in no test here.
@@ -110,6 +111,8 @@ std::set<std::string> keys_of(const std::vector<Bucket>& buckets) {
   return keys;
 }
 
+Json page_of(const ShownCase& shown) { return Json::parse(shown.page); }
+
 TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   const Folder history;
   const std::string first = history.make_run("one", "2026-11-20", three(), 4);
@@ -123,10 +126,11 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   EXPECT_EQ(overflow.count, 5u);
   EXPECT_EQ(overflow.methods, (std::set<std::string>{"fcl-libccd"}));
   EXPECT_TRUE(overflow.simplified && overflow.seen_again);
-  EXPECT_EQ(overflow.simplest["truth"]["verdict"], "intersecting");
-  EXPECT_EQ(overflow.simplest["answers"][overflow.method]["verdict"], "disjoint");
+  const Json simplest = page_of(overflow.simplest);
+  EXPECT_EQ(simplest["truth"]["verdict"], "intersecting");
+  EXPECT_EQ(simplest["answers"][overflow.method]["verdict"], "disjoint");
   EXPECT_FALSE(overflow.status);
-  EXPECT_NE(overflow.simplest["pair"], overflow.worst["pair"]) << "nothing was simplified";
+  EXPECT_NE(simplest["pair"], page_of(*overflow.worst)["pair"]) << "nothing was simplified";
   EXPECT_EQ(buckets_json(first), to_json(one.buckets));
   for (const Json& b : buckets_json(first)) EXPECT_EQ(to_json(bucket_from_json(b)), b);
 
@@ -174,9 +178,9 @@ TEST(Buckets, NameTheAngleWhereItAloneMatters) {
   records.folder = "run";
   records.findings = {finding("square-blind", "f",
                               {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.01, 0, 0}, {0, 1, 0}, 1, 2}},
-                              "wrong_intersecting")};
+                              FindingKind::wrong_intersecting)};
   records.findings[0].id = 1;
-  records.causes = {{1, "square-blind/wrong_intersecting", to_string(Mechanism::unclassified), ""}};
+  records.causes = {{1, "square-blind/wrong_intersecting", Mechanism::unclassified, ""}};
   const std::vector<std::size_t> groups{0};
   const auto buckets = make_buckets(records, {methods, groups}, [] { return false; });
   ASSERT_EQ(buckets.size(), 1u);
@@ -184,7 +188,8 @@ TEST(Buckets, NameTheAngleWhereItAloneMatters) {
 }
 
 /// A run with one bucket that one method is wrong on so many pairs of 1000.
-TriagedRun triaged(const std::string& id, std::uint64_t pairs, const std::string& key = "x/hang") {
+TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
+  const std::string key = std::string("x/") + to_string(kind);
   TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
   if (pairs == 0) return run;
   Bucket b;
@@ -196,13 +201,14 @@ TriagedRun triaged(const std::string& id, std::uint64_t pairs, const std::string
   b.pairs = pairs;
   b.first_seen = b.last_seen = b.first_version = b.last_version = id;
   run.buckets = {b};
-  run.examined[{"x", key, "contract", "f"}] = {pairs, pairs, {{key, pairs}}};
+  run.examined[{"x", kind, Severity::contract, "f"}] = {pairs, pairs, {{key, pairs}}};
   return run;
 }
 
 /// Of the group "x/hang": so many findings, so many looked at, and of these so many of the cause.
 void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std::uint64_t of_cause) {
-  ExaminedFindings& e = run.examined[{"x", "x/hang", "contract", "f"}] = {found, looked_at, {}};
+  ExaminedFindings& e =
+      run.examined[{"x", FindingKind::hang, Severity::contract, "f"}] = {found, looked_at, {}};
   if (of_cause > 0) e.by_cause["x/hang"] = of_cause;
 }
 
@@ -253,8 +259,9 @@ TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
 
 TEST(Buckets, NewComesFirstAndIsNoChance) {
   TriagedRun run = triaged("2", 30);
-  for (const auto& [pairs, key] : {std::pair(40, "x/crash"), std::pair(2, "x/rounding")}) {
-    TriagedRun other = triaged("2", static_cast<std::uint64_t>(pairs), key);
+  for (const auto& [pairs, kind] :
+       {std::pair(40, FindingKind::crash), std::pair(2, FindingKind::malformed)}) {
+    TriagedRun other = triaged("2", static_cast<std::uint64_t>(pairs), kind);
     run.buckets.push_back(other.buckets[0]);
     run.examined.merge(other.examined);
   }
@@ -284,8 +291,9 @@ TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   ASSERT_EQ(triaged.buckets.size(), 1u);
   const Bucket& b = triaged.buckets[0];
   EXPECT_FALSE(b.simplified || b.seen_again);
-  EXPECT_EQ(b.simplest["answers"]["mujoco"]["verdict"], "disjoint");
-  EXPECT_TRUE(b.simplest.contains("note"));
+  const Json simplest = page_of(b.simplest);
+  EXPECT_EQ(simplest["answers"]["mujoco"]["verdict"], "disjoint");
+  EXPECT_TRUE(simplest.contains("note"));
 }
 
 TEST(Triage, GoesOnWhereItWas) {
@@ -296,7 +304,7 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_EQ(exit_code(none), 3);
   {
     TriageStore store(folder, methods_line("test", quick_methods()));
-    store.add(std::vector<CauseRecord>{{2, "told-before", "untold", ""}});
+    store.add(std::vector<CauseRecord>{{2, "told-before", Mechanism::unclassified, ""}});
     store.add(SimpleRecord{1, "half done", "", 1, false});
     store.add(SimpleRecord{3, "done", "", 1, true});
   }
@@ -321,19 +329,19 @@ double margin_of_apart() {
 
 TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   const Folder history;
-  FindingRecord printed = finding("seedbook-printed", "random", apart(), "wrong_intersecting");
+  FindingRecord printed = finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting);
   printed.margin = Enclosure{margin_of_apart(), margin_of_apart()};
   const std::string folder = history.make_run("one", "2026-11-20", {printed});
   const Triage first = triage(folder);
   ASSERT_EQ(first.buckets.size(), 1u);
   EXPECT_EQ(first.progress.searched, 1u);
-  const Json& worst = first.buckets[0].worst;
+  const Json worst = page_of(first.buckets[0].worst.value());
   EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
   EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
   EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
   EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
       << "where the original is";
-  for (const Json& shown : {first.buckets[0].simplest, first.buckets[0].worst})
+  for (const Json& shown : {page_of(first.buckets[0].simplest), worst})
     for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
   EXPECT_NE(format_buckets(first.buckets).find("by search"), std::string::npos);
 
@@ -347,17 +355,18 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   kept.pair = format_pair(huge(1));
   store.add(kept);
   const Triage again = triage(folder);
-  EXPECT_FALSE(again.buckets[0].worst.contains("note"));
-  EXPECT_EQ(again.buckets[0].worst["pair"], Json::parse(format_pair(apart())));
+  const Json shown = page_of(again.buckets[0].worst.value());
+  EXPECT_FALSE(shown.contains("note"));
+  EXPECT_EQ(shown["pair"], Json::parse(format_pair(apart())));
   // A search that was cut goes on.
   kept.ended = false;
   store.add(kept);
-  EXPECT_EQ(triage(folder).buckets[0].worst["margin"], worst["margin"]);
+  EXPECT_EQ(page_of(triage(folder).buckets[0].worst.value())["margin"], worst["margin"]);
 }
 
 TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
   FindingRecord verdict = finding("m", "f", apart()),
-                distance = finding("m", "f", apart(), "distance_outside");
+                distance = finding("m", "f", apart(), FindingKind::distance_outside);
   distance.margin = Enclosure{9, 9};
   EXPECT_TRUE(is_worse(verdict, distance));
   EXPECT_FALSE(is_worse(distance, verdict));
@@ -372,8 +381,7 @@ TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
   b.methods = {"m"};
   b.families = {"f", "g"};
   b.margin = Enclosure{1e-9, std::numeric_limits<double>::infinity()};
-  b.simplest = {{"pair", Json::parse(format_pair(apart()))}};
-  b.worst = Json::object();
+  b.simplest = {apart(), {}, Json{{"pair", Json::parse(format_pair(apart()))}, {"margin", nullptr}}.dump()};
   const std::string text = format_buckets({b});
   EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins 1.0e-09 to at least inf\n"),
             std::string::npos)
@@ -385,9 +393,10 @@ TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
 TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
   TriageRecords records;
   for (std::int64_t id = 1; id <= 2; ++id) {
-    records.findings.push_back(finding("intersect", "f", apart(), id == 1 ? "non_finite" : "wrong_disjoint"));
+    records.findings.push_back(
+        finding("intersect", "f", apart(), id == 1 ? FindingKind::non_finite : FindingKind::wrong_disjoint));
     records.findings.back().id = id;
-    records.causes.push_back({id, "own/absolute-length", "absolute-length", ""});
+    records.causes.push_back({id, "own/absolute-length", Mechanism::absolute_length, ""});
   }
   records.findings[0].reason = "the witness is not finite";
   const auto methods = select_methods(own_methods(), "intersect");
@@ -395,8 +404,8 @@ TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
   const auto buckets = make_buckets(records, {methods, groups}, [] { return true; });
   ASSERT_EQ(buckets.size(), 1u);
   EXPECT_TRUE(
-      buckets[0].cause.ends_with("(returns a number that is not finite: the witness is not finite; answers "
-                                 "disjoint for pairs that meet)"))
+      buckets[0].cause.ends_with("(answers disjoint for pairs that meet; returns a number that is not "
+                                 "finite: the witness is not finite)"))
       << buckets[0].cause;
 }
 
@@ -405,10 +414,10 @@ TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
   for (std::int64_t id = 1; id <= 3; ++id) {
     records.findings.push_back(finding("m", "f", apart()));
     records.findings.back().id = id;
-    records.causes.push_back({id, id == 1 ? "rare" : "often", "", ""});
+    records.causes.push_back({id, id == 1 ? "rare" : "often", Mechanism::unclassified, ""});
   }
-  records.groups.push_back({"m", "wrong_disjoint", "contract", "f", 100});
-  records.groups.push_back({"m", "wrong_disjoint", "contract", "not kept", 7});
+  records.groups.push_back({"m", FindingKind::wrong_disjoint, Severity::contract, "f", 100});
+  records.groups.push_back({"m", FindingKind::wrong_disjoint, Severity::contract, "not kept", 7});
   const std::map<std::string, BucketCount> counts = count_by_bucket(records);
   EXPECT_EQ(counts.at("often").findings, 67u);
   EXPECT_EQ(counts.at("rare").most(), 33u);

@@ -11,6 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "corpus/pairs/finding.hpp"
+#include "oracles/trial/mechanism.hpp"
+
 namespace cyl {
 
 class SqliteFile;
@@ -19,8 +22,8 @@ class SqliteFile;
 struct CauseRecord {
   std::int64_t finding = 0;  ///< its id in the run
   std::string bucket;
-  std::string mechanism;  ///< its word
-  std::string labels;     ///< others that apply, one a line
+  Mechanism mechanism = Mechanism::unclassified;
+  std::string labels;  ///< others that apply, one a line
 
   static constexpr const char* table = "cause";
   static auto columns(auto& c) { return std::tie(c.finding, c.bucket, c.mechanism, c.labels); }
@@ -41,9 +44,10 @@ struct SimpleRecord {
 /// The result of a search for a worse pair than the findings of a bucket.
 struct WorstRecord {
   std::string bucket;
-  std::string method, kind;  ///< that is wrong on it, and in which way
-  std::string pair;          ///< one JSON line of corpus/pair_io; empty if no worse pair was found
-  bool ended = false;        ///< by itself: not to be searched again
+  std::string method;  ///< that is wrong on it
+  FindingKind kind = FindingKind::wrong_disjoint;
+  std::string pair;    ///< one JSON line of corpus/pair_io; empty if no worse pair was found
+  bool ended = false;  ///< by itself: not to be searched again
 
   static constexpr const char* table = "worst";
   static auto columns(auto& w) { return std::tie(w.bucket, w.method, w.kind, w.pair, w.ended); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/campaign/shard.hpp"
+#include "corpus/store/shard.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "corpus/store/triage_store.hpp"
+#include "reports/triage/triage_store.hpp"
 
 #include <filesystem>
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The cause of a bucket, and what else was seen of it, in words.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "oracles/trial/mechanism.hpp"
+#include "oracles/trial/trial.hpp"
+#include "reports/triage/buckets.hpp"
+#include "reports/triage/group_findings.hpp"
+
+namespace cyl {
+
+/// Returns the cause. `reasons` has the kinds of its findings, each with the method's own words on a failure,
+/// which may be empty.
+std::string cause_in_words(const std::string& key, Mechanism mechanism,
+                           const std::map<FindingKind, std::string>& reasons);
+
+/// Returns the cause and the labels of a bucket: what applies to how many of its findings, and which other
+/// methods are wrong. `simplest_now` holds the answers to its simplest pair.
+std::vector<std::string> labels_of(const Bucket& bucket, const CauseFindings& findings,
+                                   const Trial& simplest_now, const GroupedMethods& methods);
+
+}  // namespace cyl

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/group_findings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_facts.hpp"
+
+namespace cyl {
+namespace {
+
+void add(CauseFindings& group, const FindingRecord& finding, const CauseRecord& cause) {
+  group.findings.push_back(&finding);
+  group.mechanisms.insert(cause.mechanism);
+  for (std::size_t at = 0; at < cause.labels.size();) {
+    const std::size_t end = std::min(cause.labels.find('\n', at), cause.labels.size());
+    ++group.labels[cause.labels.substr(at, end - at)];
+    at = end + 1;
+  }
+  if (group.worst == nullptr || is_worse(finding, *group.worst)) group.worst = &finding;
+}
+
+void offer(CauseFindings& group, const FindingRecord* of, const std::string& line, bool as_found) {
+  const auto parsed = parse_case(line, 1).value;
+  if (!parsed || (!as_found && !is_legal(parsed->pair))) return;
+  group.candidates.push_back({as_found, complexity(parsed->pair), of, parsed->pair});
+}
+
+}  // namespace
+
+double least_margin(const FindingRecord& f) { return f.margin ? f.margin->lo : -1; }
+
+bool is_worse(const FindingRecord& x, const FindingRecord& y) {
+  return std::pair(is_refuted_verdict(x.kind), least_margin(x)) >
+         std::pair(is_refuted_verdict(y.kind), least_margin(y));
+}
+
+// Severity goes with a bucket (its key is the severity's, or no finding within a claim has it).
+std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records) {
+  std::map<std::int64_t, const FindingRecord*> by_id;
+  for (const FindingRecord& f : records.findings) by_id[f.id] = &f;
+  std::map<std::string, CauseFindings> groups;
+  std::map<std::int64_t, CauseFindings*> group_of;
+  for (const CauseRecord& c : records.causes) {
+    const auto found = by_id.find(c.finding);
+    if (found == by_id.end()) continue;
+    group_of[c.finding] = &groups[c.bucket];
+    add(groups[c.bucket], *found->second, c);
+  }
+  for (const SimpleRecord& s : records.simples) {
+    if (!group_of.contains(s.finding)) continue;
+    group_of[s.finding]->merged.insert(s.key);
+    offer(*group_of[s.finding], by_id[s.finding], s.pair, false);
+  }
+  for (const WorstRecord& w : records.worsts)
+    if (groups.contains(w.bucket) && !w.pair.empty()) groups[w.bucket].found = &w;
+  for (auto& [key, group] : groups)
+    for (const FindingRecord* f : group.findings) offer(group, f, f->pair, true);
+  return groups;
+}
+
+std::uint64_t BucketCount::most() const {
+  std::uint64_t most = 0;
+  for (const auto& [method, n] : by_method) most = std::max(most, n);
+  return most;
+}
+
+std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records) {
+  std::map<std::int64_t, std::string> bucket_of;
+  for (const CauseRecord& c : records.causes) bucket_of[c.finding] = c.bucket;
+  std::map<FindingGroup, std::map<std::string, std::uint64_t>> kept;
+  for (const FindingRecord& f : records.findings)
+    if (bucket_of.contains(f.id)) ++kept[f][bucket_of[f.id]];
+  std::map<std::string, BucketCount> counts;
+  // Given out family by family, so that the pairs of one climb count as one.
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::uint64_t>> in_family;
+  const auto add = [&](const std::string& bucket, const GroupRecord& of, std::uint64_t n) {
+    counts[bucket].findings += n;
+    in_family[{bucket, of.method}][of.family] += n;
+  };
+  for (const GroupRecord& g : records.groups) {
+    const auto found = kept.find(g);
+    if (found == kept.end()) continue;
+    std::uint64_t all = 0, given = 0;
+    for (const auto& [bucket, n] : found->second) all += n;
+    std::vector<std::pair<std::uint64_t, std::string>> parts;
+    for (const auto& [bucket, n] : found->second) {
+      const std::uint64_t part = g.count / all * n + g.count % all * n / all;
+      add(bucket, g, part);
+      given += part;
+      parts.emplace_back(n, bucket);
+    }
+    std::sort(parts.rbegin(), parts.rend());
+    for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g, 1);
+  }
+  for (const auto& [of, families] : in_family)
+    for (const auto& [family, n] : families)
+      counts[of.first].by_method[of.second] += independent_draws(family, n);
+  return counts;
+}
+
+}  // namespace cyl
