@@ -131,16 +131,16 @@ async function changesAndRemembers() {
   const page = await open(address);
   assert.equal(await verdict(page), "disjoint");
   assert.equal(await holds(page), "true");
-  await field(page, "b", "center", "x").fill("0.5");
+  await field(page, "b", "centre", "x").fill("0.5");
   assert.equal(await verdict(page), "intersecting");
   assert.equal(await holds(page), "true");
-  await field(page, "b", "center", "x").fill("");
+  await field(page, "b", "centre", "x").fill("");
   assert.equal(await verdict(page), "intersecting", "what is no number changes nothing");
-  await field(page, "b", "center", "x").fill("2.5");
+  await field(page, "b", "centre", "x").fill("2.5");
   await page.getByLabel("Kind of a").selectOption("sphere");
   assert.equal(await page.getByRole("group", { name: "axis of a" }).count(), 0, "a sphere has no axis");
   await field(page, "a", "Lengths", "radius").fill("1.75");
-  await field(page, "a", "center", "z").fill("1e-3");
+  await field(page, "a", "centre", "z").fill("1e-3");
   const kept = pairOf(await hash(page)),
     said = [await verdict(page), await page.locator(".distance").innerText()];
   assert.deepEqual(kept.a, { center: [0, 0, 0.001], axis: [0, 0, 1], radius: 0, height: 0, rounding: 1.75 });
@@ -240,7 +240,7 @@ async function showsExamples() {
       assert.equal(await holds(page), "true", id);
     }
   }
-  await field(page, "a", "center", "y").fill("9");
+  await field(page, "a", "centre", "y").fill("9");
   await page.getByRole("button", { name: "Back to the example" }).click();
   assert.deepEqual(pairOf(await hash(page)), shown.at(-1).pair);
   await page.context().close();

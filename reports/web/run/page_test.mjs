@@ -748,7 +748,10 @@ async function opensAFirstRun() {
   write(first);
   const page = await openPage();
   assert.equal(await rowsTold(page), 40);
-  assert.match(await page.locator("#new").innerText(), /Compared with 3 earlier runs/);
+  const told = await page.locator("#new").innerText();
+  assert.match(told, /Compared with 3 earlier runs/);
+  assert.match(told, /There are no causes of earlier runs to compare with/);
+  assert.doesNotMatch(told, /There is no earlier run/);
   await page.locator(".buckets a").first().click();
   await page.waitForSelector(".handling");
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);

@@ -113,12 +113,12 @@ function HeatRow({
         const c = row.families.get(family),
           { heat, step, failed } = heatOf(c);
         const known = heat === "bad" || heat === "within";
-        const where = { [members ? "library" : "method"]: row.name, family },
+        const filter = { [members ? "library" : "method"]: row.name, family },
           words = describeCell(row.name, family, c);
         return (
           <td class={`heat ${heat} s${step}`} title={words} key={family}>
             {known ? (
-              <a href={`#/findings?${new URLSearchParams(where)}`} aria-label={words}>
+              <a href={`#/findings?${new URLSearchParams(filter)}`} aria-label={words}>
                 {failed ? "\u00d7" : ""}
               </a>
             ) : null}

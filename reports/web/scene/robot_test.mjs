@@ -242,7 +242,10 @@ async function showsWhatIsRefuted({ address, study }) {
   const refuted = study.motions.findIndex(({ verdict }) => verdict === "refuted"),
     proof = study.motions[refuted],
     pair = study.pairs.findIndex(({ bodies }) => bodies.join() === proof.bodies.join());
-  const page = await open(`${address}#at=0&pair=${pair}`);
+  const page = await open(address);
+  await page.goto(`${address}#at=0&pair=${pair}`); // at once, before the page has drawn all of itself
+  await page.reload();
+  assert.equal(await told(page, "pair"), String(pair), "the address stays as it was given");
   assert.match(await page.locator(".picked p.bad").innerText(), /^Over all motions refuted: /);
   await page.locator(".picked").getByRole("button", { name: /^Show where/ }).click();
   assert.ok((await status(page)).includes("within the clearance here"));
