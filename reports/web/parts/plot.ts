@@ -87,7 +87,7 @@ export function decades(values: number[]): number[] {
 export function logAxis(label: string, values: number[], tickFormat: (v: number) => string, width = Infinity) {
   const ticks = decades(values),
     skip = Math.max(1, Math.ceil((ticks.length * tickRoom) / width));
-  const told = (v: number, i: number) => (i % skip === 0 ? tickFormat(v) : "");
+  const told = (v: number) => (ticks.indexOf(v) % skip === 0 ? tickFormat(v) : "");
   return { type: "log", label, ticks, tickFormat: told, grid: true, nice: true } as const;
 }
 

@@ -6,7 +6,7 @@ import type { Answer, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { prove, type Proof } from "../parts/prove.ts";
 import { digits17, full, groupBy, grouped, leastRange, percent, plural, range, safe, short } from "../parts/words.ts";
-import { bucketAddress } from "./causes.tsx";
+import { bucketAddress, formatRun } from "./causes.tsx";
 import type { Bucket, Case, Claim, Finding } from "./data.ts";
 import { wrongDistance, type Allowed, type WrongDistance } from "./distance.ts";
 import { Fact, Heads } from "./elements.tsx";
@@ -329,16 +329,13 @@ function CaseView({
     claim = report.methods.find((m) => m.name === method)?.claim,
     off = distances ? wrongDistance(shown, shown.answers[method], claim) : null,
     stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
-  const proof =
-    truth.direction || truth.point || truth.points || truth.near ? (
-      <Prover shown={shown} />
-    ) : (
-      <p class="warn">No truth is proved for this pair.</p>
-    );
+  const isProved = Boolean(truth.direction || truth.point || truth.points || truth.near);
+  const proof = isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>;
   const facts = (
     <dl class="facts">
       <Fact label="truth">
         <span title={about(truth.verdict)}>{truth.verdict}</span>
+        {isProved && <span class="soft"> proved</span>}
       </Fact>
       <Fact label="signed distance">{range(truth.distance)}</Fact>
       <Fact label="margin">{range(shown.margin)}</Fact>
@@ -485,8 +482,8 @@ export function BucketView({
         </Fact>
         {b.chance !== null && <Fact label="chance">{short(b.chance)}</Fact>}
         <Fact label="seen">
-          {safe(b.first_seen)}
-          {b.last_seen !== b.first_seen && ` to ${safe(b.last_seen)}`}
+          {formatRun(b, b.first_seen)}
+          {b.last_seen !== b.first_seen && ` to ${formatRun(b, b.last_seen)}`}
         </Fact>
         {b.first_version && (
           <Fact label="versions">

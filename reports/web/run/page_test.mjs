@@ -344,6 +344,12 @@ async function drawsEveryPlot(page) {
       [id, plots],
     );
   }
+  const ticks = await page.evaluate(() =>
+    [...document.querySelectorAll("#charts .plot [aria-label$='tick label']")].map(
+      (axis) => [...axis.querySelectorAll("text")].filter((t) => t.textContent !== "").length,
+    ),
+  );
+  assert.ok(ticks.length >= 11 && ticks.every((told) => told > 1), `words on each axis: ${ticks}`);
   assert.equal(await page.locator(".missing").count(), 0, "the made-up run has everything");
 }
 

@@ -4,7 +4,7 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
-import { grouped, inOrder, percent, safe, short } from "../parts/words.ts";
+import { grouped, inOrder, percent, plural, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
 import { Heads } from "./elements.tsx";
 import { backwardPlot, tracePlot } from "./plots.ts";
@@ -114,8 +114,8 @@ function Builds({ report }: { report: FullReport }) {
     <>
       <h3>Answers of another build</h3>
       <p class="lead">
-        {grouped(report.builds.length)} comparisons of the answers of a method in two builds. The{" "}
-        {grouped(report.builds.length - changed.length)} without a change are omitted.
+        {plural(report.builds.length, "comparison")} of the answers of a method in two builds. The table has the{" "}
+        {grouped(changed.length)} with a change.
       </p>
       <div class="scroll tall">
         <table class="plain">
