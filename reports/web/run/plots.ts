@@ -175,7 +175,7 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
       },
       y: { label: "\u2191 correct digits", grid: true, domain: [0, highest] },
       marks: [
-        ...(band ? [Plot.rectY([band], { y1: band[0], y2: band[1], fill: o.theme.line, fillOpacity: 0.4 })] : []),
+        ...(band ? [Plot.rectY([band], { y1: band[0], y2: band[1], fill: o.theme.line, fillOpacity: 0.4, stroke: o.theme.soft, strokeWidth: 0.6 })] : []),
         ...(bandText
           ? [
               Plot.text([bandText], {
@@ -183,6 +183,9 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
                 y: "digits",
                 text: "text",
                 fill: o.theme.soft,
+                stroke: o.theme.bg,
+                strokeWidth: 4,
+                paintOrder: "stroke",
                 fontSize: 12,
                 dx: -4,
               }),
@@ -190,9 +193,9 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
           : []),
         ...curvesOf(known.filter((p) => shownDigits(p) > 0))
           .filter((c) => c.length > 1)
-          .map((c) => Plot.line(c, { x: "ns", y: shownDigits, stroke: fill(c[0]!), strokeOpacity: 0.4 })),
+          .map((c) => Plot.line(c, { x: "ns", y: shownDigits, stroke: fill(c[0]!), strokeWidth: 0.8 })),
         Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.fg, strokeWidth: 2 }),
-        Plot.ruleX(best, { x: "ns", y1: shownDigits, y2: "digits", stroke: fill, strokeOpacity: 0.7 }),
+        Plot.ruleX(best, { x: "ns", y1: shownDigits, y2: "digits", stroke: fill }),
         Plot.dot(best, { x: "ns", y: "digits", fill: o.theme.bg, stroke: fill, r: 4 }),
         Plot.dot(best, {
           x: "ns",
@@ -277,8 +280,9 @@ export function onlyHere(map: FailureMap, all: FailureMap[]): FailureMap {
   const shared = new Set(others.flatMap((m) => m.cells.filter(beyond).map(key)));
   return { ...map, cells: map.cells.filter((c) => !beyond(c) || !shared.has(key(c))) };
 }
-/** As the table of methods against families has it: what is beyond a claim before what is within. */
-export function mapColour(c: Cell, what: Wrongness, theme: Theme) {
+/** As the table of methods against families has it: what is beyond a claim before what is within. The fill is the
+ *  share, the edge what it is of; a cell without such answers has no edge. */
+export function mapColours(c: Cell, what: Wrongness, theme: Theme): { fill: string; edge: string | null } {
   const wrong = wrongOf(c, what),
     within = withinOf(c, what);
   const [shades, count] =
@@ -287,7 +291,9 @@ export function mapColour(c: Cell, what: Wrongness, theme: Theme) {
       : wrong > within
         ? [theme.heat, wrong - within]
         : [theme.within, within];
-  return count === 0 ? theme.clean : shades[heatStep(count / c.asked) - 1]!;
+  return count === 0
+    ? { fill: theme.clean, edge: null }
+    : { fill: shades[heatStep(count / c.asked) - 1]!, edge: shades.at(-1)! };
 }
 const describeCell = (map: FailureMap, c: Cell) =>
   [
@@ -318,7 +324,7 @@ export function mapPlot(
   what: Wrongness,
   o: Options & { linkFinding?: (id: number) => string },
 ): Element {
-  const fill = (c: Cell) => mapColour(c, what, o.theme);
+  const coloursOf = (c: Cell) => mapColours(c, what, o.theme);
   const visited = map.cells.filter((c) => c.asked > 0);
   const seen = new Set(visited.map((c) => `${c.x} ${c.y}`));
   const blank = map.x.labels
@@ -352,18 +358,24 @@ export function mapPlot(
       },
       marks: [
         Plot.frame({ stroke: o.theme.line }),
-        Plot.cell(visited, {
-          ...at,
-          fill,
-          stroke: o.theme.line,
-          strokeWidth: 0.5,
-          inset: 0,
-          ...(o.linkFinding
-            ? { href: (c: Cell) => (c.finding !== undefined ? o.linkFinding!(c.finding) : null), target: "_self" }
-            : {}),
-          ariaLabel: words,
-        }),
-        Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fillOpacity: 0.6, fontSize: 8 }),
+        ...[true, false].map((isWrong) =>
+          Plot.cell(
+            visited.filter((c) => (coloursOf(c).edge !== null) === isWrong),
+            {
+              ...at,
+              fill: (c: Cell) => coloursOf(c).fill,
+              stroke: (c: Cell) => coloursOf(c).edge ?? o.theme.line,
+              strokeWidth: isWrong ? 1 : 0.5,
+              inset: 0.5,
+              ...(isWrong ? {} : { className: "ground" }),
+              ...(o.linkFinding
+                ? { href: (c: Cell) => (c.finding !== undefined ? o.linkFinding!(c.finding) : null), target: "_self" }
+                : {}),
+              ariaLabel: words,
+            },
+          ),
+        ),
+        Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fontSize: 8 }),
         Plot.dot(
           visited.filter((c) => wrongOf(c, what) > 0 && c.finding !== undefined),
           { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" },
@@ -458,7 +470,7 @@ export function calibrationPlot(all: Calibration[], o: Options): Element {
           y2: "high",
           fx: "side",
           stroke: colour,
-          strokeOpacity: (r: Share) => (r.wrong === 0 ? 0.2 : 0.5),
+          strokeWidth: (r: Share) => (r.wrong === 0 ? 0.3 : 0.8),
         }),
         ...methods.map((m) =>
           Plot.line(
@@ -513,7 +525,15 @@ export function costPlot(points: CostPoint[], o: Options): Element {
       ),
       marks: [
         ...byMethod.map((ps) =>
-          Plot.areaY(ps, { x: "decade", y1: "p50", y2: "p99", fill: colour(ps[0]!), fillOpacity: 0.14 }),
+          Plot.areaY(ps, {
+            x: "decade",
+            y1: "p50",
+            y2: "p99",
+            fill: colour(ps[0]!),
+            fillOpacity: 0.1,
+            stroke: colour(ps[0]!),
+            strokeWidth: 0.4,
+          }),
         ),
         ...byMethod.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
         Plot.dot(points, {
@@ -608,8 +628,8 @@ export function backwardPlot(rows: BackwardError[], o: Options): Element {
           x2: (r: BackwardError) => at(r.max),
           y1: "method",
           y2: "method",
-          stroke: o.theme.line,
-          strokeWidth: 3,
+          stroke: o.theme.soft,
+          strokeWidth: 1.5,
         }),
         Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
         Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),

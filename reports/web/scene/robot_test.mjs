@@ -20,6 +20,7 @@ import {
   withoutWebgl,
 } from "../browser.mjs";
 import { daylight } from "../chart.mjs";
+import { assertContrast } from "../contrast.mjs";
 
 const { csvOfStudy, freeJoints, gap, gapsOf, jointValues, placed, riskOf, studyRowsOf } = daylight;
 
@@ -371,6 +372,19 @@ async function fitsANarrowWindow({ address }) {
   await page.context().close();
 }
 
+/** The chart, the swatches and, where there is no WebGL, the outlines. */
+async function standsOut({ address }) {
+  for (const scheme of ["light", "dark"]) {
+    const page = await open(address, { scheme, first: withoutWebgl });
+    await page.locator("#cost").scrollIntoViewIfNeeded();
+    await page.waitForSelector("#cost .plot svg");
+    const least = await assertContrast(page, scheme);
+    console.log(`contrast, ${scheme}: ${JSON.stringify(least)}`);
+    assert.ok(least.word[1] > 100 && least.mark[1] > 20, JSON.stringify(least));
+    await page.context().close();
+  }
+}
+
 async function worksWithoutWebgl({ address }) {
   const page = await open(address, { first: withoutWebgl });
   await page.waitForSelector(".stage.flat svg.projection");
@@ -406,6 +420,7 @@ await drawsTheRobotWhole(crane);
 await savesTheTable(crane);
 await fitsANarrowWindow(arm);
 assert.deepEqual(errors, []);
+await standsOut(crane);
 await worksWithoutWebgl(crane);
 assert.deepEqual(asked, [], "nothing is asked from the network");
 console.log("study_robot_test: all well");
