@@ -175,7 +175,18 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
       },
       y: { label: "\u2191 correct digits", grid: true, domain: [0, highest] },
       marks: [
-        ...(band ? [Plot.rectY([band], { y1: band[0], y2: band[1], fill: o.theme.line, fillOpacity: 0.4, stroke: o.theme.soft, strokeWidth: 0.6 })] : []),
+        ...(band
+          ? [
+              Plot.rectY([band], {
+                y1: band[0],
+                y2: band[1],
+                fill: o.theme.line,
+                fillOpacity: 0.4,
+                stroke: o.theme.soft,
+                strokeWidth: 0.6,
+              }),
+            ]
+          : []),
         ...(bandText
           ? [
               Plot.text([bandText], {
