@@ -5,8 +5,9 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, percent, safe } from "../parts/words.ts";
 import type { FailureMap } from "./data.ts";
-import { firstOfEach, mapColours, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./plots.ts";
+import { mapColours, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./map_plot.ts";
 import { inRunOrder, type FullReport } from "./report.ts";
+import { firstOfEach } from "./series.ts";
 import { library } from "./words.ts";
 
 const planes = [

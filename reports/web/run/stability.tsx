@@ -7,8 +7,8 @@ import { screen } from "../parts/plot.ts";
 import { grouped, inOrder, percent, plural, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
 import { Heads } from "./elements.tsx";
-import { backwardPlot, tracePlot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
+import { backwardPlot, tracePlot } from "./stability_plots.ts";
 
 /** How often the verdict should turn: once where the path goes through touching. */
 const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);

@@ -6,8 +6,8 @@ import { groupBy, grouped, inOrder, percent, plural, safe, time } from "../parts
 import type { Standing, Tally } from "./data.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
+import { heatStep, type Heat } from "./heat.ts";
 import { New } from "./new.tsx";
-import { heatStep, type Heat } from "./plots.ts";
 import { changesOf, type FullReport } from "./report.ts";
 import { useRoving } from "./roving.ts";
 import { formatClaim, kindLabel, library, claimOrigin, severityLabels } from "./words.ts";
