@@ -33,12 +33,15 @@ function placesBeside({ x, y }: Spot, wide: number): Box[] {
   );
 }
 
+/** The first of the places inside `frame` that meets nothing of `taken`; the first of all if none does. */
+export const firstFree = (places: Box[], taken: Box[], frame: Box): Box =>
+  places.find((b) => contains(frame, b) && !taken.some((other) => meet(b, other))) ?? places[0]!;
+
 /** A place inside `frame` for each name, which meets nothing of `taken` and no other name. */
 export function placed(marks: (Spot & { name: string })[], taken: Box[], frame: Box): Box[] {
   const all = [...taken];
   return marks.map((mark) => {
-    const places = placesBeside(mark, letter * mark.name.length);
-    const box = places.find((b) => contains(frame, b) && !all.some((other) => meet(b, other))) ?? places[0]!;
+    const box = firstFree(placesBeside(mark, letter * mark.name.length), all, frame);
     all.push(box);
     return box;
   });

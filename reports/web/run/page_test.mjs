@@ -619,7 +619,48 @@ async function fitsATelephone(report) {
 }
 
 /** Paper has every plot and nothing folded. */
+/** Many methods with the same right answer are a line that unfolds; those that are wrong have their names. */
+async function foldsTheNamesOfManyMethods() {
+  const report = sample(8),
+    [one] = report.cases,
+    { verdict } = one.truth;
+  const from = (first, last) => Array.from({ length: last - first }, (_, i) => first + i);
+  one.said = [
+    [{ verdict }, from(0, 10)],
+    [{ verdict: verdict === "disjoint" ? "intersecting" : "disjoint" }, from(10, report.names.length)],
+  ];
+  const rightOnes = report.names.slice(0, 10).filter((name) => name !== report.findings[0].method);
+  write(report);
+  const page = await openPage();
+  await go(page, "#/finding/1");
+  const folded = page.locator(".answers details");
+  await page.waitForSelector(".answers tr");
+  assert.equal(await folded.count(), 1);
+  assert.match(await folded.innerText(), /^9 methods of \d libraries$/);
+  assert.equal(await page.locator(".answers span.bad:visible").count(), report.names.length - 10);
+  await folded.locator("summary").click();
+  assert.ok((await folded.innerText()).endsWith(rightOnes.join(", ")));
+  await page.context().close();
+}
+
+/** As many rows and families as a real run has. */
+function longReport() {
+  const report = sample(400);
+  const often = (of, times) =>
+    Array.from({ length: times }, (_, i) => of.map((x) => ({ ...x, method: `${x.method}-${i}` }))).flat();
+  const more = Array.from({ length: 10 }, (_, i) => ({ name: `more_${i}`, summary: "more pairs" }));
+  return {
+    ...report,
+    paths: often(report.paths, 60),
+    builds: often(report.builds, 60),
+    families: [...report.families, ...more],
+    tallies: [...report.tallies, ...more.flatMap(({ name }) =>
+      report.methods.map((m) => ({ ...report.tallies[0], method: m.name, family: name })))],
+  };
+}
+
 async function printsAll() {
+  write(longReport());
   const page = await openPage();
   await settled(page);
   assert.ok((await page.locator(".plot:not(:has(svg))").count()) > 0, "far plots are not drawn on the screen");
@@ -633,6 +674,8 @@ async function printsAll() {
   await settled(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 717, `${wide} wide on paper`);
+  const table = await page.locator(".heat-table").boundingBox();
+  assert.ok(table.x + table.width <= 717, `methods against families end at ${table.x + table.width}`);
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   assert.ok((await page.locator("details.print:not([open])").count()) > 0);
   const pdf = (await page.pdf({ format: "A4" })).toString("latin1");
@@ -864,6 +907,8 @@ async function test() {
   await canBeRead(report);
   await fitsATelephone(report);
   await printsAll();
+  await foldsTheNamesOfManyMethods();
+  write(report);
   await goesByKeyboard();
   assert.deepEqual(errors, []);
   await opensAFirstRun();

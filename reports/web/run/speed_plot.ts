@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Speed against accuracy: one mark for each library.
 import * as Plot from "@observablehq/plot";
-import { around, farFrom, placed, type Box, type Spot } from "../parts/labels.ts";
+import { around, farFrom, firstFree, placed, type Box, type Spot } from "../parts/labels.ts";
 import { common, decades, margins, tips, type Options } from "../parts/plot.ts";
 import { groupBy, grouped, inOrder, short, time } from "../parts/words.ts";
 import type { SpeedPoint } from "./data.ts";
@@ -86,10 +86,8 @@ const outlined = (o: Options, strokeWidth: number) =>
   ({ stroke: o.theme.bg, strokeWidth, paintOrder: "stroke" }) as const;
 const bold = { fontSize: 13, fontWeight: 600, textAnchor: "start" } as const;
 
-/** The width of the words of the band, in pixels. */
-const bandRoom = 130;
-/** The accuracies that engines claim. */
-const bandMarks = ([low, high]: [number, number], o: Options) => [
+/** The accuracies that engines claim, with words that begin at a place. */
+const bandMarks = ([low, high]: [number, number], words: Place, o: Options) => [
   Plot.rectY([0], {
     y1: low,
     y2: high,
@@ -98,15 +96,22 @@ const bandMarks = ([low, high]: [number, number], o: Options) => [
     stroke: o.theme.soft,
     strokeWidth: 0.6,
   }),
-  Plot.text(["claimed by engines"], {
-    frameAnchor: "right",
-    y: () => (low + high) / 2,
+  Plot.text([words], {
+    x: "ns",
+    y: "digits",
+    text: () => "claimed by engines",
+    textAnchor: "start",
     fill: o.theme.soft,
     fontSize: 12,
-    dx: -4,
     ...outlined(o, 4),
   }),
 ];
+
+/** Above or below the band, at its right or left end. */
+const placesForWords = (frame: Box, top: number, bottom: number): Box[] =>
+  [top - 17, bottom + 1].flatMap((y) =>
+    [frame.x + frame.wide - 124, frame.x + 4].map((x) => ({ x, y, wide: 124, high: 16 })),
+  );
 
 /** An arrow from one place to the other. */
 const betterMarks = (tail: Place, tip: Place, o: Options) => [
@@ -146,18 +151,18 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
     better,
     ...best.flatMap((p) => [around(spotOf(shown(p)), 7), around(spotOf({ ns: p.ns, digits: p.digits! }), 6)]),
   ];
-  if (band) {
-    const { y } = spotOf({ ns: domain[1], digits: (band[0] + band[1]) / 2 });
-    taken.push({ x: frame.x + frame.wide - bandRoom, y: y - 8, wide: bandRoom, high: 16 });
-  }
+  const edges = band?.map((digits) => spotOf({ ns: domain[0], digits }).y);
+  const words = edges && firstFree(placesForWords(frame, edges[1]!, edges[0]!), taken, frame);
+  if (words) taken.push(words);
   const boxes = placed(
     best.map((p) => ({ ...spotOf(shown(p)), name: library(p.method) })),
     taken,
     frame,
   );
+  const middleOf = (box: Box) => placeAt({ x: box.x, y: box.y + box.high / 2 });
   const names = best.map((p, i) => {
     const box = boxes[i]!;
-    return { p, ...placeAt({ x: box.x, y: box.y + box.high / 2 }), far: farFrom(spotOf(shown(p)), box) };
+    return { p, ...middleOf(box), far: farFrom(spotOf(shown(p)), box) };
   });
 
   return Plot.plot(
@@ -165,7 +170,7 @@ export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = 
       x: { type: "log", label: "time a pair \u2192", domain, ticks, tickFormat: time, grid: true },
       y: { label: "\u2191 correct digits", grid: true, domain: [0, highest] },
       marks: [
-        ...(band ? bandMarks(band, o) : []),
+        ...(band && words ? bandMarks(band, middleOf(words), o) : []),
         ...curvesOf(known.filter((p) => shownDigits(p) > 0))
           .filter((c) => c.length > 1)
           .map((c) => Plot.line(c, { x: "ns", y: shownDigits, stroke: colour(c[0]!), strokeWidth: 0.8 })),

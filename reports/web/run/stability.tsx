@@ -13,6 +13,15 @@ import { backwardPlot, tracePlot } from "./stability_plots.ts";
 /** How often the verdict should turn: once where the path goes through touching. */
 const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
 
+const printedRows = 12; // as style.css has it
+
+const FirstRows = ({ of }: { of: number }) =>
+  of > printedRows ? (
+    <p class="only-print soft">
+      Only the first {printedRows} of {grouped(of)} rows are printed.
+    </p>
+  ) : null;
+
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(
     () =>
@@ -63,6 +72,7 @@ function Paths({ report }: { report: FullReport }) {
               ))}
             </tbody>
           </table>
+          <FirstRows of={paths.length} />
         </div>
         <div>
           <h3>
@@ -137,6 +147,7 @@ function Builds({ report }: { report: FullReport }) {
             ))}
           </tbody>
         </table>
+        <FirstRows of={changed.length} />
       </div>
     </>
   );

@@ -365,11 +365,16 @@ async function savesTheTable({ address, study }) {
   await page.context().close();
 }
 
-async function fitsANarrowWindow({ address }) {
-  const page = await open(address, { width: 500 });
-  const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
-  await page.context().close();
+/** In no window does the page scroll sideways, and in a wide one no table does. */
+async function fitsItsWindow({ address }) {
+  for (const width of [390, 500, 1400]) {
+    const page = await open(address, { width });
+    const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
+    const cut = () => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length;
+    if (width === 1400) assert.equal(await page.evaluate(cut), 0, "tables that are cut");
+    await page.context().close();
+  }
 }
 
 /** The chart, the swatches and, where there is no WebGL, the outlines. */
@@ -418,7 +423,7 @@ await computesWhatIsExempt(crane);
 for (const one of [crane, pageOf("hand.xml")]) await tellsItsWords(one);
 await drawsTheRobotWhole(crane);
 await savesTheTable(crane);
-await fitsANarrowWindow(arm);
+for (const one of [crane, arm]) await fitsItsWindow(one);
 assert.deepEqual(errors, []);
 await standsOut(crane);
 await worksWithoutWebgl(crane);
