@@ -679,7 +679,7 @@ async function printsAll() {
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   assert.ok((await page.locator("details.print:not([open])").count()) > 0);
   const pdf = (await page.pdf({ format: "A4" })).toString("latin1");
-  const pages = Number(/\/Count (\d+)/.exec(pdf)[1]);
+  const pages = pdf.match(/\/Type\s*\/Page\b/g).length; // a /Count may be of a part of them
   assert.ok(pages <= 8, `${pages} pages`);
   await page.context().close();
 }
