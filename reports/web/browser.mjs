@@ -53,7 +53,10 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
 
 /** As where there is no WebGL. */
 export const withoutWebgl = () => {
-  HTMLCanvasElement.prototype.getContext = () => null;
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind) {
+    return kind === "2d" ? getContext.call(this, kind) : null;
+  };
 };
 
 /** Until what was done is drawn. */
@@ -85,45 +88,6 @@ export const colours = async (page) => (
     return { count: new Set(data).size, hash, opaque };
   })
 );
-
-/** The words that stand out from what is behind them by less than 4.5, and how many there are in all. */
-export const paleWords = (page) =>
-  page.evaluate(() => {
-    const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }),
-      pen = canvas.getContext("2d", { willReadFrequently: true });
-    const rgba = (colour) => {
-      pen.clearRect(0, 0, 1, 1);
-      pen.fillStyle = colour;
-      pen.fillRect(0, 0, 1, 1);
-      return [...pen.getImageData(0, 0, 1, 1).data];
-    };
-    const light = ([r, g, b]) =>
-      [r, g, b]
-        .map((c) => (c / 255 <= 0.03928 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
-        .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
-    const behind = (e) => {
-      for (let at = e; at; at = at.parentElement) {
-        const colour = rgba(getComputedStyle(at).backgroundColor);
-        if (colour[3] === 255) return colour;
-      }
-      return rgba("white");
-    };
-    const all = [...document.querySelectorAll("#page *")].filter(
-      (e) =>
-        e.checkVisibility({ visibilityProperty: true }) &&
-        !e.closest("button:disabled, .zero, [aria-label='tip']") &&
-        [...e.childNodes].some((n) => n.nodeType === Node.TEXT_NODE && n.textContent.trim().length > 1),
-    );
-    const ratio = (e) => {
-      const style = getComputedStyle(e),
-        [x, y] = [rgba(e instanceof SVGElement ? style.fill : style.color), behind(e)].map(light);
-      return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
-    };
-    return [
-      all.filter((e) => ratio(e) < 4.5).map((e) => `${e.textContent.slice(0, 30)} ${ratio(e).toFixed(2)}`),
-      all.length,
-    ];
-  });
 
 const packed = (bytes) => deflateSync(bytes).toString("base64");
 /** The solver that pages hold, as it is committed. */

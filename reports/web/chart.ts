@@ -2,21 +2,14 @@
 // The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
 import { paper, type Options } from "./parts/plot.ts";
 import { grouped } from "./parts/words.ts";
+import { familiesPlot } from "./run/families_plot.ts";
+import { mapPlot, onlyHere } from "./run/map_plot.ts";
+import { calibrationPlot, costPlot } from "./run/margin_plots.ts";
 import { plainDocument } from "./run/plain_document.ts";
-import {
-  backwardPlot,
-  calibrationPlot,
-  costPlot,
-  familiesPlot,
-  firstOfEach,
-  mapPlot,
-  onlyHere,
-  pareto,
-  seriesOf,
-  speedPlot,
-  tracePlot,
-} from "./run/plots.ts";
 import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
+import { firstOfEach, seriesOf } from "./run/series.ts";
+import { pareto, speedPlot } from "./run/speed_plot.ts";
+import { backwardPlot, tracePlot } from "./run/stability_plots.ts";
 
 export { exact, floorSqrt, prove } from "./parts/prove.ts";
 export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";

@@ -48,7 +48,7 @@ build() {
 command -v node >/dev/null || exec ../../.ci/skip 'no Node.js here: apt-get install nodejs'
 case $1 in
   data) node --test run/data_test.mjs parts/prove_test.mjs ;;
-  browser) node run/page_test.mjs ;;
+  browser) node run/page_test.mjs && node run/tasks_test.mjs ;;
   scene) scene "$2" ;;
   robot) robot "$2" ;;
   play) play "$2" ;;

@@ -100,6 +100,9 @@ function useWidth<T extends HTMLElement>() {
   return [ref, width] as const;
 }
 
+/** The margins of a plot leave nothing of less than this. */
+const narrowest = 260;
+
 /** A plot as wide as its place, drawn when it first comes near the screen and when `draw` changes. */
 export function Figure({
   draw,
@@ -125,13 +128,14 @@ export function Figure({
     return () => observer.disconnect();
   }, []);
   useEffect(() => {
-    if (near && width > 0) ref.current!.replaceChildren(draw(width));
+    if (near && width > 0) ref.current!.replaceChildren(draw(Math.max(narrowest, width)));
   }, [near, width, draw]);
   useEffect(() => {
     // Paper waits for nobody: what is not drawn when the event ends is not printed.
     const now = () => {
       const place = ref.current!;
-      if (place.childElementCount === 0 && place.clientWidth > 0) place.replaceChildren(draw(place.clientWidth));
+      if (place.childElementCount > 0 || place.clientWidth === 0) return;
+      place.replaceChildren(draw(Math.max(narrowest, place.clientWidth)));
     };
     addEventListener("beforeprint", now);
     return () => removeEventListener("beforeprint", now);

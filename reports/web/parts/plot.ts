@@ -87,18 +87,24 @@ export function decades(values: number[]): number[] {
 export function logAxis(label: string, values: number[], tickFormat: (v: number) => string, width = Infinity) {
   const ticks = decades(values),
     skip = Math.max(1, Math.ceil((ticks.length * tickRoom) / width));
-  const told = (v: number, i: number) => (i % skip === 0 ? tickFormat(v) : "");
+  const told = (v: number) => (ticks.indexOf(v) % skip === 0 ? tickFormat(v) : "");
   return { type: "log", label, ticks, tickFormat: told, grid: true, nice: true } as const;
 }
+
+export const power = (d: number) => (d === 0 ? "1" : `1e${d < 0 ? "\u2212" : ""}${Math.abs(d)}`);
+export const logTick = (x: number) => power(Math.round(Math.log10(x)));
+
+/** Around a plot that asks for no other. */
+export const margins = { left: 56, right: 30, top: 22, bottom: 42 };
 
 export function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {
     width: o.width,
     height,
-    marginLeft: 56,
-    marginBottom: 42,
-    marginRight: 30,
-    marginTop: 22,
+    marginLeft: margins.left,
+    marginBottom: margins.bottom,
+    marginRight: margins.right,
+    marginTop: margins.top,
     style: {
       background: "transparent",
       color: o.theme.fg,

@@ -72,11 +72,12 @@ export function Outline({
   class?: string;
   style?: Record<string, string | number>;
 }) {
-  const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat));
+  const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat)),
+    outline = hull(swollen(ends.flat(), of.rounding / view.radius));
   return (
     <g {...how}>
-      <path class="body" d={path(hull(swollen(ends.flat(), of.rounding / view.radius)))} />
-      {(of.rounding > 0 ? [] : ends).map((points, i) => (
+      <path class="body" d={path(outline)} />
+      {(of.rounding > 0 ? [outline] : ends).map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
       ))}
     </g>
@@ -106,7 +107,8 @@ export function SolidsProjection({
           of={solid}
           flat={flat}
           view={view}
-          style={{ fill: `var(${colour})`, stroke: `var(${colour})`, opacity: faint ? 0.2 : 1 }}
+          class={faint ? "faint" : ""}
+          style={{ fill: `var(${colour})`, stroke: `var(${faint ? "--grey" : colour})` }}
           key={i}
         />
       ))}

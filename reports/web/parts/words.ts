@@ -56,6 +56,8 @@ export function time(ns: number): string {
   return ns < 1e9 ? `${short(ns / 1e6)} ms` : `${short(ns / 1e9)} s`;
 }
 
+export const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** Text from anywhere: what reorders or hides the text around it is shown as an escape. */
 export function safe(text: string): string {
   return text.replace(

@@ -102,7 +102,7 @@ export function SolidFields({ name, solid, set }: { name: string; solid: Cylinde
           ))}
         </select>
       </label>
-      {vector("center", "center")}
+      {vector("center", "centre")}
       {shown !== "sphere" && vector("axis", "axis")}
       <div class="vector" role="group" aria-label={`Lengths of ${name}`}>
         {lengthsOf[shown].map(([key, label]) => (

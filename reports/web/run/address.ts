@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The part of the address after '#': the section or view, and what the tables of findings show.
-import { useEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
 import { leave } from "./focus.ts";
 
 /** "#/findings?method=fcl" has the parts ["findings"]. */
@@ -26,7 +26,7 @@ function readAddress(): Address {
 
 export function useAddress() {
   const [address, set] = useState(readAddress);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const changed = (event: HashChangeEvent) => {
       leave(event.oldURL, event.newURL);
       set(readAddress());

@@ -4,8 +4,9 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { plural, safe } from "../parts/words.ts";
-import { calibrationPlot, costPlot, firstOfEach, seriesOf, shownCap } from "./plots.ts";
+import { calibrationPlot, costPlot } from "./margin_plots.ts";
 import { inRunOrder, type FullReport } from "./report.ts";
+import { firstOfEach, seriesOf, shownCap } from "./series.ts";
 import { formatClaim, kindLabel, claimOrigin } from "./words.ts";
 
 function Chooser({

@@ -24,6 +24,12 @@ export const bucketAddress = (key: string) => `#/bucket/${key.split("/").map(enc
 
 export const formatNote = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
 
+/** A run of its nights with the day on which it began. */
+export const formatRun = ({ nights }: Bucket, run: string) => {
+  const night = nights.find((n) => n.run === run);
+  return night ? `${safe(night.started.slice(0, 10))} (${safe(run)})` : safe(run);
+};
+
 const standingHint = ({ standing, chance }: Bucket) =>
   [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
 
@@ -60,7 +66,7 @@ function CauseRow({ b }: { b: Bucket }) {
         {standingLabel(b.standing)}
         {b.nights.length > 1 && <Sparkline nights={b.nights} />}
       </td>
-      <td data-label={titles.seen}>{safe(b.first_seen)}</td>
+      <td data-label={titles.seen}>{formatRun(b, b.first_seen)}</td>
     </tr>
   );
 }

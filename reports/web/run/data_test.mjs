@@ -281,8 +281,8 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
   };
   const files = charts(expand(report), plainDocument());
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
-  assert.match(rects[0], /^<rect fill="#68727d" [^>]*wrongly reported disjoint 4 \(40 %\), 4 of them within its claim"/);
-  assert.match(rects[1], /^<rect fill="#8f1612" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
+  assert.match(rects[0], /^<rect [^>]*fill="#68727d" [^>]*wrongly reported disjoint 4 \(40 %\), 4 of them within its claim"/);
+  assert.match(rects[1], /^<rect [^>]*fill="#8f1612" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
   const said = files.get("honesty").match(/wrong \d+ of \d+/g);
   assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
 });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Elements that several sections of the page of a run use.
 import type { ComponentChildren } from "preact";
-import { groupBy, shellQuoted } from "../parts/words.ts";
+import { groupBy, safe, shellQuoted } from "../parts/words.ts";
+import type { Claim } from "./data.ts";
 import type { FullReport } from "./report.ts";
 import { about } from "./glossary.ts";
+import { claimOrigin, formatClaim } from "./words.ts";
 
 /** A number of the run or of a case under its name. */
 export function Fact({ label, kind = "", children }: { label: string; kind?: string; children: ComponentChildren }) {
@@ -30,6 +32,28 @@ export function Heads({ of, told = "" }: { of: readonly string[]; told?: string 
         })}
       </tr>
     </thead>
+  );
+}
+
+/** From where on a method claims to be right, and whether it states so. */
+export const ClaimWords = ({ of }: { of: Claim }) => (
+  <>
+    {formatClaim(of)}
+    <span title={about(claimOrigin(of))}>, {claimOrigin(of)}</span>
+  </>
+);
+
+/** Instead of a finding or cause that the page does not have. */
+export function Gone({ what, named }: { what: string; named: string }) {
+  return (
+    <>
+      <p>
+        <a href="#/findings">Back to the findings</a>
+      </p>
+      <p class="missing">
+        This page has no {what} {safe(named)}.
+      </p>
+    </>
   );
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The causes (buckets), and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { save } from "../parts/save.ts";
 import { VirtualTable, type ColumnOf } from "../parts/table.tsx";
@@ -108,13 +108,13 @@ function Table({ rows, order, setOrder }: { rows: Row[]; order: Order; setOrder:
 /** The view that the address asks for; what is changed of it here is written there, so that it can be passed on. */
 function useView(address: Address): [View, (view: View) => void] {
   const [view, set] = useState(() => viewOf(address.query));
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (address.detail) return;
     const asked = viewOf(address.query);
     if ([...address.query].length === 0 && !address.again) remember(queryOf(view));
     else set((was) => (queryOf(was) === queryOf(asked) ? was : asked));
   }, [address]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!address.detail) remember(queryOf(view));
   }, [view]);
   return [view, set];

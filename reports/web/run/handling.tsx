@@ -53,7 +53,10 @@ export function Handling({ report, b }: { report: FullReport; b: Bucket }) {
     <section class="handling">
       <h3>Next steps</h3>
       <Copy label="Explain it" text={`${triage} --explain ${key}`} />
-      <Copy label="A program, a proof and the text of an issue" text={`${triage} --export ${key} --out upstream`} />
+      <Copy
+        label="For the maintainers: a program, a proof and the text of an issue"
+        text={`${triage} --export ${key} --out upstream`}
+      />
       <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
       <p class="soft">
         Its pair is in <code>{safe(b.file)}</code>.

@@ -5,8 +5,9 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, percent, safe } from "../parts/words.ts";
 import type { FailureMap } from "./data.ts";
-import { firstOfEach, mapColour, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./plots.ts";
+import { mapColours, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./map_plot.ts";
 import { inRunOrder, type FullReport } from "./report.ts";
+import { firstOfEach } from "./series.ts";
 import { library } from "./words.ts";
 
 const planes = [
@@ -67,16 +68,23 @@ function Small({ map, what, chosen, choose }: Choice) {
     <button type="button" class="mini" aria-pressed={chosen} onClick={choose}>
       {safe(library(map.method))}
       <svg viewBox={`0 0 ${wide} ${high}`} aria-hidden="true" preserveAspectRatio="none" height={6 * high}>
-        {map.cells.map((c) => (
-          <rect
-            x={c.x + 0.05}
-            y={high - 1 - c.y + 0.05}
-            width={0.9}
-            height={0.9}
-            fill={mapColour(c, what, screen)}
-            key={`${c.x} ${c.y}`}
-          />
-        ))}
+        {map.cells.map((c) => {
+          const { fill, edge } = mapColours(c, what, screen);
+          return (
+            <rect
+              class={edge ? "" : "ground"}
+              x={c.x + 0.05}
+              y={high - 1 - c.y + 0.05}
+              width={0.9}
+              height={0.9}
+              fill={fill}
+              stroke={edge ?? "none"}
+              vector-effect="non-scaling-stroke"
+              stroke-width={0.8}
+              key={`${c.x} ${c.y}`}
+            />
+          );
+        })}
       </svg>
     </button>
   );

@@ -90,7 +90,9 @@ export function New({ report }: { report: FullReport }) {
         <li class="soft" title={safe(changes?.against.join(", ") ?? "")}>
           {changes
             ? `Compared with ${plural(changes.against.length, "earlier run")}`
-            : "There is no earlier run to compare with"}
+            : report.history
+              ? "There are no causes of earlier runs to compare with"
+              : "There is no earlier run to compare with"}
         </li>
       </ul>
     </>

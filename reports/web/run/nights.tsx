@@ -110,7 +110,7 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
                   {safe(n.run)}
                   {i === 1 && <span class="soft"> this run</span>}
                 </td>
-                <td>{safe(n.started)}</td>
+                <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
                 <td class="n">{grouped(n.count)}</td>
                 <td class="n">{grouped(n.asked)}</td>
                 <td class="n">{formatRate(n)}</td>

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A cause in one plain sentence.
-import { plural, short } from "../parts/words.ts";
+import { short } from "../parts/words.ts";
 import type { Bucket } from "./data.ts";
 import { kindLabel, library } from "./words.ts";
 
-/** Who is wrong: a method, a library with several of its methods, or a method and others. */
+/** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
+ *  other libraries: the amount may be of any. */
 function whoOf({ method, methods }: Bucket): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
-  const others = methods.filter((m) => library(m) !== library(method)).length;
-  if (others === 0) return [`${library(method)} (${methods.length} methods)`, false];
-  return [`${method} and ${plural(methods.length - 1, "other method")}`, true];
+  const libraries = new Set(methods.map(library)).size;
+  if (libraries === 1) return [`${library(methods[0]!)} (${methods.length} methods)`, false];
+  return [`${methods.length} methods of ${libraries} libraries`, true];
 }
 
 /** The largest margin that is proved of a finding of the cause. */
@@ -24,7 +25,7 @@ export function sentenceOf(b: Bucket): string {
     { a, b: other } = b.worst.pair,
     solids = a.rounding || other.rounding ? "solids" : "cylinders",
     largest = largestOf(b),
-    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than all doubles times ";
+    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
   switch (b.kind) {
     case "wrong_intersecting":
       return `${who} report${s} two ${solids} as intersecting although they are ${amount}their size apart`;

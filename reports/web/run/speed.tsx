@@ -4,8 +4,8 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, safe, time } from "../parts/words.ts";
-import { bestOfEach, pareto, speedPlot } from "./plots.ts";
 import { claimedDigits, type FullReport } from "./report.ts";
+import { bestOfEach, pareto, speedPlot } from "./speed_plot.ts";
 import { kindLabel, library } from "./words.ts";
 
 const toFindings = (name: string) => `#/findings?${new URLSearchParams({ library: name })}`;

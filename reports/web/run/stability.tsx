@@ -4,14 +4,23 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
-import { grouped, inOrder, percent, safe, short } from "../parts/words.ts";
+import { grouped, inOrder, percent, plural, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
 import { Heads } from "./elements.tsx";
-import { backwardPlot, tracePlot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
+import { backwardPlot, tracePlot } from "./stability_plots.ts";
 
 /** How often the verdict should turn: once where the path goes through touching. */
 const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
+
+const printedRows = 12; // as style.css has it
+
+const FirstRows = ({ of }: { of: number }) =>
+  of > printedRows ? (
+    <p class="only-print soft">
+      Only the first {printedRows} of {grouped(of)} rows are printed.
+    </p>
+  ) : null;
 
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(
@@ -63,6 +72,7 @@ function Paths({ report }: { report: FullReport }) {
               ))}
             </tbody>
           </table>
+          <FirstRows of={paths.length} />
         </div>
         <div>
           <h3>
@@ -114,8 +124,8 @@ function Builds({ report }: { report: FullReport }) {
     <>
       <h3>Answers of another build</h3>
       <p class="lead">
-        {grouped(report.builds.length)} comparisons of the answers of a method in two builds. The{" "}
-        {grouped(report.builds.length - changed.length)} without a change are omitted.
+        {plural(report.builds.length, "comparison")} of the answers of a method in two builds. The table has the{" "}
+        {grouped(changed.length)} with a change.
       </p>
       <div class="scroll tall">
         <table class="plain">
@@ -137,6 +147,7 @@ function Builds({ report }: { report: FullReport }) {
             ))}
           </tbody>
         </table>
+        <FirstRows of={changed.length} />
       </div>
     </>
   );

@@ -2,12 +2,12 @@
 // The run at a glance: what was found, methods against families, how it stands against earlier runs.
 import { useMemo, useRef, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
-import { groupBy, grouped, percent, plural, safe, time } from "../parts/words.ts";
+import { groupBy, grouped, inOrder, percent, plural, safe, time } from "../parts/words.ts";
 import type { Standing, Tally } from "./data.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
+import { heatStep, type Heat } from "./heat.ts";
 import { New } from "./new.tsx";
-import { heatStep, type Heat } from "./plots.ts";
 import { changesOf, type FullReport } from "./report.ts";
 import { useRoving } from "./roving.ts";
 import { formatClaim, kindLabel, library, claimOrigin, severityLabels } from "./words.ts";
@@ -57,8 +57,7 @@ function rowsOf(report: FullReport) {
 /** What of a cell is shown, the worst of it: beyond a claim or failed, else within a claim, else undecided. */
 function heatOf(c: Sum | undefined): { heat: Heat; step: number; failed: boolean } {
   if (!c || c.asked === 0) return { heat: "empty", step: 0, failed: false };
-  const bad = c.contract + c.failed;
-  if (bad > 0) return { heat: "bad", step: heatStep(bad / c.asked), failed: c.failed > 0 };
+  if (failures(c) > 0) return { heat: "bad", step: heatStep(failures(c) / c.asked), failed: c.failed > 0 };
   if (c.resolution > 0) return { heat: "within", step: heatStep(c.resolution / c.asked), failed: false };
   if (c.undecided > 0) return { heat: "undecided", step: heatStep(c.undecided / c.asked), failed: false };
   return { heat: "clean", step: 0, failed: false };
@@ -77,20 +76,57 @@ const describeCell = (name: string, family: string, c: Sum | undefined) =>
         `${time(c.nanoseconds / c.asked)} a pair`,
       ].join("\n");
 
+const failures = (c: Sum) => c.contract + c.failed;
+const shareOf = (count: number, c: Sum) => (c.asked === 0 ? -1 : count / c.asked);
+const worstFirst = <R extends Row>(rows: R[], family: string): R[] => {
+  const of = (row: Row) => row.families.get(family) ?? none;
+  return inOrder(
+    rows,
+    (x, y) =>
+      shareOf(failures(of(y)), of(y)) - shareOf(failures(of(x)), of(x)) ||
+      shareOf(of(y).resolution, of(y)) - shareOf(of(x).resolution, of(x)),
+  );
+};
+
+/** Which library fails most on the pairs of a family. */
+function WorstOf({ groups, family, all }: { groups: Row[]; family: string; all: () => void }) {
+  const [worst] = worstFirst(groups, family),
+    c = worst?.families.get(family) ?? none;
+  return (
+    <p role="status">
+      On {kindLabel(family)}
+      {failures(c) === 0 ? (
+        " no library is wrong beyond its claim, and none failed."
+      ) : (
+        <>
+          , <b>{safe(worst!.name)}</b> fails most: {percent(failures(c), c.asked)} ({grouped(failures(c))} of{" "}
+          {grouped(c.asked)} answers) beyond its claim or failed.
+        </>
+      )}{" "}
+      The numbers below are of these pairs.{" "}
+      <button type="button" class="link" onClick={all}>
+        All families
+      </button>
+    </p>
+  );
+}
+
 function HeatRow({
   row,
   families,
+  family,
   level,
   open,
   toggle,
 }: {
   row: Row;
   families: string[];
+  family: string | null; // of the numbers; of all if null
   level: 0 | 1;
   open?: boolean;
   toggle?: () => void;
 }) {
-  const t = row.total,
+  const t = family === null ? row.total : (row.families.get(family) ?? none),
     members = toggle !== undefined;
   return (
     <tr class={level === 0 ? "group" : "member"}>
@@ -113,12 +149,12 @@ function HeatRow({
         const c = row.families.get(family),
           { heat, step, failed } = heatOf(c);
         const known = heat === "bad" || heat === "within";
-        const where = { [members ? "library" : "method"]: row.name, family },
+        const filter = { [members ? "library" : "method"]: row.name, family },
           words = describeCell(row.name, family, c);
         return (
           <td class={`heat ${heat} s${step}`} title={words} key={family}>
             {known ? (
-              <a href={`#/findings?${new URLSearchParams(where)}`} aria-label={words}>
+              <a href={`#/findings?${new URLSearchParams(filter)}`} aria-label={words}>
                 {failed ? "\u00d7" : ""}
               </a>
             ) : null}
@@ -130,7 +166,12 @@ function HeatRow({
 }
 
 function HeatTable({ report }: { report: FullReport }) {
-  const groups = useMemo(() => rowsOf(report), [report]);
+  const all = useMemo(() => rowsOf(report), [report]);
+  const [family, choose] = useState<string | null>(null);
+  const groups = useMemo(() => {
+    if (family === null) return all;
+    return worstFirst(all, family).map((g) => ({ ...g, members: worstFirst(g.members, family) }));
+  }, [all, family]);
   const [open, set] = useState<ReadonlySet<string>>(new Set());
   const toggle = (name: string) =>
     set((was) => {
@@ -151,14 +192,15 @@ function HeatTable({ report }: { report: FullReport }) {
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the
           claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> neither <i class="heat empty" /> not
-          asked; a stronger colour is a larger share
+          asked; a stronger colour is a larger share. Click a family to see which library fails most on it.
         </span>
       </p>
+      {family !== null && <WorstOf groups={all} family={family} all={() => choose(null)} />}
       <div class="scroll">
         <table
           class="heat-table"
           ref={table}
-          aria-label="Methods against families; arrow keys move, Enter opens"
+          aria-label="Methods against families; arrow keys move, Enter opens a cell or ranks a family"
           {...roving}>
           <thead>
             <tr>
@@ -171,8 +213,15 @@ function HeatTable({ report }: { report: FullReport }) {
                 </th>
               ))}
               {report.families.map((f) => (
-                <th scope="col" class="turned" title={f.summary} key={f.name}>
-                  <span>{f.name.replaceAll("_", " ")}</span>
+                <th
+                  scope="col"
+                  class="turned"
+                  title={f.summary}
+                  aria-sort={f.name === family ? "descending" : "none"}
+                  key={f.name}>
+                  <button type="button" onClick={() => choose(f.name === family ? null : f.name)}>
+                    {kindLabel(f.name)}
+                  </button>
                 </th>
               ))}
             </tr>
@@ -180,11 +229,12 @@ function HeatTable({ report }: { report: FullReport }) {
           <tbody>
             {groups.flatMap((g) =>
               g.members.length < 2
-                ? [<HeatRow row={g.members[0]!} families={families} level={0} key={g.name} />]
+                ? [<HeatRow row={g.members[0]!} families={families} family={family} level={0} key={g.name} />]
                 : [
                     <HeatRow
                       row={g}
                       families={families}
+                      family={family}
                       level={0}
                       open={open.has(g.name)}
                       toggle={() => toggle(g.name)}
@@ -192,7 +242,7 @@ function HeatTable({ report }: { report: FullReport }) {
                     />,
                     ...(open.has(g.name)
                       ? g.members.map((m) => (
-                          <HeatRow row={m} families={families} level={1} key={`${g.name}/${m.name}`} />
+                          <HeatRow row={m} families={families} family={family} level={1} key={`${g.name}/${m.name}`} />
                         ))
                       : []),
                   ],

@@ -20,6 +20,7 @@ import {
   withoutWebgl,
 } from "../browser.mjs";
 import { daylight } from "../chart.mjs";
+import { assertContrast } from "../contrast.mjs";
 
 const { csvOfStudy, freeJoints, gap, gapsOf, jointValues, placed, riskOf, studyRowsOf } = daylight;
 
@@ -242,7 +243,10 @@ async function showsWhatIsRefuted({ address, study }) {
   const refuted = study.motions.findIndex(({ verdict }) => verdict === "refuted"),
     proof = study.motions[refuted],
     pair = study.pairs.findIndex(({ bodies }) => bodies.join() === proof.bodies.join());
-  const page = await open(`${address}#at=0&pair=${pair}`);
+  const page = await open(address);
+  await page.goto(`${address}#at=0&pair=${pair}`); // at once, before the page has drawn all of itself
+  await page.reload();
+  assert.equal(await told(page, "pair"), String(pair), "the address stays as it was given");
   assert.match(await page.locator(".picked p.bad").innerText(), /^Over all motions refuted: /);
   await page.locator(".picked").getByRole("button", { name: /^Show where/ }).click();
   assert.ok((await status(page)).includes("within the clearance here"));
@@ -361,11 +365,29 @@ async function savesTheTable({ address, study }) {
   await page.context().close();
 }
 
-async function fitsANarrowWindow({ address }) {
-  const page = await open(address, { width: 500 });
-  const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
-  await page.context().close();
+/** In no window does the page scroll sideways, and in a wide one no table does. */
+async function fitsItsWindow({ address }) {
+  for (const width of [390, 500, 1400]) {
+    const page = await open(address, { width });
+    const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
+    const cut = () => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length;
+    if (width === 1400) assert.equal(await page.evaluate(cut), 0, "tables that are cut");
+    await page.context().close();
+  }
+}
+
+/** The chart, the swatches and, where there is no WebGL, the outlines. */
+async function standsOut({ address }) {
+  for (const scheme of ["light", "dark"]) {
+    const page = await open(address, { scheme, first: withoutWebgl });
+    await page.locator("#cost").scrollIntoViewIfNeeded();
+    await page.waitForSelector("#cost .plot svg");
+    const least = await assertContrast(page, scheme);
+    console.log(`contrast, ${scheme}: ${JSON.stringify(least)}`);
+    assert.ok(least.word[1] > 100 && least.mark[1] > 20, JSON.stringify(least));
+    await page.context().close();
+  }
 }
 
 async function worksWithoutWebgl({ address }) {
@@ -401,8 +423,9 @@ await computesWhatIsExempt(crane);
 for (const one of [crane, pageOf("hand.xml")]) await tellsItsWords(one);
 await drawsTheRobotWhole(crane);
 await savesTheTable(crane);
-await fitsANarrowWindow(arm);
+for (const one of [crane, arm]) await fitsItsWindow(one);
 assert.deepEqual(errors, []);
+await standsOut(crane);
 await worksWithoutWebgl(crane);
 assert.deepEqual(asked, [], "nothing is asked from the network");
 console.log("study_robot_test: all well");

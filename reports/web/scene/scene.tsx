@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The robot, its joints and its pairs. The address after '#' has the view, so that a link shows the same.
-import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
+import { useCallback, useEffect, useLayoutEffect, useMemo, useState } from "preact/hooks";
 import type { Cylinder } from "../parts/data.ts";
 import { Copy, Section, Select } from "../parts/elements.tsx";
 import { getStage } from "../parts/stage.ts";
@@ -61,6 +61,30 @@ function addressOf({ at, picked, ghosts, close, joints }: Looked) {
   return `#${told}`;
 }
 
+/** The view. The reader's changes go into the address, and changes of the address into the view. */
+function useLooked(study: Study) {
+  const [{ looked, byReader }, set] = useState({ looked: readAddress(study), byReader: false });
+  useLayoutEffect(() => {
+    const now = addressOf(looked);
+    if (byReader && (now === "#" ? /^#at=/.test(location.hash) : now !== location.hash))
+      history.replaceState(null, "", now);
+  }, [looked]);
+  useLayoutEffect(() => {
+    const follow = () => {
+      if (/^#at=/.test(location.hash)) set({ looked: readAddress(study), byReader: false });
+    };
+    follow(); // it may have changed since it was read
+    addEventListener("hashchange", follow);
+    return () => removeEventListener("hashchange", follow);
+  }, [study]);
+  const look = useCallback(
+    (change: (was: Looked) => Partial<Looked>) =>
+      set(({ looked: was }) => ({ looked: { ...was, ...change(was) }, byReader: true })),
+    [],
+  );
+  return [looked, look] as const;
+}
+
 /** A pair that the SRDF exempts, where the sliders stand: it is no row of the table. */
 function Exempt({ study, posed, proof }: { study: Study; posed: Posed; proof: Proof }) {
   const [a, b] = proof.bodies.map((body) => posed.cylinders[body]!) as [Cylinder, Cylinder],
@@ -85,7 +109,7 @@ export function SceneSection({
   asked: Proof | null;
   showProof: (proof: Proof) => void;
 }) {
-  const [looked, look] = useState(() => readAddress(study));
+  const [looked, look] = useLooked(study);
   const [filter, setFilter] = useState(noFilter);
   const [touched, touch] = useState<number | null>(null); // the body clicked last
   const [exempt, setExempt] = useState<Proof | null>(null); // asked for, and not among the checked pairs
@@ -106,20 +130,9 @@ export function SceneSection({
   );
   const [chosen, choose] = useState(() => options.find((o) => o.at === at)?.key ?? "0 0");
 
-  useEffect(() => {
-    const now = addressOf(looked);
-    if (now === "#" ? /^#at=/.test(location.hash) : now !== location.hash) history.replaceState(null, "", now);
-  }, [looked]);
-  useEffect(() => {
-    const changed = () => {
-      if (/^#at=/.test(location.hash)) look(readAddress(study));
-    };
-    addEventListener("hashchange", changed);
-    return () => removeEventListener("hashchange", changed);
-  }, [study]);
   const pickPair = useCallback((pair: number | null) => {
     setExempt(null);
-    look((was) => ({ ...was, picked: pair, close: pair === null ? false : was.close }));
+    look(({ close }) => ({ picked: pair, close: pair !== null && close }));
     touch(null);
   }, []);
   // The pair of the two bodies clicked last; of one that has none with the other, its nearest pair.
@@ -140,7 +153,7 @@ export function SceneSection({
         -1,
       );
       const pair = ofBoth >= 0 ? ofBoth : nearest;
-      look((was) => ({ ...was, picked: pair >= 0 ? pair : null }));
+      look(() => ({ picked: pair >= 0 ? pair : null }));
       touch(body);
     },
     [study, touched, passing, pose],
@@ -149,13 +162,12 @@ export function SceneSection({
     look((was) => {
       const now = new Set(was.ghosts);
       if (!now.delete(model)) now.add(model);
-      return { ...was, ghosts: now };
+      return { ghosts: now };
     });
   const chooseOption = (key: string) => {
     const option = options.find((o) => o.key === key)!;
     choose(key);
-    look((was) => ({
-      ...was,
+    look(() => ({
       at: option.at,
       joints: null,
       ...(option.reason.pair === undefined ? {} : { picked: option.reason.pair }),
@@ -168,8 +180,7 @@ export function SceneSection({
     const values = jointValues(study.links, asked.joints);
     const pair = study.pairs.findIndex(({ bodies }) => bodies.join() === asked.bodies.join());
     setExempt(pair >= 0 ? null : asked);
-    look((was) => ({
-      ...was,
+    look(() => ({
       joints: freeJoints(study.links).map((link) => values[link]!),
       picked: pair >= 0 ? pair : null,
     }));
@@ -192,7 +203,7 @@ export function SceneSection({
               type="button"
               aria-pressed={close}
               disabled={picked === null}
-              onClick={() => look({ ...looked, close: !close })}>
+              onClick={() => look(() => ({ close: !close }))}>
               Close up
             </button>
             <button type="button" disabled={picked === null} onClick={() => pickPair(null)}>
@@ -227,8 +238,8 @@ export function SceneSection({
           <Joints
             study={study}
             posed={pose}
-            set={(values) => look({ ...looked, joints: values })}
-            reset={() => look({ ...looked, joints: null })}
+            set={(joints) => look(() => ({ joints }))}
+            reset={() => look(() => ({ joints: null }))}
             pick={pickPair}
           />
           {exempt && <Exempt study={study} posed={pose} proof={exempt} />}

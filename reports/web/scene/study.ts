@@ -3,7 +3,7 @@
 // reports/schemas/scene.json), as far as the page uses it.
 import type { Cylinder, Vec } from "../parts/data.ts";
 import { add, dot, scale, sub, unit, type Capsule, type Solid } from "../parts/geometry.ts";
-import { short } from "../parts/words.ts";
+import { capital, short } from "../parts/words.ts";
 import type { PlacedBox, StudiedBody, StudiedLink } from "./kinematics.ts";
 
 /** Cheapest first; each but "inner capsule" may be the one that a pair needs. */
@@ -237,7 +237,6 @@ export const aModel = (model: Model) =>
     : model === "distance"
       ? "the distance"
       : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`;
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 /** A text of `daylight scene` as a sentence of the page. */
 export const asSentence = (text: string) =>
   capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// What happens as the margin shrinks: the share of wrong answers, and the time for an answer.
+import * as Plot from "@observablehq/plot";
+import { common, decades, logAxis, logTick, power, tips, type Options } from "../parts/plot.ts";
+import { groupBy, grouped, inOrder, percent, shareBounds, short, time } from "../parts/words.ts";
+import type { Calibration, CostPoint } from "./data.ts";
+import { seriesOf } from "./series.ts";
+
+/** A power of ten below `x`, which a logarithmic axis does not draw: only such ticks have a label. */
+const below = (x: number) => 10 ** (Math.ceil(Math.log10(x)) - 1);
+
+/** The decades of the margin from `first` to `last`, with a label on as many as have `width` pixels for it. */
+function marginAxis(first: number, last: number, width: number, pad = 0) {
+  const skip = Math.max(1, Math.ceil((last * 46) / width));
+  return {
+    label: "margin, smaller \u2192",
+    domain: [first - pad, last + pad],
+    ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i).filter((d) => d % skip === 0),
+    tickFormat: (d: number) => power(-d),
+  };
+}
+
+export function calibrationPlot(all: Calibration[], o: Options): Element {
+  const sides = [
+    ["wrong_disjoint", "wrongly disjoint"],
+    ["wrong_intersecting", "wrongly intersecting"],
+  ] as const;
+  const rows = all.flatMap((h) =>
+    sides.flatMap(([key, side]) =>
+      h.bins
+        .map((b) => ({ ...b, answered: b.asked - (b.declined ?? 0) }))
+        .filter((b) => b.answered > 0)
+        .map((b) => {
+          const [low, high] = shareBounds(b[key], b.answered);
+          return {
+            method: h.method,
+            side,
+            decade: b.decade,
+            answered: b.answered,
+            wrong: b[key],
+            share: b[key] / b.answered,
+            low,
+            high,
+          };
+        }),
+    ),
+  );
+  type Share = (typeof rows)[number];
+  const floor = below(Math.min(0.01, ...rows.map((r) => r.high)));
+  const methods = [...new Set(all.map((h) => h.method))];
+  const { colour, symbol } = seriesOf(methods, o.theme);
+  const words = (r: Share) =>
+    `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ` +
+    `${grouped(r.answered)}: ${percent(r.wrong, r.answered)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
+  const last = Math.max(0, ...rows.map((r) => r.decade));
+  const dx = (r: { method: string }) => (methods.indexOf(r.method) - (methods.length - 1) / 2) * 0.09;
+  const x = (r: Share) => r.decade + dx(r);
+  const share = (r: Share) => Math.max(floor, r.share),
+    low = (r: Share) => Math.max(floor, r.low);
+  return Plot.plot(
+    common(o, 350, {
+      marginTop: 44,
+      x: marginAxis(0, last, (o.width - 90) / sides.length, 0.5),
+      y: {
+        type: "log",
+        label: "\u2191 share wrong (bar: 95 %)",
+        domain: [floor, 1],
+        ticks: decades([floor, 1]),
+        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : logTick(v)),
+        grid: true,
+      },
+      fx: { label: null, padding: 0.08 },
+      marks: [
+        Plot.frame({ stroke: o.theme.line }),
+        Plot.ruleX(rows, {
+          x,
+          y1: low,
+          y2: "high",
+          fx: "side",
+          stroke: colour,
+          strokeWidth: (r: Share) => (r.wrong === 0 ? 0.3 : 0.8),
+        }),
+        ...methods.map((m) =>
+          Plot.line(
+            rows.filter((r) => r.method === m),
+            { x, y: share, fx: "side", stroke: colour({ method: m }), strokeWidth: 1.3 },
+          ),
+        ),
+        Plot.dot(rows, {
+          x,
+          y: share,
+          fx: "side",
+          stroke: colour,
+          fill: (r: Share) => (r.wrong === 0 ? o.theme.bg : colour(r)),
+          symbol,
+          r: 3,
+          ariaLabel: words,
+        }),
+        ...tips(rows, o, words, { x, y: share, fx: "side" }),
+      ],
+    }),
+  );
+}
+
+export function costPlot(points: CostPoint[], o: Options): Element {
+  const methods = [...new Set(points.map((p) => p.method))];
+  const { colour, symbol } = seriesOf(methods, o.theme);
+  const byMethod = [...groupBy(points, (p) => p.method).values()].map((ps) =>
+    inOrder(ps, (x, y) => x.decade - y.decade),
+  );
+  const words = (p: CostPoint) =>
+    `${p.method}, margin 1e\u2212${p.decade}\nhalf within ${time(p.p50)}\n99 % within ${time(p.p99)}\nall within ` +
+    `${time(p.max)}`;
+  const last = Math.max(1, ...points.map((p) => p.decade)),
+    first = Math.min(0, ...points.map((p) => p.decade));
+  return Plot.plot(
+    common(o, 330, {
+      x: marginAxis(first, last, o.width - 90),
+      y: logAxis(
+        "\u2191 time a pair: line p50, band to p99, dot longest",
+        points.flatMap((p) => [p.p50, p.max]),
+        time,
+      ),
+      marks: [
+        ...byMethod.map((ps) =>
+          Plot.areaY(ps, {
+            x: "decade",
+            y1: "p50",
+            y2: "p99",
+            fill: colour(ps[0]!),
+            fillOpacity: 0.1,
+            stroke: colour(ps[0]!),
+            strokeWidth: 0.4,
+          }),
+        ),
+        ...byMethod.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
+        Plot.dot(points, {
+          x: "decade",
+          y: "max",
+          stroke: colour,
+          r: 2.2,
+          symbol,
+          ariaLabel: words,
+        }),
+        ...tips(points, o, words, { x: "decade", y: "p50" }),
+      ],
+    }),
+  );
+}

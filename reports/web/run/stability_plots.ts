@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The answers of a method along a path, and how far an input must move for a wrong answer to be right.
+import * as Plot from "@observablehq/plot";
+import { common, logAxis, logTick, tips, type Options } from "../parts/plot.ts";
+import { grouped, inOrder, short } from "../parts/words.ts";
+import type { BackwardError, PathStability } from "./data.ts";
+
+export function tracePlot(path: PathStability, o: Options): Element {
+  const trace = path.trace ?? [];
+  const colour = (t: { verdict: string }) =>
+    ({ disjoint: o.theme.intersecting, intersecting: o.theme.disjoint, touching: o.theme.failed })[t.verdict] ??
+    o.theme.undecided;
+  const shape = (t: { verdict: string }) =>
+    ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
+  const known = trace.some((t) => t.distance !== null);
+  // Steps go by decades towards 0.
+  const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
+  const farthest = Math.max(...trace.map((t) => Math.abs(t.at)));
+  const y = (t: (typeof trace)[number]) =>
+    known ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
+  const words = (t: (typeof trace)[number]) =>
+    `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
+  const flips = trace
+    .slice(1)
+    .flatMap((t, i) => (t.verdict === trace[i]!.verdict ? [] : [{ at: (t.at + trace[i]!.at) / 2 }]));
+  return Plot.plot(
+    common(o, 220, {
+      x: {
+        type: "symlog",
+        constant: nearest,
+        label: "along the path \u2192",
+        grid: true,
+        ticks: [-farthest, 0, farthest],
+        tickFormat: (v: number) => short(v),
+      },
+      y: known
+        ? { label: "\u2191 distance it returns", grid: true, tickFormat: (v: number) => short(v) }
+        : {
+            label: null,
+            domain: [-1.6, 1.6],
+            ticks: [-1, 1],
+            tickFormat: (v: number) => (v > 0 ? "disjoint" : "intersecting"),
+          },
+      marginLeft: 68,
+      marks: [
+        ...(known ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
+        Plot.ruleX(flips, { x: "at", stroke: o.theme.soft, strokeDasharray: "3 3" }),
+        ...(known
+          ? [
+              Plot.line(
+                trace.filter((t) => t.distance !== null),
+                { x: "at", y: "distance", stroke: o.theme.soft, strokeWidth: 0.8 },
+              ),
+            ]
+          : []),
+        Plot.dot(trace, { x: "at", y, fill: colour, symbol: shape, r: 2.6, ariaLabel: words }),
+        ...tips(trace, o, words, { x: "at", y }),
+      ],
+    }),
+  );
+}
+
+export function backwardPlot(rows: BackwardError[], o: Options): Element {
+  const sorted = inOrder(rows, (x, y) => y.max - x.max);
+  const least = Math.min(...rows.flatMap((r) => [r.p50, r.p99, r.max]).filter((v) => v > 0), 1);
+  const at = (v: number) => Math.min(Math.max(v, least), 10); // beyond: solids far apart that were taken for meeting
+  const words = (r: BackwardError) =>
+    `${r.method}: ${grouped(r.wrong)} wrong answers\nhalf right for an input within ${short(r.p50)} of its size\n` +
+    `99 % within ${short(r.p99)}\nall within ${short(r.max)}`;
+  return Plot.plot(
+    common(o, 40 + rows.length * 17 + 40, {
+      marginLeft: 190,
+      x: logAxis(
+        "backward error, in sizes: dot p50, tick p99, end largest \u2192",
+        rows.flatMap((r) => [at(r.p50), at(r.max)]),
+        logTick,
+        o.width - 160,
+      ),
+      y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
+      marks: [
+        Plot.link(sorted, {
+          x1: (r: BackwardError) => at(r.p50),
+          x2: (r: BackwardError) => at(r.max),
+          y1: "method",
+          y2: "method",
+          stroke: o.theme.soft,
+          strokeWidth: 1.5,
+        }),
+        Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
+        Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),
+        Plot.dot(sorted, { x: (r: BackwardError) => at(r.p50), y: "method", fill: o.theme.fg, r: 3, ariaLabel: words }),
+        ...tips(sorted, o, words, { x: (r: BackwardError) => at(r.p50), y: "method" }),
+      ],
+    }),
+  );
+}
