@@ -18,9 +18,9 @@ inline constexpr R half_spacing = [] {
   for (int digit = 0; digit < std::numeric_limits<R>::digits; ++digit) half /= 2;
   return half * (1 + 2 * half);
 }();
-// The successor of x, or the number after it (Rump, Zimmermann, Boldo, Melquiond, BIT 49, 2009): |x| times
-// the above, rounded, is more than half the way from x to its successor, so that the sum is not rounded back
-// to x; where that product underflows, the least number is the whole way.
+// The successor of x, or the number after it (Rump, Zimmermann, Boldo, Melquiond, BIT 49, 2009). The rounded
+// product of |x| and half_spacing is more than half the way from x to its successor. So the sum is not
+// rounded back to x. If that product underflows, the least number is the whole way.
 template <class R>
 R next_up(R x) {
   using Limits = std::numeric_limits<R>;
