@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
+So is the English in the comments of headers.
 Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
 command lines that other tests run. README.md's first pair stays wrong when it is moved, and its numbers match the
 output of its command. "docs_test.py PROGRAM write" writes these numbers."""
@@ -80,13 +81,26 @@ def check_size(page, text):
             fail(f'{page.name}:{number} is {len(line)} columns wide')
 
 
+def headers():
+    """The headers of C and C++ in the source tree."""
+    for folder, names, files in os.walk(ROOT):
+        names[:] = sorted(set(names) - {'build', 'node_modules', '.git'})
+        yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h')))
+
+
 def check_english():
-    """The documents have no finding of plain_english.py, and neither has --help of any command."""
+    """The documents and the comments of headers have no finding of plain_english.py, and neither has --help of any
+    command."""
     for habit, pattern, _, example in plain_english.PHRASES:
         if not re.search(pattern, example):
             fail(f'the pattern of "{habit}" misses its example: {example}')
     found = [f'{page.relative_to(ROOT)}:{number}: {message}'
              for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
+    sources = list(headers())
+    if len(sources) < 200:
+        fail(f'only {len(sources)} headers were found')
+    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in sources for number, _, message in
+              plain_english.findings(source.read_text(), plain_english.comments)]
     if found:
         fail('\n'.join(['the English of these lines'] + found))
     text = run(['--help'], ROOT)

@@ -22,8 +22,8 @@ struct SceneOptions {
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
   double tolerated = 0;  ///< false alarms of pairs at most this much beyond the clearance are harmless
   std::size_t configurations = 1000;  ///< drawn; one if nothing moves or `at` is not empty
-  /// If the cheapest model was never wrong for a pair, more configurations are drawn until, at 95 %, it is
-  /// wrong in at most this share of all, or until the limit is reached.
+  /// If the cheapest model was never wrong for a pair, more configurations are drawn. They end when, at 95 %,
+  /// it is wrong in at most this share of all, or at the limit.
   double rate = 1;
   std::size_t most = 100'000;
   std::uint64_t seed = 1;
@@ -128,9 +128,9 @@ struct Total {
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
 
-/// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of
-/// ten that are at most half of the median thickness of the solids (radius or half the height, plus
-/// rounding).
+/// Returns the lengths that are tried as roundings, which are 1, 2 or 5 times a power of ten. They are the
+/// five greatest that are at most half of the median thickness of the solids. The thickness is the radius or
+/// half the height, plus the rounding.
 std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the English of Markdown files and of the comments of C++ headers: no phrase of the list below, no sentence of
+"""Checks the English of Markdown files and of the comments of C and C++: no phrase of the list below, no sentence of
 30 words or more, no sentence with more than one colon or semicolon. "plain_english.py FILE.." prints its findings and
 exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations" are not checked.
 docs/docs_test.py runs it."""
@@ -71,7 +71,7 @@ def comments(text):
 
 
 def prose(text):
-    """The words that are read. A link is its text, code or a quotation is a word, and a leading **term**: is a label."""
+    """The words that are read. A link is its text, code or a quotation is a word, a leading **term**: is a label."""
     text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
     text = re.sub(r'\[[\w./]+\.\w+\]\([^)]*\)', 'File', text)
     text = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', text)

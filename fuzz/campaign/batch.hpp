@@ -18,8 +18,8 @@ namespace cyl {
 /// referee.
 inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
-/// How often each arithmetic gave the verdict, decided or not, and the time of those pairs, in the order of
-/// Stage.
+/// How often each arithmetic gave the verdict, decided or not, and the time of the pairs that it got, in the
+/// order of Stage.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
 /// Returns whether a row belongs to a method and is not one of the rows above.
 bool is_method_row(std::string_view name);
@@ -28,8 +28,8 @@ bool is_method_row(std::string_view name);
 inline constexpr std::uint64_t repeat_share = 64;
 
 /// The cells of the failure maps (oracles/trial/cells.hpp) count one pair in this many, drawn from seed and
-/// index, because finding the cell of a pair takes longer than asking about it. With foreign methods every
-/// pair up to an index counts, because such runs are short.
+/// index. The search for the cell of a pair takes longer than the questions about it. With foreign methods
+/// every pair up to an index counts, because such runs are short.
 inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
 inline constexpr std::uint64_t every_cell_until = 65536;
 

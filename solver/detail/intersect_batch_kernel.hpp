@@ -190,7 +190,7 @@ Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
 template <bool steep>
 void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
-    // untaken: the gate asks batches of one pair; intersect_batch_test asks all sizes
+    // untaken: the gate asks batches of one pair, and intersect_batch_test asks all sizes
     const unsigned n =
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);

@@ -19,7 +19,7 @@ struct PlanePoint {
 };
 
 // A point that is often in both. It is on the line along r's longer side that passes other's centre as near
-// as possible inside r: the middle of the part that both rectangles cut out of it.
+// as possible inside r. There it is the middle of the part that both rectangles cut out of the line.
 template <class T>
 PlanePoint<T> on_long_side(const Rectangle<T>& r, const Rectangle<T>& other) noexcept {
   constexpr double inwards = 0.75;

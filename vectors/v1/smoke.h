@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
    Pairs of solids with proved results: the legal vectors of the tier smoke, as in its JSON file.
-   A solid is its center, axis, radius, full height and rounding. A result of -1 is disjoint, 0 touching, 1 intersecting.
+   A solid: center, axis, radius, full height, rounding. A result of -1 is disjoint, 0 touching, 1 intersecting.
    The signed distance is from low to high. With a tolerance above acceptable_below, both answers are right. */
 #ifndef DAYLIGHT_VECTORS_H
 #define DAYLIGHT_VECTORS_H
