@@ -63,7 +63,7 @@ struct BasicInterval {
     if (b.lo <= 0 && b.hi >= 0) return everything();
     if (b.hi < 0) return -a / -b;
     const R low = a.lo / (a.lo < 0 ? b.lo : b.hi), high = a.hi / (a.hi < 0 ? b.hi : b.lo);
-    // untaken: the filter divides by numbers above 2^-60
+    // not covered: the filter divides by numbers above 2^-60
     return std::isnan(low + high) ? everything() : outward(low, high);
   }
   friend BasicInterval sqrt(const BasicInterval& a) {

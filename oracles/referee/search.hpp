@@ -109,7 +109,7 @@ bool overlap(const Point2<R>& center, const Point2<R>& along, const Point2<R>& a
       }
     }
     corners.swap(kept);
-    // untaken: rectangles are cut with a margin of fine_, and the least function is above -fine_
+    // not covered: rectangles are cut with a margin of fine_, and the least function is above -fine_
     if (corners.empty()) return false;
   }
   mean = {R(0), R(0)};
@@ -242,7 +242,7 @@ class Search {
 
   void offer_slice_point(const Cut<R>& cut) {
     Point2<R> mean;
-    // untaken: the same
+    // not covered: the same
     if (overlap<R>({dot(p_.delta, w0_), dot(p_.delta, m0_)},
                    {p_.half1 * dot(w1_, w0_), p_.half1 * dot(w1_, m0_)},
                    {cut.b1 * dot(m1_, w0_), cut.b1 * dot(m1_, m0_)}, p_.half0, cut.b0, fine_, mean))
@@ -268,7 +268,7 @@ class Search {
       offer_direction(n_);
     }
     const Cut<R> left = cut_at(lo), right = cut_at(hi);
-    // untaken: of one slice the two slopes are the same
+    // not covered: of one slice the two slopes are the same
     if (left.slope <= zero_ || right.slope >= zero_ || lo == hi) {
       const Cut<R>& peak = left.slope <= zero_ ? left : right;
       if (peak.value < fine_ || lo == hi) {
@@ -287,10 +287,10 @@ class Search {
   void bracket_peak(Cut<R> left, Cut<R> right) {
     Cut<R> best = left.value < right.value ? right : left;
     const R radii = p_.radius0 + p_.radius1, rounding = fine_ / R(256);
-    // untaken: lo < hi, so that a radius is positive
+    // not covered: lo < hi, so that a radius is positive
     R next = radii > zero_ ? R(z_ * p_.radius0 / radii) : zero_;
     if (!(next > left.u && next < right.u)) next = (left.u + right.u) / two_;
-    // untaken: no pair that was ever seen comes to the cap
+    // not covered: no pair that was ever seen comes to the cap
     for (int step = 0; step < 3 * bits_ + 20; ++step) {
       const Cut<R> t = cut_at(next);
       ++found_.slices;
@@ -324,7 +324,7 @@ class Search {
         }
       }
       if (!(guess > left.u && guess < right.u)) guess = middle;
-      // untaken: rounding ends it first
+      // not covered: rounding ends it first
       if (!(guess > left.u && guess < right.u) || width < fine_ * fine_ / size_) break;
       next = guess;
     }
@@ -336,9 +336,9 @@ class Search {
   R level_after(const Cut<R>& t) const {
     const Line<R>& line = line_of(t);
     R bend = zero_;
-    // untaken: within the bracket both are positive
+    // not covered: within the bracket both are positive
     if (t.b0 > zero_) bend = line.a * (one_ + t.tilt0 * t.tilt0) / t.b0;
-    // untaken: the same
+    // not covered: the same
     if (t.b1 > zero_) bend = bend + line.b * (one_ + t.tilt1 * t.tilt1) / t.b1;
     return t.u + t.slope / bend;
   }

@@ -97,7 +97,7 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
     return {x, t * x};
   }
   double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
-  // untaken: Newton on a convex function ends before the cap
+  // not covered: Newton on a convex function ends before the cap
   for (int i = 0; i < circle_step_cap; ++i) {
     ++steps;
     const double q = 1 / std::sqrt(t * t + cc);

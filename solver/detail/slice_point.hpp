@@ -64,11 +64,11 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
     for (int i = 0; i < count; ++i) {
       const PlanePoint<T>&from = polygon[i], &to = polygon[(i + 1) % count];
       const T d0 = limit - sign * (from.*axis), d1 = limit - sign * (to.*axis);
-      // untaken: a rectangle cut four times has at most 8 corners
+      // not covered: a rectangle cut four times has at most 8 corners
       if (d0 >= T(0) && n < 8) kept[n++] = from;
       if ((d0 > T(0) && d1 < T(0)) || (d0 < T(0) && d1 > T(0))) {
         const T t = d0 / (d0 - d1);
-        // untaken: the same
+        // not covered: the same
         if (n < 8) kept[n++] = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
       }
     }
