@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
-So is the English in the comments of headers.
+So is the English in the comments of headers and in the descriptions of JSON schemas.
 Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
 command lines that other tests run. README.md's first pair stays wrong when it is moved, and its numbers match the
 output of its command. "docs_test.py PROGRAM write" writes these numbers."""
@@ -88,9 +88,16 @@ def headers():
         yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h')))
 
 
+def descriptions():
+    """Yields (schema, description) of the JSON schemas."""
+    for schema in sorted((ROOT / 'reports/schemas').glob('*.json')) + [ROOT / 'vectors/v1/schema.json']:
+        for text in re.findall(r'"description": ("(?:[^"\\]|\\.)*")', schema.read_text()):
+            yield schema, json.loads(text)
+
+
 def check_english():
-    """The documents and the comments of headers have no finding of plain_english.py, and neither has --help of any
-    command."""
+    """The documents, the comments of headers and the descriptions of schemas have no finding of plain_english.py, and
+    neither has --help of any command."""
     for habit, pattern, _, example in plain_english.PHRASES:
         if not re.search(pattern, example):
             fail(f'the pattern of "{habit}" misses its example: {example}')
@@ -101,6 +108,11 @@ def check_english():
         fail(f'only {len(sources)} headers were found')
     found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in sources for number, _, message in
               plain_english.findings(source.read_text(), plain_english.comments)]
+    described = list(descriptions())
+    if len(described) < 50:
+        fail(f'only {len(described)} descriptions were found in schemas')
+    found += [f'{schema.relative_to(ROOT)}: {message}' for schema, text in described
+              for _, _, message in plain_english.findings(text)]
     if found:
         fail('\n'.join(['the English of these lines'] + found))
     text = run(['--help'], ROOT)
@@ -111,7 +123,8 @@ def check_english():
     found = [f'{command} --help: {message}' for command, text in helps.items() for _, message in
              plain_english.phrases(' '.join(text.split()))]
     for command, text in helps.items():
-        if command and len(re.findall(r'^  (?!-).*\bdaylight [a-z]', text.partition('\nExamples:\n')[2], re.M)) < 2:
+        examples = text.partition('\nExamples:\n')[2].partition('\n\n')[0]
+        if command and len(re.findall(r'^  (?!-).*\bdaylight [a-z]', examples, re.M)) < 2:
             found.append(f'{command} --help: two examples at least')
         for option, about in re.findall(r'^  (--\S+.*?)(?: {2,}|\n {10,})(\S.*?)(?: \(default: .*\))?$', text, re.M):
             if len(about) > 100 or 'TEXT' in option:

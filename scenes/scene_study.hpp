@@ -84,18 +84,18 @@ struct Verification {
 struct RoundingCost {
   double rounding = 0;
   std::size_t cheaper = 0;      ///< pairs that another cascade then answers
-  std::size_t alarms = 0;       ///< samples of all pairs that those cascades take for within, and are not
-  std::size_t all_rounded = 0;  ///< samples that the solids would be, every one grown by so much
+  std::size_t alarms = 0;       ///< false alarms of these cascades, over all pairs
+  std::size_t all_rounded = 0;  ///< false alarms if every solid is grown by this much
   double ns = 0;                ///< of one configuration
 };
 
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
-  bool drawn = false;                            ///< from many: what they show has a bound, and else is so
+  bool drawn = false;                            ///< more than one configuration, so rates have bounds
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
   std::size_t asked_referee = 0;  ///< samples that no level decides
-  std::size_t undecided = 0;      ///< those that the referee does not prove either, which count as within
+  std::size_t undecided = 0;      ///< samples without a proof of the referee; they count as within
   std::optional<ClosestCall> closest;
   std::vector<RoundingCost> roundings;  ///< ascending
   // For one configuration, in ns.
