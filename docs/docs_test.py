@@ -23,7 +23,8 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md')]
 PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
 PROSE = PAGES + sorted((ROOT / 'docs/results').glob('*.md')) + [
-    ROOT / 'corpus/cases/README.md', ROOT / 'reports/schemas/README.md']
+    ROOT / name for name in ('corpus/cases/README.md', 'reports/schemas/README.md', 'solver/derivation.md',
+                             'solver/rounded.md')]
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
