@@ -24,7 +24,7 @@ TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 
 PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
 PROSE = PAGES + sorted((ROOT / 'docs/results').glob('*.md')) + [
     ROOT / name for name in ('corpus/cases/README.md', 'reports/schemas/README.md', 'solver/derivation.md',
-                             'solver/rounded.md')]
+                             'solver/distance.md', 'solver/rounded.md')]
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
