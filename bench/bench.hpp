@@ -30,12 +30,12 @@ struct BenchOptions {
 /// many. One answer of DIRECT at 6000 evaluations takes as long as ten thousand others.
 inline constexpr std::size_t costly_asked = 100, costly_timed = 30;
 
-/// What is asked, and of which pairs:
-///   verdict      yes or no on prepared solids; where a method has no such way, the plain question
-///   raw          the plain question of a method that has the other way too: solids prepared inside the call
+/// One row for each method, family and query. The queries:
+///   verdict      yes or no on prepared solids; the plain question if a method has no such call
+///   raw          the plain question of a method that has that call; solids are prepared inside
 ///   certificate  verdict and certificate on prepared solids (method `decide`)
-///   distance     the signed distance on prepared solids, of disjoint pairs
-///   depth        the same, of pairs with a common point
+///   distance     the signed distance on prepared solids, for disjoint pairs
+///   depth        the same, for pairs with a common point
 ///   batch        all verdicts in one call on prepared solids
 struct BenchRow {
   std::string method;
@@ -43,7 +43,7 @@ struct BenchRow {
   std::string query;
   bool foreign = false;
   std::size_t pairs = 0;                 ///< asked, those it failed on included
-  double median_ns = not_measured;       ///< time of a pair: the median of the rounds; NaN if every pair
+  double median_ns = not_measured;       ///< median over the rounds of the time of a pair; NaN if every pair
                                          ///< failed
   double spread_percent = not_measured;  ///< of the rounds
   /// Quantiles over pairs of the least time of each; NaN for a batch.

@@ -148,7 +148,7 @@ std::string format_curves(std::span<const SpeedPoint> points) {
   }
   return text +
          "\ndigits: right on every pair at margins of 1e-1 to 1e-digits of the size, and not at the next; "
-         "low: at most 0.1 % not\nright, at 95 %. disj(!), inter(!): wrongly said disjoint, intersecting, "
+         "low: at most 0.1 % not\nright, at 95 %. disj(!), inter(!): wrong answers disjoint, intersecting, "
          "over margins 1e-1 to 1e-15.\n";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The commands of the one executable, one file each: add_<command> describes the command to the program. A
-// wrong argument throws UsageError, a file with other content InputError, and a fault of the harness any
-// other std::exception. daylight_main.cpp prints the text and returns exit code 64, 65 or 1.
+// wrong argument throws UsageError, and a file with other content InputError. A fault of the harness throws
+// any other std::exception. daylight_main.cpp prints the text and returns exit code 64, 65 or 1.
 #pragma once
 
 namespace cyl {

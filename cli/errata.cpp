@@ -74,7 +74,7 @@ std::string on_one_line(std::string_view text) {
 
 void print_line(std::string_view what, std::string_view text) { fmt::print("  {:<9} {}\n", what, text); }
 
-/// Prints what the methods answer today. Returns whether the section says the same.
+/// Prints the answers of the methods today. Returns whether the section states the same.
 bool print_pair(const Erratum& e, const Exhibits& exhibits, std::string_view section) {
   const Pair& pair = exhibits.pair_of(e);
   const Truth truth = judge(pair);
@@ -88,7 +88,7 @@ bool print_pair(const Erratum& e, const Exhibits& exhibits, std::string_view sec
   const std::string text = format_pair(pair);
   const std::size_t second = text.find("\"b\":");
   const std::string stated[] = {
-      fmt::format("{}, by proof. `{}` says {}, `{}` says {}.", to_string(truth.verdict), wrong,
+      fmt::format("{}, by proof. `{}` answers {}, `{}` answers {}.", to_string(truth.verdict), wrong,
                   to_string(said), right, to_string(known)),
       text.substr(0, second), text.substr(second)};  // the section has a line for each solid
   const std::string words = on_one_line(section);

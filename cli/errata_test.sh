@@ -25,7 +25,7 @@ holds 'what we polish' "$source_tree/solver/literature/readings.md" '^\* We poli
 mkdir -p "$PWD/other/share/daylight/solver/literature" other/bin
 cp "$daylight" other/bin
 cp -r "$source_tree/corpus" other/share/daylight
-sed 's/`seed2008-only-radius` says disjoint/`seed2008-only-radius` says intersecting/' "$source_tree/solver/literature/errata.md" \
+sed 's/`seed2008-only-radius` answers disjoint/`seed2008-only-radius` answers intersecting/' "$source_tree/solver/literature/errata.md" \
   >other/share/daylight/solver/literature/errata.md
 expect 2 'a wrong section' other/bin/daylight errata
 [[ $(grep -c 'THIS IS NOT SO TODAY' out) == 1 ]] || failed 'one section is wrong'

@@ -165,6 +165,7 @@ void add_play(Program& program) {
   command.section("Output");
   command.option("--out FILE", *out, "the page: one file that needs no network").writable();
   command.examples(
+      "  daylight play\n"
       "  daylight play --out play.html",
       "The solver runs in the page, compiled to WebAssembly. Its answers are those of this program.\n"
       "The examples are pairs that libraries, engines or printed methods get wrong. The command asks\n"

@@ -22,9 +22,13 @@ struct Target {
 /// it is.
 std::string lasting_name(const std::string& folder);
 
-/// Returns the pairs of `name`. RUN: all its findings; RUN:ID: one. FILE: all its cases; FILE:LINE: one. "-":
-/// the cases of standard input. Throws UsageError if the name is none of these, and InputError if a line is
-/// not a case.
+/// Returns the pairs of `name`. It is one of five forms.
+/// * RUN: all findings of the run.
+/// * RUN:ID: one finding.
+/// * FILE: all cases of the file.
+/// * FILE:LINE: one case.
+/// * "-": the cases of standard input.
+/// Throws UsageError for any other name, and InputError if a line is not a case.
 std::vector<Target> targets_of(const std::string& name);
 
 }  // namespace cyl

@@ -517,9 +517,9 @@ std::uint64_t count_of(const VectorsOptions& options) {
 }
 
 constexpr std::string_view header_head = R"(/* SPDX-License-Identifier: MIT
-   Pairs of solids and what is proved of them: the vectors of the tier {} that are legal, as in its JSON file.
-   A solid: center, axis, radius, full height, rounding. result: -1 disjoint, 0 touching, 1 intersecting.
-   The signed distance is from low to high. A library with a larger tolerance than acceptable_below may say either. */
+   Pairs of solids with proved results: the legal vectors of the tier {}, as in its JSON file.
+   A solid: center, axis, radius, full height, rounding. A result of -1 is disjoint, 0 touching, 1 intersecting.
+   The signed distance is from low to high. With a tolerance above acceptable_below, both answers are right. */
 #ifndef DAYLIGHT_VECTORS_H
 #define DAYLIGHT_VECTORS_H
 typedef struct {{

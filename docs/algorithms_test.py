@@ -88,7 +88,7 @@ class Algorithms(unittest.TestCase):
         """rho as the document has it, with its c: with the cosine itself these would be apart."""
         text = ' '.join((HERE / 'algorithms.md').read_text().split())
         for said in ('the radius r_i and the height h_i.', 's = |W_0 x W_1| and c = |W_0.W_1|',
-                     'r_1^2 s^2 < rho^2, rho = |W_0.Delta| - h_0/2 - (h_1/2) c.'):
+                     'r_1^2 s^2 < rho^2, with rho = |W_0.Delta| - h_0/2 - (h_1/2) c.'):
             self.assertTrue(said in text, said)
         line = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
                 '"b":{"center":[0,0,1.2],"axis":[0,7,-4],"radius":0.1,"height":2}}')

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
+So is the English in the comments of headers and in the descriptions of JSON schemas.
 Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
 command lines that other tests run. README.md's first pair stays wrong when it is moved, and its numbers match the
 output of its command. "docs_test.py PROGRAM write" writes these numbers."""
@@ -22,7 +23,8 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md')]
 PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
 PROSE = PAGES + sorted((ROOT / 'docs/results').glob('*.md')) + [
-    ROOT / 'corpus/cases/README.md', ROOT / 'reports/schemas/README.md']
+    ROOT / name for name in ('corpus/cases/README.md', 'reports/schemas/README.md', 'solver/derivation.md',
+                             'solver/distance.md', 'solver/rounded.md')]
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
@@ -80,13 +82,38 @@ def check_size(page, text):
             fail(f'{page.name}:{number} is {len(line)} columns wide')
 
 
+def headers():
+    """The headers of C and C++ in the source tree."""
+    for folder, names, files in os.walk(ROOT):
+        names[:] = sorted(set(names) - {'build', 'node_modules', '.git'})
+        yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h')))
+
+
+def descriptions():
+    """Yields (schema, description) of the JSON schemas."""
+    for schema in sorted((ROOT / 'reports/schemas').glob('*.json')) + [ROOT / 'vectors/v1/schema.json']:
+        for text in re.findall(r'"description": ("(?:[^"\\]|\\.)*")', schema.read_text()):
+            yield schema, json.loads(text)
+
+
 def check_english():
-    """The documents have no finding of plain_english.py, and neither has --help of any command."""
+    """The documents, the comments of headers and the descriptions of schemas have no finding of plain_english.py, and
+    neither has --help of any command."""
     for habit, pattern, _, example in plain_english.PHRASES:
         if not re.search(pattern, example):
             fail(f'the pattern of "{habit}" misses its example: {example}')
     found = [f'{page.relative_to(ROOT)}:{number}: {message}'
              for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
+    sources = list(headers())
+    if len(sources) < 200:
+        fail(f'only {len(sources)} headers were found')
+    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in sources for number, _, message in
+              plain_english.findings(source.read_text(), plain_english.comments)]
+    described = list(descriptions())
+    if len(described) < 50:
+        fail(f'only {len(described)} descriptions were found in schemas')
+    found += [f'{schema.relative_to(ROOT)}: {message}' for schema, text in described
+              for _, _, message in plain_english.findings(text)]
     if found:
         fail('\n'.join(['the English of these lines'] + found))
     text = run(['--help'], ROOT)
@@ -97,7 +124,8 @@ def check_english():
     found = [f'{command} --help: {message}' for command, text in helps.items() for _, message in
              plain_english.phrases(' '.join(text.split()))]
     for command, text in helps.items():
-        if command and len(re.findall(r'^  (?!-).*\bdaylight [a-z]', text.partition('\nExamples:\n')[2], re.M)) < 2:
+        examples = text.partition('\nExamples:\n')[2].partition('\n\n')[0]
+        if command and len(re.findall(r'^  (?!-).*\bdaylight [a-z]', examples, re.M)) < 2:
             found.append(f'{command} --help: two examples at least')
         for option, about in re.findall(r'^  (--\S+.*?)(?: {2,}|\n {10,})(\S.*?)(?: \(default: .*\))?$', text, re.M):
             if len(about) > 100 or 'TEXT' in option:

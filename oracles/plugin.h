@@ -36,11 +36,11 @@ struct DaylightMethod {
   /* The claim: right if |distance| >= relative * (sum of all radii, heights and roundings) + absolute. A wrong
    * answer beyond the claim is a fault. A wrong answer within it is only counted. */
   double claim_relative, claim_absolute;
-  const char* claim_source; /* where you state it; may be 0 */
+  const char* claim_source; /* the place that states it; may be 0 */
 
   /* Returns a verdict, as above. `more` is all NaN before the call. You may set the signed distance in more[0]
-   * (negative: the depth), the normal of a separating plane in more[1..3], and a common point in more[4..6],
-   * which is ignored if a solid is rounded. Called from one thread at a time. */
+   * (negative: the depth), and the normal of a separating plane in more[1..3]. You may set a common point in
+   * more[4..6], which is ignored if a solid is rounded. Called from one thread at a time. */
   int (*ask)(const double* a, const double* b, double more[7]);
 
   /* For timing; may be 0. `count` pairs of 16 doubles each (18 with rounding), one verdict each. */
@@ -62,7 +62,7 @@ struct DaylightMethod {
 
   /* The sum of its DaylightShapes. 0: cylinders, and all others if takes_rounding is 1. */
   int shapes;
-  /* Of a radius, height or rounding, in the unit of your scenes. */
+  /* The least and the greatest radius, height or rounding, in the unit of your scenes. */
   double least_length, greatest_length;
   /* The greatest of these lengths of one solid divided by the least. */
   double greatest_aspect;

@@ -12,8 +12,8 @@
 namespace cyl {
 
 /// How much farther than computed a point may be from the axis or the middle of a bound, relative to all
-/// lengths in the computation: 128 half units in the last place. Scaling, turning, moving and measuring a
-/// point take fewer than 64.
+/// lengths in the computation. It is 128 half units in the last place. Scaling, turning, moving and measuring
+/// a point take fewer than 64.
 inline constexpr double bound_error = 0x1p-46;
 /// A length: what is lost of lengths whose squares underflow, below 2^-511.
 inline constexpr double bound_underflow_error = 0x1p-500;

@@ -12,8 +12,8 @@
 
 namespace cyl {
 
-/// Bound of the rounding errors in the positions of two bodies and in their travel, times (links + 1) (moving
-/// joints + 1) and the length of everything between them. joint_path.cpp derives it.
+/// Rounding errors in the positions of two bodies and in their travel. They are at most this times (links +
+/// 1) (moving joints + 1) and times the length of everything between them. joint_path.cpp derives it.
 inline constexpr double motion_error = 512 * unit_roundoff_error;
 /// Bound of rounding in half of a joint's range, relative to the values in it.
 inline constexpr double range_error = 8 * unit_roundoff_error;

@@ -22,8 +22,8 @@ struct SceneOptions {
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
   double tolerated = 0;  ///< false alarms of pairs at most this much beyond the clearance are harmless
   std::size_t configurations = 1000;  ///< drawn; one if nothing moves or `at` is not empty
-  /// If the cheapest model was never wrong for a pair, more configurations are drawn until, at 95 %, it is
-  /// wrong in at most this share of all, or until the limit is reached.
+  /// If the cheapest model was never wrong for a pair, more configurations are drawn. They end when, at 95 %,
+  /// it is wrong in at most this share of all, or at the limit.
   double rate = 1;
   std::size_t most = 100'000;
   std::uint64_t seed = 1;
@@ -84,18 +84,18 @@ struct Verification {
 struct RoundingCost {
   double rounding = 0;
   std::size_t cheaper = 0;      ///< pairs that another cascade then answers
-  std::size_t alarms = 0;       ///< samples of all pairs that those cascades take for within, and are not
-  std::size_t all_rounded = 0;  ///< samples that the solids would be, every one grown by so much
+  std::size_t alarms = 0;       ///< false alarms of these cascades, over all pairs
+  std::size_t all_rounded = 0;  ///< false alarms if every solid is grown by this much
   double ns = 0;                ///< of one configuration
 };
 
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
-  bool drawn = false;                            ///< from many: what they show has a bound, and else is so
+  bool drawn = false;                            ///< more than one configuration, so rates have bounds
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
   std::size_t asked_referee = 0;  ///< samples that no level decides
-  std::size_t undecided = 0;      ///< those that the referee does not prove either, which count as within
+  std::size_t undecided = 0;      ///< samples without a proof of the referee; they count as within
   std::optional<ClosestCall> closest;
   std::vector<RoundingCost> roundings;  ///< ascending
   // For one configuration, in ns.
@@ -128,9 +128,9 @@ struct Total {
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
 
-/// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of
-/// ten that are at most half of the median thickness of the solids (radius or half the height, plus
-/// rounding).
+/// Returns the lengths that are tried as roundings, which are 1, 2 or 5 times a power of ten. They are the
+/// five greatest that are at most half of the median thickness of the solids. The thickness is the radius or
+/// half the height, plus the rounding.
 std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.

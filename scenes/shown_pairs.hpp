@@ -27,7 +27,8 @@ struct Highlight {
   Reason reason = Reason::first;
   std::size_t pair = 0;        ///< of the study's pairs; all but `first`
   Level model = Level::outer;  ///< `alarm` and `missed`
-  double length = 0;  ///< how far beyond the clearance (closest: or below, then negative; missed: below)
+  /// How far beyond the clearance. For `closest` it is negative if below. For `missed` it is how far below.
+  double length = 0;
 };
 
 /// One pair in one configuration.

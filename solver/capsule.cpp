@@ -28,37 +28,43 @@ double slack(const Prepared& c) noexcept {
 
 }  // namespace
 
-// The error of segment_distance: u = 2^-53, first order in u but where said. P = p0 p1 and Q = q0 q1 are the
-// segments, A and B their largest |end|, h and k their lengths, d and e their vectors, D their distance.
+// The error of segment_distance. u = 2^-53. All terms are of first order in u, except for those that are
+// marked. P = p0 p1 and Q = q0 q1 are the segments. A and B are their largest |end|, h and k their lengths, d
+// and e their vectors, D their distance.
 //
-// One candidate. The vector x - p0 - t d is off by u |x - p0| + 2u t h + u |itself|, and t <= 1/2 from the
-// nearer end: by 2u (A + B) + u h; its length by 2.5u (A + B) more. The parameter t is a quotient of dots of
-// rounded differences, so that t h is off by 11u (A + B): an end's distance is right within
-// 16u (A + B) + u (h + k).
+// 1. One candidate. The vector x - p0 - t d is off by u |x - p0| + 2u t h + u |itself|, and t <= 1/2 from the
+//    nearer end. So it is off by 2u (A + B) + u h, and its length by 2.5u (A + B) more. The parameter t is a
+//    quotient of dots of rounded differences, so t h is off by 11u (A + B). So the distance of an end is
+//    right within 16u (A + B) + u (h + k).
 //
-// Too small. Each candidate is the distance of a point of P from one of Q, but that p0 + s d is off the line
-// by 2u h + u A. So the least is not below D by more than 17u (A + B) + 3u (h + k).
+// 2. Too small. Each candidate is the distance of a point of P from one of Q, except that p0 + s d is off the
+//    line by 2u h + u A. So the least candidate is at most 17u (A + B) + 3u (h + k) below D.
 //
-// Too large. Only where the nearest points are inside both does the candidate of the normal n matter. Let
-// sigma be the sine between d and e, s the true parameter, l the shorter of h and k. From the nearest points
-// go along P, and along Q at the foot of the perpendicular, until an end comes: after the way z in P the
-// distance has become sqrt(D^2 + (z sigma)^2), which is no more than D + z sigma and than D + (z sigma)^2 /
-// 2D. An end comes at z sigma <= l sigma. So with z the error of s times h, the least candidate is at most
-// that far above D.
+// 3. Too large. The candidate of the normal n matters only if the nearest points are inside both segments.
+//    Let sigma be the sine between d and e, s the true parameter, and l the shorter of h and k. From the
+//    nearest points go along P, and along Q at the foot of the perpendicular, until an end comes. After the
+//    way z in P the distance has become sqrt(D^2 + (z sigma)^2). That is at most D + z sigma, and at most D +
+//    (z sigma)^2 / 2D. An end comes at z sigma <= l sigma. So with z the error of s times h, the least
+//    candidate is at most that far above D.
 //
-// The normal is off by 4 sqrt(2) u h k < 6u h k: four roundings, and the sums |d_y e_z| + |d_z e_y| and the
-// like have a norm of sqrt(2) h k at most. In the same way (q0 - p0) x e is off by 6u |q0 - p0| k.
+// 3.1. The normal is off by 4 sqrt(2) u h k < 6u h k. It has four roundings, and sums such as |d_y e_z| +
+// |d_z e_y| have a norm of at most sqrt(2) h k. In the same way (q0 - p0) x e is off by 6u |q0 - p0| k.
 //
-// Where sigma <= 24u, an end shows a distance that is too large by 24u l at most. Elsewhere n is off by a
-// quarter of itself at most, which makes the first order good within 16/9. What is wrong in s moves z sigma
-// by 9u |q0 - p0| (the dot and the other product), by 6u (D / sigma + h) (n in the dot, where |(q0 - p0) x e|
-// is (D + h sigma) k at most) and by 19u h (n twice below, its square, the quotient and s d). Times 16/9 that
-// is 16u (A + B) + 45u h, and 11u D / sigma. The last adds (11u D / sigma)^2 / 2D at most to the distance,
-// the nearest end (l sigma)^2 / 2D: the less of the two is no more than their geometric mean, 6u l.
+// 3.2. If sigma <= 24u, an end shows a distance that is too large by at most 24u l. Else n is off by at most
+// a quarter of itself, which makes the first order good within 16/9.
 //
-// With the roundings of its own distance the least is at most 33u (A + B) + 54u (h + k) above D. A is at most
-// |middle| + h / 2: the error is below 33u |middles| + 71u (h + k). The two sums of capsule_distance add 2u
-// of the same: 75u in all, where proxy_distance_error is 256u.
+// 3.3. The error of s moves z sigma by three terms.
+// * 9u |q0 - p0|: the dot and the other product.
+// * 6u (D / sigma + h): n in the dot. There |(q0 - p0) x e| is at most (D + h sigma) k.
+// * 19u h: n twice below, its square, the quotient and s d.
+//
+// 3.4. Times 16/9 that is 16u (A + B) + 45u h, and 11u D / sigma. The last term adds at most (11u D /
+// sigma)^2 / 2D to the distance. The nearest end adds (l sigma)^2 / 2D. The smaller of the two is at most
+// their geometric mean, 6u l.
+//
+// 4. In all. With the roundings of its own distance the least is at most 33u (A + B) + 54u (h + k) above D. A
+//    is at most |middle| + h / 2. So the error is below 33u |middles| + 71u (h + k). The two sums of
+//    capsule_distance add 2u of the same. That is 75u in all, and proxy_distance_error is 256u.
 double segment_distance(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) noexcept {
   // The minimum is at an end of one of them, or inside both. Each candidate is the distance of two points of
   // the segments, so a bad one costs nothing: the least is the answer.

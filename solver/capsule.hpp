@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The capsule, which the text of 2017 recommends in place of the cylinder: all points within a radius of a
-// segment. outer_proxy and inner_proxy bound the error of such a replacement.
+// The capsule: all points within a radius of a segment. The text of 2017 recommends it in place of the
+// cylinder. outer_proxy and inner_proxy bound the error of such a replacement.
 #pragma once
 
 #include "solver/decide.hpp"
@@ -22,7 +22,7 @@ inline constexpr double proxy_error = 0x1p-50;
 /// additions to a distance by callers.
 inline constexpr double proxy_distance_error = 0x1p-45;
 
-/// The distance of two segments, each of which may be a point, within proxy_distance_error. Products of four
+/// The distance of two segments, within proxy_distance_error. A segment may be a point. Products of four
 /// lengths must not overflow or underflow. Never below 0.
 double segment_distance(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) noexcept;
 

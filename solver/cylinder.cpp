@@ -8,7 +8,7 @@ namespace cyl {
 namespace {
 
 /// The word of a value; the last one for a number that is no value.
-// untaken within: the verdicts of methods are values
+// not covered within: the verdicts of methods are values
 template <typename E>
 const char* word(E value) noexcept {
   static constexpr auto words = words_of(E{});
@@ -18,7 +18,7 @@ const char* word(E value) noexcept {
 
 }  // namespace
 
-// untaken within: a family's pairs are valid; tests try each defect
+// not covered within: a family's pairs are valid; tests try each defect
 Defect find_defect(const Cylinder& c) noexcept {
   if (!c.center.allFinite()) return Defect::center_not_finite;
   if (!c.axis.allFinite()) return Defect::axis_not_finite;
@@ -34,6 +34,6 @@ Defect find_defect(const Cylinder& c) noexcept {
 }
 
 const char* to_string(Verdict v) noexcept { return word(v); }
-const char* to_string(Defect d) noexcept { return word(d); }  // untaken: a family's pairs are valid
+const char* to_string(Defect d) noexcept { return word(d); }  // not covered: a family's pairs are valid
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The verdict with its proof. Symbols as in derivation.md. Whatever the search does here, what is handed out
-// has passed a check with a rounding bound; what has not is `undecided`.
+// The verdict with its proof. Symbols as in derivation.md. Every returned verdict has passed a check with a
+// rounding bound. Without such a check the verdict is `undecided`.
 #include "solver/decide.hpp"
 
 #include <Eigen/Geometry>
@@ -27,16 +27,16 @@ void prove_parallel(ProofTask& q, const Parallel& found) noexcept {
   try_point(q, x);
 }
 
-// The directions w0, w1, C w0 - w1, C w1 - w0 and w0 x w1 as sums: the weights of w0, w1 and w0 x w1, and
-// what C is multiplied with in the first two. A table, since which of them it is nobody can predict.
+// The directions w0, w1, C w0 - w1, C w1 - w0 and w0 x w1 as sums: the weights of w0, w1 and w0 x w1, and the
+// factor of C in the first two. It is a table, because a branch on the direction would be unpredictable.
 struct Weights {
   double w0, w1, n, cosine_w0, cosine_w1;
 };
 constexpr Weights direction_weights[] = {
     {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, -1, 0, 1, 0}, {-1, 0, 0, 0, 1}, {0, 0, 1, 0, 0}};
 
-// The filter's own numbers as proof that the solids are apart, where they show it by more than `error`: a bit
-// for each of the five directions.
+// The filter's own numbers as proof that the solids are apart, if they show it by more than `error`. Has a
+// bit for each of the five directions.
 [[gnu::always_inline]] inline unsigned shown_apart(const SectionsOfBoth& f, double error) noexcept {
   const Both most = f.most(), k = f.k - error, k_s = f.k_s - error;
   const double z_s = f.z_s - error, radii = f.radii();
@@ -97,8 +97,8 @@ struct FirstSlice {
   double det;
 };
 
-// Where the sum of squares is least; false where that is not inside both by more than `error` (section 8). No
-// case has to be told from another, and no root is needed.
+// The point at which the sum of squares is least. Returns false if that is not inside both by more than
+// `error` (section 8). It distinguishes no cases, and needs no root.
 [[gnu::always_inline]] inline bool find_least(const SectionsOfBoth& f, double error, FirstSlice& s,
                                               PlaneWeights& x) noexcept {
   const double cosine = f.cosine;
@@ -122,7 +122,7 @@ struct FirstSlice {
   return inside == 3;
 }
 
-// A point that the solids share, where the separating-axis filter has them meet.
+// A common point of the solids, if the separating-axis filter finds that they meet.
 [[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error,
                                               PlaneWeights& x) noexcept {
   FirstSlice slice(f);
@@ -131,8 +131,8 @@ struct FirstSlice {
 
 constexpr int reweight_cap = 3;  // more save next to nothing
 
-// The same once more, with each weight times the share of its half length that the first point used: what is
-// outside counts for more, and the largest of the four becomes less (Lawson's way to the least maximum).
+// The same once more, with each weight times the share of its half length that the first point used. So parts
+// outside count for more, and the largest of the four becomes less (Lawson's way to the least maximum).
 bool find_point_again(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
   FirstSlice s(f);
   find_least(f, error, s, x);
@@ -146,7 +146,7 @@ bool find_point_again(const SectionsOfBoth& f, double error, PlaneWeights& x) no
   return false;
 }
 
-// Where neither sum of squares has a common point: along the longer sides, then the whole
+// If neither sum of squares has a common point: along the longer sides, then the whole
 // overlap.
 bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
   const double s = root(f.s2), inverse = 1 / s, z = f.dn * inverse, u = x.c * s, v = z - u;
@@ -175,8 +175,9 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
                        x.ab[0] * v.z() + x.ab[1] * w.z() + x.c * f.nz};
 }
 
-// Axes that are one: along it, across it, or a point that shares out the way across in the ratio of the
-// radii; each beyond what rounding can do (section 8). Nobody is told where one of them only just holds.
+// For axes that are one: along it, across it, or a point that divides the way across in the ratio of the
+// radii. Each must hold beyond the effect of rounding (section 8). If one of them only just holds, nothing is
+// returned.
 [[gnu::noinline]] bool prove_with_one_axis(const Prepared& a, const Prepared& b, Answer& answer) noexcept {
   const Vector3 &w = a.unit_axis, delta = b.center - a.center;
   const double r0 = a.radius, r1 = b.radius, h0 = a.height * 0.5, h1 = b.height * 0.5, radii = r0 + r1;
@@ -205,8 +206,8 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   return true;
 }
 
-// What the five directions and the first point leave open: axes at an angle, with what is known of them, or
-// not.
+// The state after the five directions and the first point, if they leave the pair open: axes at an angle or
+// not, and the known facts.
 struct Unresolved {
   bool steep;
   SectionsOfBoth f;
@@ -214,8 +215,9 @@ struct Unresolved {
   PlaneWeights x;
 };
 
-// The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
-// are proof enough (section 8): ordinary solids, axes at an angle or one. False: `open` says what is known.
+// The common case. The separating-axis filter decides by more than rounding, and the numbers that it compared
+// are proof enough (section 8). It is for ordinary solids, with axes at an angle or one axis. If it returns
+// false, `open` has the known facts.
 [[gnu::always_inline]] inline bool prove_by_filter(const Prepared& a, const Prepared& b, Unresolved& open,
                                                    Answer& answer) noexcept {
   const double cosine = cosine_of(a, b);
@@ -265,8 +267,8 @@ bool prove_steep(const Prepared& a, const Prepared& b, Unresolved& open, Answer&
   }
   const Scaled p = scale(first, second);
   const Base base{first.center, p.exponent};
-  // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
-  // it is so small that a point may lose bits when it goes back into it.
+  // Does the same as decide() for ordinary solids, so that the answer does not depend on the scene's unit.
+  // The exception is a unit so small that a point may lose bits on the way back into it.
   if (!(first.ordinary & second.ordinary) && p.exponent > coarse_exponent) {
     Prepared a = first, b = second;
     a.center = {0, 0, 0}, b.center = p.delta;
@@ -295,7 +297,7 @@ bool prove_steep(const Prepared& a, const Prepared& b, Unresolved& open, Answer&
   }
 }
 
-// By value, so that nobody else has to keep `open` in memory.
+// By value, so that no other function has to keep `open` in memory.
 [[gnu::noinline]] void prove_unresolved(const Prepared& first, const Prepared& second, Unresolved open,
                                         Answer& answer) noexcept {
   if (!open.steep || !prove_steep(first, second, open, answer)) prove_in_full(first, second, answer);
@@ -306,7 +308,7 @@ template <bool ordinary>
   Answer answer;
   bool swapped = a.radius > b.radius;
   if (a.radius == b.radius) swapped = out_of_order(a, b);
-  // Looked up, since nobody can predict it.
+  // A table, because a branch would be unpredictable.
   constexpr double turns[] = {1, -1};
   const Prepared* const roles[] = {&a, &b};
   const Prepared &first = *roles[swapped], &second = *roles[!swapped];

@@ -23,8 +23,8 @@ struct Prepared {
 };
 
 /// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
-/// pair, r0 + h0/2 + r1 + h1/2 + |Delta|, where Delta is the vector between the centres. D separates the
-/// solids if f(D) < 0. s is the sine of the angle of the axes.
+/// pair, r0 + h0/2 + r1 + h1/2 + |Delta|. Delta is the vector between the centres. D separates the solids if
+/// f(D) < 0. s is the sine of the angle of the axes.
 inline constexpr double unit_roundoff_error = 0x1p-53;  ///< of one operation, relative to its result
 inline constexpr double unit_axis_error =
     4 * unit_roundoff_error;  ///< of unit_axis: the length of the difference
@@ -54,13 +54,14 @@ enum class Proof : unsigned char { none, direction, point, points };
 struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
-  /// proof == direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
-  /// proof == point: p = point_head + point_tail (the exact sum; head is the centre of a or of b). The common
-  /// point is p or, if a hull is not `space`, the point of both hulls that is nearest to p. It lies in both
-  /// solids without their rounding.
-  /// proof == points: a.center + point_head lies in a and b.center + point_tail in b, both without their
-  /// rounding, and they are no farther apart than a.rounding + b.rounding. If a hull is not `space`, take the
-  /// point of that hull nearest to it instead.
+  /// The certificate, by `proof`:
+  /// * direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
+  /// * point: p = point_head + point_tail, exactly. The head is the centre of a or of b. The common point is
+  ///   p. If a hull is not `space`, it is the point of both hulls that is nearest to p. It lies in both
+  ///   solids without their rounding.
+  /// * points: a.center + point_head lies in a and b.center + point_tail in b, both without their rounding.
+  ///   Their distance is at most a.rounding + b.rounding. If a hull is not `space`, take the point of that
+  ///   hull nearest to it instead.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};

@@ -20,19 +20,19 @@ constexpr double tie_error = 2 * distance_error;
 // Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
 constexpr double shallow_tol = 0x1p-20;
 
-// What the bounds of section 6 may be off by, times the reach.
+// The error of the bounds of section 6, divided by the reach.
 constexpr double patch_error = 4 * distance_error;
 
-constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
-constexpr int touch_cap = 6;        // of them from each start, where solids overlap
+constexpr int projection_cap = 60;  // of the points, if no other step brought the bounds together
+constexpr int touch_cap = 6;        // of them from each start, if the solids overlap
 constexpr int open_box_cap = 2;     // boxes of a pair of rims from which a search starts
-constexpr int settle_cap = 12;      // of them where direction and points do not belong together
+constexpr int settle_cap = 12;      // of them if direction and points do not belong together
 
-// Of nearly parallel axes whose rims nearly touch, f is flat from the poles to the circles: starts in that
-// valley, each a quarter as far from the pole as the one before; steps of Newton's method from each, and how
-// often one is shortened.
+// If the axes are nearly parallel and the rims nearly touch, f is flat from the poles to the circles.
+// Newton's method starts in that valley, from points that are each a quarter as far from the pole as the one
+// before. These are its steps from each, and how often a step is shortened.
 constexpr double valley_tol = 0x1p-6;         // sine of the angle between the axes
-constexpr double valley_depth_tol = 0x1p-34;  // of the reach; where rims show it, deeper, section 3 finds it
+constexpr double valley_depth_tol = 0x1p-34;  // of the reach; if rims show it, deeper, section 3 finds it
 constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6;
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
@@ -45,7 +45,7 @@ class Search {
   Search(const Scaled& p, const TurnedFrame& f) noexcept
       : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
-  // `decided`: what decide() says of the pair, asked where faces and circles show no gap beyond rounding.
+  // `decided` is the answer of decide(), which is asked if faces and circles show no gap beyond rounding.
   template <class Decide>
   void run(Decide&& decided) noexcept {
     measure_faces();
@@ -74,10 +74,10 @@ class Search {
     if (!(low_ < 0)) touch();
   }
 
-  // Of cores apart that are to grow: both points will move along the direction, however far. Where many are
-  // as near within rounding, direction and points may belong to different ones: then all that is offered once
-  // more is looked at for a direction and two points that belong together, and so are steps from each core to
-  // the other.
+  // For cores that are apart and are to grow. Both points will move along the direction by any length. If
+  // many points are equally near within rounding, direction and points may belong to different ones. Then
+  // this looks once more at all candidates for a direction and two points that belong together. It also takes
+  // steps from each core to the other.
   void settle() noexcept {
     if (!(low_ < 0)) return;
     const Vector3 way = on1_ - on0_, off = way - dot(way, direction_) * direction_;
@@ -127,15 +127,15 @@ class Search {
     return true;
   }
 
-  // Takes a direction and a point, from C0, of one of the solids that goes with it, if they are better; true
-  // where they prove the gap.
+  // Takes a direction and a point of one of the solids that goes with it, relative to C0, if they are better.
+  // Returns true if they prove the gap.
   bool consider(const Vector3& along, const Vector3& anchor, bool on_b) noexcept {
     const double size = length(along);
     if (!(size > 0)) return false;
     return consider_unit(along * ((dot(along, p_.delta) < 0 ? -1 : 1) / size), anchor, on_b);
   }
 
-  // Of a unit vector towards b.
+  // For a unit vector towards b.
   bool consider_unit(const Vector3& d, const Vector3& anchor, bool on_b) noexcept {
     const double f = support_gap(p_, d);
     if (f < low_) {
@@ -159,7 +159,8 @@ class Search {
                 : Vector3(nearest(anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
   }
 
-  // Takes a point and its nearest one in the other solid, if they are nearer; true where they prove the gap.
+  // Takes a point and its nearest one in the other solid, if they are nearer. Returns true if they prove the
+  // gap.
   bool meet(const Vector3& anchor, bool on_b) noexcept {
     const Vector3 other = opposite(anchor, on_b);
     const double distance = length(other - anchor);
@@ -171,7 +172,7 @@ class Search {
     return high_ + low_ <= tie_error * reach_;
   }
 
-  // The normals of the three flat faces of K, where f is known in closed form.
+  // The normals of the three flat faces of K. f is known there in closed form.
   void measure_faces() noexcept {
     const Scaled& p = p_;
     const TurnedFrame& f = f_;
@@ -197,7 +198,8 @@ class Search {
     }
   }
 
-  // Those of the least value that hold the point nearest to them, or that do not.
+  // Takes the faces of least value. `inside` selects the faces that hold the point nearest to them, or all
+  // others.
   bool look_at_faces(bool inside) noexcept {
     const Scaled& p = p_;
     const TurnedFrame& f = f_;
@@ -214,7 +216,7 @@ class Search {
            consider_unit(s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false);
   }
 
-  // The circles square to one axis, but where they cannot be lower.
+  // The circles perpendicular to one axis, unless they cannot be lower.
   bool look_at_circles() noexcept {
     const Scaled& p = p_;
     const TurnedFrame& f = f_;
@@ -267,7 +269,7 @@ class Search {
     return false;
   }
 
-  // Of solids that overlap: the rims that may be lower than what is known.
+  // For solids that overlap: the rims that may be lower than the best direction.
   void look_at_patches() noexcept {
     overlap_ = true;
     PatchSearch patches(p_, f_, low_, patch_error * reach_);
@@ -286,7 +288,7 @@ class Search {
     if (!is_least_ && low_ < valley_depth_tol * reach_ && f_.s < valley_tol) look_along_valley();
   }
 
-  // Section 3, in directions instead of points: where the rims nearly touch, y is mostly rounding.
+  // Section 3, in directions instead of points. If the rims nearly touch, y is mostly rounding.
   void look_along_valley() noexcept {
     const Vector3 out = f_.z * f_.n + f_.e0 * f_.m0;
     const double size = length(out);
@@ -298,9 +300,10 @@ class Search {
     }
   }
 
-  // Newton's method on f over unit directions, with a step shortened until f falls. g: the part of y square
-  // to D; the second derivative is sum r/s t t^T - f, t square to the axis and to D, s the sine of their
-  // angle. b0 lies along the valley, and a step ends it at half of the way to the pole.
+  // Newton's method on f over unit directions, with a step shortened until f falls. g is the part of y
+  // perpendicular to D. The second derivative is sum r/s t t^T - f. Here t is perpendicular to the axis and
+  // to D, and s is the sine of their angle. b0 lies along the valley. A step along it ends at half of the way
+  // to the pole.
   void descend(Vector3 d) noexcept {
     const Scaled& p = p_;
     double value = support_gap(p, d);
@@ -339,11 +342,11 @@ class Search {
     }
   }
 
-  // Section 3. D is square to both tangents, and along y. Near contact y is mostly rounding, and where the
-  // tangents are nearly parallel their product is.
+  // Section 3. D is perpendicular to both tangents, and along y. Near contact y is mostly rounding. If the
+  // tangents are nearly parallel, their product is too.
   bool look_at_rims(const Rims& start, Rims* found = nullptr) noexcept {
     RimPoints rims(p_, f_, start);
-    // Of solids that overlap, f at a minimum is the length of y there.
+    // If the solids overlap, f at a minimum is the length of y there.
     const bool came = rims.come_near(steps_, overlap_ ? low_ : std::numeric_limits<double>::infinity());
     if (found) *found = rims.at();
     if (!came) return false;
@@ -356,7 +359,7 @@ class Search {
            consider(y - dot(y, tangent1) * tangent1, on1, true);
   }
 
-  // A direction that somebody found, and the rims it points to.
+  // A direction that another search found, and the rims that it points to.
   bool look_along(const Vector3& d) noexcept {
     if (consider(d, on0_, false)) return true;
     const TurnedFrame& f = f_;
@@ -376,10 +379,11 @@ class Search {
     return false;
   }
 
-  // Moved along the direction by the depth, b touches a in the plane square to it: a point of both is a's
-  // deepest. The anchor is one, unless it goes with another direction that is as good within rounding, or is
-  // the end of a side that lies in the plane as a whole. Then from what is farthest along the direction, from
-  // each solid to the other and back; and where that takes long, moved a little less, by decide().
+  // Moved along the direction by the depth, b touches a in the plane perpendicular to it. A common point is
+  // then a's deepest. The anchor is such a point, with two exceptions. It may go with another direction that
+  // is as good within rounding. Or it is the end of a side that lies in the plane as a whole. Then steps go
+  // from the point farthest along the direction, from each solid to the other and back. If that takes long, b
+  // is moved a little less, and decide() finds the point.
   void touch() noexcept {
     const Vector3 moved = p_.delta + low_ * direction_;
     const double error = tie_error * reach_;
@@ -446,12 +450,12 @@ double in_range(double x) noexcept {
 void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) noexcept {
   const Vector3 w = axis_sum / length(axis_sum);
   const double along = dot(p.delta, w);
-  // Square to w also where nearly all of Delta is along it; where all is but for rounding, so that nothing of
-  // `off` need be square to w, Delta counts as along it.
+  // It is perpendicular to w even if nearly all of Delta is along w. If all is along it but for rounding,
+  // `off` need not be perpendicular to w. Then Delta counts as along it.
   constexpr double coaxial_error = 8 * unit_roundoff_error;
   const Vector3 rest = p.delta - along * w, off = rest - dot(rest, w) * w;
   const double across = length(off) > coaxial_error * std::fabs(along) ? length(off) : 0;
-  // Any direction square to w where there is none.
+  // Any direction perpendicular to w if there is none.
   Vector3 u;
   if (across > 0) {
     u = off * power_of_two(-exponent_of(max_abs(off)));  // its square may have no digits left
@@ -495,7 +499,7 @@ void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
   d.value -= room;
   d.on_a += rounding_a * d.direction;
   d.on_b -= rounding_b * d.direction;
-  // Every direction's f grows by as much: where the cores are apart, `error` says that there is no lower one.
+  // Every direction's f grows by as much. If the cores are apart, `error` shows that there is no lower one.
   d.least = d.value <= 0 && (d.least || apart);
   d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
 }
@@ -529,8 +533,8 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     return out;
   }
   if (a.rounding + b.rounding == 0) return distance_of_cores(a, b);
-  // The gap of the cores or the sum of the roundings may exceed the largest double, with a difference that
-  // does not: lengths near it are made so small that neither does. What is lost where they become subnormal
+  // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
+  // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
   // is far below the error.
   const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
   Distance out = measure(core_of(a, unit), core_of(b, unit), true);
@@ -565,7 +569,7 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
   const Scaled p = scale(first, second);
   if (axes.parallel()) {
     measure_parallel(p, axes.sum, out);
-    // untaken: where decide() proves a point the depth is beyond rounding, or the centres are one
+    // not covered: if decide() proves a point, the depth is beyond rounding, or the centres are one
     if (out.value > 0 && out.value <= out.error && decide(first, second).proof == Proof::point) {
       out.value = 0;
       out.least = true;
@@ -585,11 +589,11 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
       return in_range(x * power_of_two(half) * power_of_two(p.exponent - half));
     };
     out.value = scaled(out.value);
-    // A gap that is no double in the scene's unit is still none of 0.
+    // A gap that is not a double in the scene's unit is still not a gap of 0.
     if (out.verdict == Verdict::disjoint)
       out.value = larger(out.value, std::numeric_limits<double>::denorm_min());
-    // Where they are subnormal, value, error and points are rounded once or twice more: the points' nine
-    // numbers by less than this together.
+    // If they are subnormal, value, error and points are rounded once or twice more. For the nine numbers of
+    // the points, this is below the following bound in total.
     constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();
     out.error = scaled(out.error) + subnormal_error;
     for (int i = 0; i < 3; ++i) {

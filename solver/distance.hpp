@@ -21,35 +21,39 @@ struct Distance {
   /// `intersecting`: decide() does not prove a gap either, so any gap is within the range that it leaves
   /// undecided.
   Verdict verdict = Verdict::undecided;
-  /// > 0: the gap. <= 0: minus the penetration depth. It is -f(direction), rounded, and limited to the
+  /// The gap if > 0, else minus the penetration depth. It is -f(direction), rounded, and limited to the
   /// largest double.
   double value = 0;
-  /// Apart: |value - exact| <= error, always. It is the width between the plane perpendicular to `direction`
-  /// that separates and the two points, plus rounding. It is within 1e-13 of size + |Delta|, and 2^-1071 if
-  /// that is subnormal, on all pairs tried (distance.md, section 4). If it is more, report it to the caller.
-  /// Always finite. The size is r0 + h0 + r1 + h1 and the roundings. Overlapping: the exact depth is at most
-  /// -value + error, always; see `least`.
+  /// A bound of the error of `value`. Always finite. The size is r0 + h0 + r1 + h1 and the roundings.
+  /// * Apart: |value - exact| <= error, always. It is the width between the plane perpendicular to
+  ///   `direction` that separates and the two points, plus rounding. It is within 1e-13 of size + |Delta|,
+  ///   and 2^-1071 if that is subnormal, on all pairs tried (distance.md, section 4). If it is more,
+  ///   pass it on to your user.
+  /// * Overlapping: the exact depth is at most -value + error, always. See `least`.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
   /// or more has no inner point of a in it.
   Vector3 direction{0, 0, 0};
-  /// Offsets from a.center and from b.center. Apart: points of a and of b, |distance - value| <= error.
-  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction. One of them
-  /// lies in its solid within rounding. The other lies in it within 1e-12 of size + |Delta| on all pairs
-  /// tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle of 1e-11 to
-  /// 1e-13. Of these, 1 in 3,200 is farther out, by up to 2.6e-9.
+  /// Offsets from a.center and from b.center.
+  /// * Apart: points of a and of b, |distance - value| <= error.
+  /// * Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction. One of
+  ///   them lies in its solid within rounding. The other lies in it within 1e-12 of size + |Delta| on all
+  ///   pairs tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle of
+  ///   1e-11 to 1e-13. In that case 1 in 3,200 is farther out, by up to 2.6e-9.
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
-  /// Overlapping: no direction is shallower by more than 4 error; proved (distance.md, section 6). If false,
-  /// one may be; distance.md, section 4, has the rates by family. Apart: false, because `error` is the
-  /// bound.
+  /// Whether no direction is shallower by more than 4 error.
+  /// * Overlapping: true is proved (distance.md, section 6). If false, such a direction may exist.
+  ///   distance.md, section 4, has the rates by family.
+  /// * Apart: false, because `error` is the bound.
   bool least = false;
   int iterations = 0;  ///< at most distance_step_cap
 };
 
-/// Symmetric in its arguments (value bit for bit, direction and points exchanged; for two equal solids any
-/// direction), exact under scaling by powers of two. Cost: 13 times intersect() if apart; 50 times if
-/// overlapping, with decide() in it.
+/// 1. Symmetric in its arguments: value bit for bit, direction and points exchanged. For two equal solids any
+///    direction.
+/// 2. Exact under scaling by powers of two.
+/// Cost: 13 times intersect() if apart. 50 times if overlapping, with decide() in it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;
 Distance distance(const Cylinder& a, const Cylinder& b) noexcept;
 

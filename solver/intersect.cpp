@@ -24,7 +24,7 @@ Verdict verdict_of(bool overlaps) noexcept {
   if (end.here) return verdict_of(end.overlaps);
   const auto [low, first] = start(e);
   double t = first;
-  // untaken: no pair that was ever seen comes to the cap
+  // not covered: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap; ++i) {
     const auto now = step(e, low, t);
     if (now.apart | now.overlaps) return verdict_of(now.overlaps);

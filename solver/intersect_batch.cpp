@@ -34,7 +34,7 @@ struct Kernels {
   unsigned (*decide)(const DecideJob&, unsigned*);
 };
 
-// untaken within: each machine takes the branch of its processor
+// not covered within: each machine takes the branch of its processor
 Kernels kernels_of(Instructions wanted) noexcept {
 #if defined(__x86_64__)
   switch (std::min(wanted, best_instructions())) {
@@ -63,7 +63,7 @@ void run(const Kernels& kernels, std::span<const Prepared> a, std::span<const Pr
 
 }  // namespace
 
-// untaken within: each machine takes the branch of its processor
+// not covered within: each machine takes the branch of its processor
 Instructions best_instructions() noexcept {
 #if defined(__x86_64__)
   static const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
@@ -86,7 +86,7 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
         verdicts + start);
 }
 
-// untaken within: the gate asks decide() for certificates; intersect_batch_test asks here
+// not covered within: the gate asks decide() for certificates; intersect_batch_test asks here
 void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std::span<const IndexPair> pairs,
                   Answer* answers, Instructions instructions) noexcept {
   const Kernels kernels = kernels_of(instructions);
@@ -107,7 +107,7 @@ void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std:
   }
 }
 
-// untaken within: the gate asks for pairs, not for all of two sets; intersect_batch_test does
+// not covered within: the gate asks for pairs, not for all of two sets; intersect_batch_test does
 void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
                    Instructions instructions) noexcept {
   const Kernels kernels = kernels_of(instructions);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solids grown by balls: they meet where the solids without their rounding come within the sum of the
-// roundings, the room. Derivation: rounded.md.
+// Solids grown by balls. They meet if the distance of the solids without their rounding is at most the sum of
+// the roundings, the contact distance. Derivation: rounded.md.
 #include "solver/detail/rounded.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 bool is_contact_distance(double x) noexcept { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
-// What a quick look at a pair tells: 0 disjoint, 1 intersecting, as Verdict has them.
+// The result of a quick test of a pair: 0 disjoint, 1 intersecting, as in Verdict.
 enum class QuickVerdict : unsigned char { disjoint, intersecting, neither };
 
 double square(double x) noexcept { return x * x; }
@@ -41,7 +41,7 @@ Verdict meets_point(const Prepared& core, const Vector3& to, double contact_dist
   return verdict_of(out * out + beside * beside <= contact_distance * contact_distance);
 }
 
-// Below that the sine's square says too little of where two segments are nearest.
+// Below that, the square of the sine does not locate the nearest points of two segments well enough.
 constexpr double level_square = 0x1p-10;
 
 struct NearestParameters {
@@ -49,9 +49,9 @@ struct NearestParameters {
   bool reliable;
 };
 
-// The nearest points of two segments, either of which may be a point (rounded.md, section 3). The longer one
-// leads, of equal ones that whose free optimum lies farther; where even that is equal, or the axes are too
-// near to parallel, nothing is told. So the solids' order is not seen.
+// The nearest points of two segments. A segment may be a point (rounded.md, section 3). The longer one leads.
+// If both are equal, the one whose free optimum lies farther leads. If even that is equal, or the axes are
+// too near to parallel, the result is not reliable. So the order of the solids has no effect.
 [[gnu::always_inline]] inline NearestParameters nearest_of_segments(double h0, double h1, double u0,
                                                                     double u1, double c) noexcept {
   const double square = 1 - c * c;
@@ -65,8 +65,8 @@ struct NearestParameters {
   return {pick(first, p, q), pick(first, q, p), reliable && !even};
 }
 
-// Two segments, either of which may be a point, in any position. Any two points of them show that they are no
-// farther apart, and the direction between these how far they are apart at least.
+// Two segments in any position. A segment may be a point. Any two points of them give an upper bound of their
+// distance. The direction between the points gives a lower bound.
 QuickVerdict classify_segments(const Scaled& p, double contact_distance) noexcept {
   const double c = dot(p.w0, p.w1), d0 = dot(p.delta, p.w0), d1 = dot(p.delta, p.w1);
   const double determinant = 1 - c * c;
@@ -106,8 +106,8 @@ Prepared core_of(const Prepared& c) noexcept {
   return core;
 }
 
-// A point of a centred solid near x: without need of room in the hull where the solid is flat, and so far
-// inside elsewhere that rounding does not carry it out.
+// A point of a centred solid near x. For a flat solid it lies in the hull and needs no margin. Else it lies
+// so far inside that rounding does not carry it out.
 Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull hull,
                     double error) noexcept {
   const double along = dot(x, w);
@@ -130,12 +130,12 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
                           ? 0
                           : 2 * scaled_length(std::numeric_limits<double>::denorm_min(), p.exponent);
   const double error = 4 * membership_error * reach + underflow_error + lost;
-  // Where the solids themselves meet the two may be far apart: what is nearest to the one serves.
+  // If the solids themselves meet, the two may be far apart. The point nearest to the one serves.
   const Vector3 nearer = nearest(on0 - p.delta, p.w1, p.r1, p.h1) + p.delta;
   if (length(nearer - on0) < length(on1 - on0)) on1 = nearer;
   const Hull hull0 = hull_of(p.r0, p.h0, reach), hull1 = hull_of(p.r1, p.h1, reach);
-  // The certificate is what is handed out, so that is what gets checked: in the scene's unit, where a
-  // subnormal coordinate may have lost bits.
+  // The returned certificate is the one that is checked: in the scene's unit, in which a subnormal coordinate
+  // may have lost bits.
   const Vector3 point0 = times_power(inner_point(on0, p.w0, p.r0, p.h0, hull0, error), p.exponent);
   const Vector3 point1 = times_power(inner_point(on1 - p.delta, p.w1, p.r1, p.h1, hull1, error), p.exponent);
   const Vector3 at0 = times_power(point0, -p.exponent), at1 = times_power(point1, -p.exponent);
@@ -169,8 +169,8 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, 
   return true;
 }
 
-// From there on a room or a gap may overflow: the solids are made smaller first. What vanishes beside the
-// room does not matter.
+// From there on a contact distance or a gap may overflow, so the solids are first made smaller. Lengths that
+// vanish beside the contact distance do not matter.
 constexpr double huge_distance = 0x1p1000, huge_shrink = 0x1p-100;
 
 Prepared shrunk(Prepared c) noexcept {
@@ -190,8 +190,8 @@ double contact_distance_of(const Prepared& a, const Prepared& b, double clearanc
 
 namespace {
 
-// From a point of the first core to the nearest of the other and back, so often. Each step shows two points,
-// and a direction with what it separates. `on0` is where it ends.
+// From a point of the first core to the nearest of the other and back, so many times. Each step shows two
+// points, and a direction with the gap that it separates. `on0` is the last point.
 QuickVerdict alternate_projections(const Scaled& p, double contact_distance, Vector3& on0,
                                    int steps) noexcept {
   for (int i = 0; i < steps; ++i) {
@@ -209,7 +209,7 @@ QuickVerdict alternate_projections(const Scaled& p, double contact_distance, Vec
 constexpr int first_steps = 2;  // with much room they mostly do
 constexpr int more_steps = 6;   // more of them cost more than distance_of_cores() does
 
-// Of solids in their order (frame.hpp).
+// For solids in their order (frame.hpp).
 QuickVerdict classify_by_projection(const Prepared& a, const Prepared& b, double contact_distance) noexcept {
   const Scaled p = as_it_is(a, b);
   if (a.thin & b.thin) return classify_segments(p, contact_distance);
@@ -250,7 +250,7 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
 
 namespace {
 
-// The answer of two solids in one order, told in the other.
+// Returns the answer of two solids in one order as an answer in the other.
 Answer turned(Answer answer) noexcept {
   if (answer.proof == Proof::direction) answer.direction = -answer.direction;
   if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
@@ -281,8 +281,8 @@ bool is_beyond(double least, double square_of_way, double contact_distance, doub
   return (least > 0) & (least * least > beyond * beyond * square_of_way);
 }
 
-// Two cores of which each is a segment or a point: their nearest points in closed form (rounded.md, section
-// 3), as certificate or by the way between them.
+// Two cores, each a segment or a point. Their nearest points are known in closed form (rounded.md, section
+// 3). They serve as certificate, or by the vector between them.
 bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   const NearestParameters nearest =
       nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), dot(p.w0, p.w1));

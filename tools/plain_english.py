@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the English of Markdown files and of the comments of C++ headers: no phrase of the list below, no sentence of
+"""Checks the English of Markdown files and of the comments of C and C++: no phrase of the list below, no sentence of
 30 words or more, no sentence with more than one colon or semicolon. "plain_english.py FILE.." prints its findings and
 exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations" are not checked.
 docs/docs_test.py runs it."""
@@ -46,22 +46,32 @@ def paragraphs(text):
 
 
 def comments(text):
-    """Yields (line number, text) of each comment of a C++ file: adjacent lines that begin in one column."""
-    start, column, held = 0, 0, []
+    """Yields (line number, text) of each comment of a C or C++ file. Adjacent lines that begin in one column are one
+    comment. An empty line or the mark of a list begins another one. Lines that are indented are code."""
+    start, column, held, item, block = 0, 0, [], None, False
     for number, line in enumerate(text.splitlines() + [''], 1):
-        mark = re.search(r'//[/!]?<? ?', line)
-        if mark and (line[:mark.start()].endswith(':') or line[:mark.start()].count('"') % 2 or 'SPDX' in line):
+        mark = re.match(r' *(?:\*(?!/)|(?!\*))', line) if block else re.search(r'//[/!]?<?|/\*', line)
+        if mark and not block and (line[:mark.start()].endswith(':') or line[:mark.start()].count('"') % 2):
             mark = None
-        if held and not (mark and not line[:mark.start()].strip() and mark.start() == column):
+        words = line[mark.end():] if mark and 'SPDX' not in line else ''
+        block = bool(mark) and (block or mark[0] == '/*') and '*/' not in words
+        words = words.split('*/')[0]
+        bare = words.strip()
+        begun = bool(mark) and (bool(line[:mark.start()].strip()) or mark.end() != column)
+        item_mark = re.match(r'(?:[*-]|\d+\.) ', bare)
+        code = words.startswith('   ') and not begun and not item_mark and not (item and held)
+        if held and (not bare or begun or item_mark or code):
             yield start, ' '.join(held)
             held = []
         if mark:
-            start, column = (start, column) if held else (number, mark.start())
-            held.append(line[mark.end():].strip())
+            column = mark.end()
+        if bare and not code:
+            start, item = (start, item) if held else (number, item_mark)
+            held.append(bare[item_mark.end():] if item_mark else bare)
 
 
 def prose(text):
-    """The words that are read. A link is its text, code or a quotation is a word, and a leading **term**: is a label."""
+    """The words that are read. A link is its text, code or a quotation is a word, a leading **term**: is a label."""
     text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
     text = re.sub(r'\[[\w./]+\.\w+\]\([^)]*\)', 'File', text)
     text = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', text)
@@ -96,7 +106,7 @@ def findings(text, split=paragraphs):
 def main():
     counts = {}
     for name in [word for word in sys.argv[1:] if word != '--count']:
-        split = comments if name.endswith('.hpp') else paragraphs
+        split = comments if name.endswith(('.hpp', '.h', '.cpp')) else paragraphs
         for number, habit, message in findings(pathlib.Path(name).read_text(), split):
             counts[habit] = counts.get(habit, 0) + 1
             if '--count' not in sys.argv:

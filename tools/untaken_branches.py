@@ -13,8 +13,8 @@ switch has no case for.
 A branch that no pair can take has a line beside it, or in the comment above its statement, that argues why; above a
 function, `within` argues for every branch of it:
 
-    // untaken: <reason>
-    // untaken within: <reason>
+    // not covered: <reason>
+    // not covered within: <reason>
 
 A line of that kind where all branches are taken is an error too. --argued lists what they excuse; --as-built builds nothing
 of ./daylight first. Everything is written to build/untaken/.
@@ -32,7 +32,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOMS = re.compile(r'(solver|solver/detail|oracles/referee)/[^/]+\.[ch]pp$')
 OBJECTS = re.compile(r'CMakeFiles/daylight_(solver|oracles_referee)\.dir/(.*)')
-ARGUMENT = re.compile(r'//.*\buntaken( within)?: (?=\S)(.*)')
+ARGUMENT = re.compile(r'//.*\bnot covered( within)?: (?=\S)(.*)')
 # The counters lie in a mapped file, so that those of the gate's child processes are there when these are gone.
 COUNTERS = ('-fprofile-instr-generate', '-mllvm', '-runtime-counter-relocation')
 TOOLS = ('clang++', 'llvm-profdata', 'llvm-cov')

@@ -10,7 +10,7 @@ from untaken_branches import arguments_for, branches_of, folded
 SOURCE = '''\
 int sign(int x) {
   if (x > 0 || x < -1) return 1;
-  // untaken: x is
+  // not covered: x is
   // no zero
   if (x == 0)
     return 0;
@@ -19,7 +19,7 @@ int sign(int x) {
     case 2: return 2;
   }
 }
-// untaken within: nobody asks
+// not covered within: no pair asks
 int unasked(int x) {
   return x ? 1 : 2;
 }

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The backward error of wrong verdicts: for how near an input the answer would have been right.
+// The backward error of wrong verdicts: the distance to the nearest input for which the answer is right.
 //
-// It is |signed distance|, as the length by which the solids move. b translated by minus the signed distance
-// along the direction in which that is attained touches a: there a wrong "intersecting" or "touching" is
-// right, and any farther a wrong "disjoint". Nothing less does, whatever is changed: where no point of the
-// solid a need move by more than x, nor of b by more than y, for it to become the changed solid (its
-// Hausdorff distance; centres, axes, radii and heights may all change), the support functions change by at
-// most x and y in every unit direction, and the signed distance, an extreme of their sums, by at most x + y.
-// So x + y is at least |signed distance|, and the translation attains it. In the input's own numbers a change
-// of a centre or radius moves a solid by as much, one of a height by half of that, and a turn of an axis by
-// at most its angle times sqrt(r^2 + h^2/4).
+// It is |signed distance|, as the length by which the solids move. Proof:
+// 1. It suffices. Translate b by minus the signed distance, along the direction in which that is attained.
+//    Then it touches a. There a wrong "intersecting" or "touching" is right. Any farther, a wrong "disjoint"
+//    is right.
+// 2. Nothing less does, for any change of centres, axes, radii and heights. Let no point of the solid a move
+//    by more than x, and no point of b by more than y, to become the changed solids (the Hausdorff distance).
+//    Then the support functions change by at most x and y in every unit direction. The signed distance is an
+//    extreme of their sums, so it changes by at most x + y. So x + y is at least |signed distance|.
+//
+// In the input's own numbers, a change of a centre or radius moves a solid by as much, and a change of a
+// height by half of that. A turn of an axis moves it by at most its angle times sqrt(r^2 + h^2/4).
 #pragma once
 
 #include <cstdint>

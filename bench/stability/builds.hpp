@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares the answers of builds of the same source: other compilers, levels of optimization, fused
-// multiply-add, denormal numbers flushed to 0. bench/stability/builds.sh makes the builds and runs them.
+// Compares the answers of builds of the same source. They differ in compiler, level of optimization, fused
+// multiply-add, and denormal numbers flushed to 0. bench/stability/builds.sh makes the builds and runs them.
 #pragma once
 
 #include <cstddef>

@@ -35,15 +35,17 @@ struct Path {
 /// Signed margin of the paths on which it does not change.
 inline constexpr double path_margin = 1e-7;
 
-/// Returns the paths of a seed, as a pure function of it. For each two features that touch in general
-/// position, and parallel sides: b moves along the normal, from an overlap of 1e-3 of the size to a gap of
-/// that, by decades down to 1e-15
-/// ("touching .."); and by steps of 2e-15 of the size about touching ("touching-fine .."), each above what
-/// rounding moves. Then, at a gap and at an overlap of path_margin, axes whose angle goes from 1e-2 through 0
-/// to -1e-2
-/// ("parallel-..", exactly parallel in the middle) or likewise from a right angle ("perpendicular-.."),
-/// turned about the normal (".. -cross") or against it (".. -tilt", where a rim is next on either side of
-/// it); and caps face to face whose axes are moved across, through one line ("coaxial ..").
+/// Returns the paths of a seed, as a pure function of it.
+/// 1. Through touching. Two features are in general position, or two sides are parallel. b moves along the
+///    normal, from an overlap of 1e-3 of the size to a gap of that.
+///    * "touching ..": by decades down to 1e-15
+///    * "touching-fine ..": by steps of 2e-15 of the size about touching, each more than rounding
+/// 2. At a gap and at an overlap of path_margin, through a special position of the axes.
+///    * "parallel-..": their angle goes from 1e-2 through 0 to -1e-2, and is exactly 0 in the middle
+///    * "perpendicular-..": likewise from a right angle
+///    * ".. -cross": they turn about the normal
+///    * ".. -tilt": they turn against it, and a rim is next on either side of it
+///    * "coaxial ..": caps lie face to face, and the axes move across, through one line
 std::vector<Path> make_paths(std::uint64_t seed);
 
 /// How steady one method is on one path, at the worst of all seeds.

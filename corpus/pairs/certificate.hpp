@@ -27,12 +27,15 @@ struct ExactVector {
   bool in_doubles() const { return exact[0].empty() && exact[1].empty() && exact[2].empty(); }
 };
 
-/// The core of a solid is the solid without its rounding. direction: D with f(D) < 0, where f has both
-/// roundings times |D|. point: a point in both cores. near: `vector` is a point within 2^-200 size of both
-/// solids, and `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point).
-/// points: `vector` in a's core and `second` in b's, no farther apart than the sum of both roundings.
-/// near_points: the same as near for rounded solids. `vector` and `third` are points within 2^-200 size of
-/// the cores of a and b, no farther apart than both roundings and that.
+/// The fields of each kind. The core of a solid is the solid without its rounding.
+/// * direction: D with f(D) < 0. Here f has both roundings times |D|.
+/// * point: a point in both cores.
+/// * near: `vector` is a point within 2^-200 size of both solids, and `second` a direction with |f| <= 2^-200
+///   size |direction|. They touch without a rational point.
+/// * points: `vector` is in a's core and `second` in b's. Their distance is at most the sum of both
+///   roundings.
+/// * near_points: as near, for rounded solids. `vector` and `third` are points within 2^-200 size of the
+///   cores of a and b. Their distance is at most the sum of both roundings and 2^-200 size.
 struct Certificate {
   CertificateKind kind = CertificateKind::none;
   ExactVector vector;

@@ -84,8 +84,8 @@ struct CloseContact {
   CloseCell cell;  ///< aimed at: of an overlap the depth may be less
   ContactFeature feature;
   Vector3 normal;   ///< unit, from a to b
-  double distance;  ///< minus f(normal), up to rounding. > 0: the gap. < 0: the solids overlap by at most
-                    ///< this. Flat solids may have passed through each other and be apart
+  double distance;  ///< minus f(normal), up to rounding. A gap if positive. Else the solids overlap by at
+                    ///< most this, or flat solids have passed through each other and are apart.
 };
 
 /// By decade, the cells (and rims) alternate fastest, then gap and overlap, then the features of the cell.

@@ -22,13 +22,21 @@ Pair draw_on_lattice(RandomStream& stream, std::uint64_t index);
 /// two cubes, two disks, two needles, a disk and a needle.
 Pair draw_beside_lattice(RandomStream& stream, std::uint64_t index);
 
-/// Draws, by index: two points at one place or one unit apart, rods that cross beyond the largest double,
-/// solids with centres whose difference is not a double, and small multiples of the smallest double.
+/// Draws one of these, by index:
+/// 1. two points at one place or one unit apart,
+/// 2. rods that cross beyond the largest double,
+/// 3. solids with centres whose difference is not a double,
+/// 4. small multiples of the smallest double.
 Pair draw_range_end(RandomStream& stream, std::uint64_t index);
 
-/// Draws two solids that touch exactly and moves one of them by 2^-300 to 2^-900. By index: ends of segments,
-/// a point and a segment, a point on a rim, the ends of tilted segments, a cap on a cap, and a disk and one
-/// nearly as thin about the same centre.
+/// Draws two solids that touch exactly and moves one of them by 2^-300 to 2^-900. The solids depend on the
+/// index:
+/// 1. ends of segments,
+/// 2. a point and a segment,
+/// 3. a point on a rim,
+/// 4. the ends of tilted segments,
+/// 5. a cap on a cap,
+/// 6. a disk and one nearly as thin about the same centre.
 Pair draw_whisker(RandomStream& stream, std::uint64_t index);
 
 }  // namespace cyl

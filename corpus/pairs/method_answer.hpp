@@ -42,16 +42,16 @@ struct MethodAnswer {
   Verdict verdict = Verdict::undecided;  ///< meaningful if status == answered
   bool has_distance = false;
   CertificateKind witness = CertificateKind::none;  ///< never `near` or `near_points`
-  double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful if has_distance
+  double distance = 0;  ///< signed, > 0 apart, in the scene's unit; meaningful if has_distance
   /// The method's own bound of its distance error, or 0. It holds in both directions for disjoint solids. For
   /// overlapping solids it bounds how much deeper they are than returned.
   double error_bound = 0;
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
-  double other_head[3] = {0, 0, 0};  ///< for points: the point of b; head + tail is the point of a
+  double other_head[3] = {0, 0, 0};  ///< of `points`, the point of b. That of a is head + tail.
   double other_tail[3] = {0, 0, 0};
-  Hull hulls[2] = {Hull::space, Hull::space};  ///< for a and b: the point is the nearest in both; for points:
-                                               ///< each in its own
+  Hull hulls[2] = {Hull::space, Hull::space};  ///< of a and b. A `point` is the nearest one in both. Each of
+                                               ///< `points` is the nearest one in its own.
   int steps = 0, step_cap = 0;                 ///< steps of its searches and their maximum; 0 if not reported
   SideEffect side_effect = SideEffect::none;
   char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The one reader and writer of pairs as JSON Lines. One line in, one record out, in order; a malformed line
-// becomes a record with an error and costs nothing after it.
+// The one reader and writer of pairs as JSON Lines. One line in, one record out, in order. A malformed line
+// becomes a record with an error, and the lines after it are read as usual.
 //
 //   {"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{...},"id":"...","truth":"disjoint"}
 //
-// A cylinder has these four fields, and may have "rounding" (0 where it has not). Beside a and b a line may
-// have the strings id, source, truth (a verdict) and note. Other keys of any type are skipped, but one within
-// one edit of source, truth or note is an error. Every number is read as the nearest double, the sign of zero
-// kept; integers beyond 2^53 are rounded like any other number. A number that overflows is an error wherever
-// it stands, and so is one of a cylinder that is not 0 and whose nearest double is (1e-999).
+// 1. A cylinder has these four fields, and may have "rounding", which is 0 by default.
+// 2. A line may also have the strings id, source, truth (a verdict) and note. Other keys of any type are
+//    skipped, but a key within one edit of source, truth or note is an error.
+// 3. Every number is read as the nearest double, with the sign of zero. Integers beyond 2^53 are rounded like
+//    any other number.
+// 4. A number that overflows is an error, in any field. A number of a cylinder that is not 0, but whose
+//    nearest double is (1e-999), is an error too.
 #pragma once
 
 #include <cstddef>

@@ -10,10 +10,13 @@
 
 namespace cyl {
 
-/// By index, in turns of four: two pairs in any position, about half of them intersecting; a pair at a margin
-/// of 1e-1 to 1e-15 by construction, first a gap and then an overlap (rounding moves it by up to 5e-16 of the
-/// size). The last of four are small integers, some of which touch exactly, solids on one line or about one
-/// centre, other scales, and tiny lengths or roundings. It is random which solid is `a`.
+/// Draws by index, in turns of four.
+/// 1. The first pair is in any position. About half of these intersect.
+/// 2. The second has a gap and the third an overlap by construction, at a margin of 1e-1 to 1e-15. Rounding
+///    moves the margin by up to 5e-16 of the size.
+/// 3. The fourth is in turn a pair of small integers, which may touch exactly, and an awkward pair. That has
+///    solids on one line or about one centre, other scales, or tiny lengths or roundings.
+/// It is random which solid is `a`.
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index);
 
 }  // namespace cyl

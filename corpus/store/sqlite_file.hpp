@@ -5,10 +5,11 @@
 //   static constexpr const char* table = "tally";
 //   static auto columns(auto& row) { return std::tie(row.method, row.family, row.counts); }
 //
-// A member that is a record itself stands for all its columns, and an empty optional one for as many NULLs.
-// Doubles are stored as their shortest text, since a column has no infinity and no -0, unsigned numbers by
-// their bits, and enums as their words. Every call throws std::runtime_error that names the file if it cannot
-// be read or written.
+// 1. A member that is a record itself stands for all its columns, and an empty optional one for as many
+//    NULLs.
+// 2. Doubles are stored as their shortest text, because a column has no infinity and no -0. Unsigned numbers
+//    are stored by their bits, enums by their words.
+// 3. If the file cannot be read or written, a call throws std::runtime_error, which names the file.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

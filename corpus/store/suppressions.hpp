@@ -3,7 +3,7 @@
 //
 //   {"bucket":"fcl-libccd/absolute-length","reason":"...","link":"https://...","owner":"...","expires":"2027-01-31"}
 //
-// Every field is a string and required; no other is allowed; a bucket has one line.
+// Every field is a required string. No other field is allowed. A bucket has one line.
 #pragma once
 
 #include <cstddef>

@@ -65,9 +65,9 @@ def main(program):
 
     docs/results/vectors.py build/release/daylight >docs/results/vectors.md
 
-The {len(vectors):,} valid vectors of the standard tier. A number counts vectors that the library answers wrongly beyond
-its claim, or that it fails on. A dash means that the library supports none of them. A vector counts for each of its
-[flags](../vectors.md#flags). If a library states no claim, we assume one.
+The table covers the {len(vectors):,} valid vectors of the standard tier. A number counts vectors that the library answers
+wrongly beyond its claim, or that it fails on. A dash means that the library supports none of them. A vector counts for
+each of its [flags](../vectors.md#flags). If a library states no claim, we assume one.
 ''')
     print('| | vectors | ' + ' | '.join(ENGINES.values()) + ' |\n|---|' + '---:|' * (len(ENGINES) + 1))
     claim = [f'{stated[m][0]:g}' + (f' + {stated[m][1]:g}' if stated[m][1] else '') for m in ENGINES]

@@ -17,8 +17,8 @@ namespace cyl {
 inline constexpr std::uint64_t repeat_share = 64;
 
 /// The cells of the failure maps (oracles/trial/cells.hpp) count one pair in this many, drawn from seed and
-/// index, because finding the cell of a pair takes longer than asking about it. With foreign methods every
-/// pair up to an index counts, because such runs are short.
+/// index. The search for the cell of a pair takes longer than the questions about it. With foreign methods
+/// every pair up to an index counts, because such runs are short.
 inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
 inline constexpr std::uint64_t every_cell_until = 65536;
 

@@ -22,9 +22,9 @@ struct CampaignOptions {
   std::string out;  ///< run folder; created
   std::uint64_t seed = 0;
   std::uint64_t shard = 0, shards = 1;  ///< does the batches of shard `shard` of `shards` alone
-  std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards; 0 is no limit
-  std::chrono::milliseconds budget{0};  ///< wall time of this session; 0 is no limit. At least one limit is
-                                        ///< set
+  std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards. 0 is unlimited.
+  std::chrono::milliseconds budget{0};  ///< wall time of this session. 0 is unlimited. At least one limit is
+                                        ///< set.
   std::string cases;                    ///< source of workload.cases, for --resume
   std::string stop_at;                  ///< time at which the budget ends, for --resume; may be empty
   std::string guests;                   ///< the guests, for commands that ask them again
@@ -38,7 +38,7 @@ struct CampaignOptions {
 /// Totals of the run so far, sessions before this one included.
 struct CampaignProgress {
   std::uint64_t done = 0;  ///< indices
-  std::uint64_t goal = 0;  ///< indices to do; 0 is no limit
+  std::uint64_t goal = 0;  ///< indices to do. 0 is unlimited.
   std::uint64_t contract = 0, resolution = 0, failed = 0, unresolved = 0;
   std::uint64_t session_done = 0;             ///< indices of this session
   std::chrono::milliseconds session_time{0};  ///< wall time of this session

@@ -80,7 +80,7 @@ class Questions {
   std::vector<std::string> families_;
 };
 
-/// A finding that is kept: the first of each kind, and each with a larger error than those before it.
+/// A finding that is kept: the first of each kind, and each with a larger error than all earlier ones.
 struct JudgedFinding {
   Finding finding;
   std::string family;
@@ -113,7 +113,7 @@ class OfflineJudge {
   std::vector<GroupRecord> groups() const { return kept_.groups(); }
   const std::vector<JudgedFinding>& findings() const { return findings_; }
   std::uint64_t lines_passed_over() const { return passed_over_; }  ///< reported, but without a pair
-  /// As for a campaign: 2 contract findings, failures, or lines without a pair; 3 undecided truth; else 0.
+  /// As for a campaign. 2: contract findings, failures, or lines without a pair. 3: undecided truth. Else 0.
   int exit_code() const;
 
  private:

@@ -19,11 +19,13 @@ namespace cyl {
 /// distance(pair.a, pair.b), not `invalid`.
 Stratum stratum_of(const Pair& pair, const Distance& measured);
 
-/// Returns whether a stratum can occur. D is along or perpendicular to an axis within flat_tol = t. cap-cap:
-/// D is along both axes, so their angle is below 2t, which is parallel to < 1e-7, and the next class by a
-/// factor of two. cap-side: D is along one and perpendicular to the other, so within 2t of 90 degrees. The
-/// others have all angles, because flat solids have rims instead of caps or sides, and a rim can face
-/// everything. All margins occur.
+/// Returns whether a stratum can occur. D is along or perpendicular to an axis within flat_tol = t.
+/// 1. cap-cap: D is along both axes, so their angle is below 2t. That is parallel to < 1e-7, and the next
+///    class by a factor of two.
+/// 2. cap-side: D is along one axis and perpendicular to the other. So the angle is within 2t of 90 degrees.
+/// 3. The others have all angles. Flat solids have rims instead of caps or sides, and a rim can face
+///    everything.
+/// All margins occur.
 bool can_occur(const Stratum& s);
 
 /// "cap-rim <1e-7 1e-12".

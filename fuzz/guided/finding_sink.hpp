@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where a fuzz target puts what it finds, so that the process lives on: one finding a bucket, one undecided
+// Stores the findings of a fuzz target, so that the process can continue: one finding a bucket, one undecided
 // pair a stratum.
 //
 //   DAYLIGHT_FUZZ_OUT=FOLDER   findings.jsonl (a line of a case file each), findings/ and undecided/
 //                              (records, inputs of the target, named by their letters), visited
 //                              (visited.hpp); kept from run to run
-//   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first finding, as services
-//                              want it that run targets (also by the macro of that name)
-// Without a folder a finding is printed, the first of its bucket, and an undecided pair is passed over.
+//   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first finding, for services
+//                              that run targets (also by the macro of that name)
+// Without a folder, the first finding of each bucket is printed, and undecided pairs are skipped.
 #pragma once
 
 #include <set>

@@ -233,11 +233,11 @@ The second command checks the proofs of up to ten faults of an engine with exact
 * *claim* is the tolerance, the relative part times the size of the pair. If an engine states none, we assume one.
 * *beyond claim* counts wrong verdicts that the tolerance does not cover. They are wrong even for the solid that the
   engine collides, so the *algorithm* is at fault.
-* *model* counts wrong verdicts beyond the tolerance which may be right for that solid. An engine that collides prisms
-  gives them on purpose.
+* *model* counts wrong verdicts beyond the tolerance which may be right for the solid that the engine collides. An
+  engine that collides prisms gives them on purpose.
 * *right from* is the margin, relative to the size, above which no verdict was wrong.
-* *distances* and *depths* count those beyond the tolerance and 1e-5 of the distance, algorithm + model. A dash means
-  that we did not ask the engine for them.
+* *distances* and *depths* count wrong ones beyond the tolerance and 1e-5 of the distance, algorithm + model. A dash
+  means that we did not ask the engine for them.
 * *time* is the median for a pair in Node.js, in microseconds, with the making of both solids. The machine was shared.
 
 """

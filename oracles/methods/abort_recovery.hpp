@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Failed assertions inside a worker. A new worker costs 10 to 25 ms; to return from an assertion costs
-// nothing.
+// Recovery from failed assertions inside a worker. A new worker costs 10 to 25 ms. A return from an assertion
+// costs nothing.
 #pragma once
 
 #include "oracles/methods/contained.hpp"
 
 namespace cyl {
 
-/// Failed assertions from which one worker recovers: each leaves behind what the call had allocated.
+/// Failed assertions from which one worker recovers. Each one leaks the memory that the call had allocated.
 inline constexpr int recovery_cap = 64;
 
-/// Asks as ask_noexcept() does. If the library's state does not outlive a call (Method::recovers), an
-/// assertion of it that fails is an answer: a crash, with the text that the death of the process would have
-/// had. Every other abort ends the process, as do assertions beyond `recovery_cap`. The text is taken from
-/// standard error, which must be a file that can be cut: it is empty afterwards.
+/// Asks as ask_noexcept() does.
+/// 1. If the library keeps no state between calls (Method::recovers), its failed assertion is an answer. The
+///    answer is a crash, with the text that the death of the process would have had.
+/// 2. Every other abort ends the process, as do assertions beyond `recovery_cap`.
+/// 3. The text is taken from standard error. It must be a file that can be truncated, and is empty
+///    afterwards.
 MethodAnswer ask_recovering(Method& method, const Pair& pair, CallMode mode);
 
-/// Returns "SIGABRT, after printing: ...", as long as a reason can be: `how`, and the last words in a file.
+/// Returns "SIGABRT, after printing: ...": `how`, and the last words in the file, cut to the length of a
+/// reason.
 std::string with_last_words(const std::string& how, int output);
 
 }  // namespace cyl

@@ -19,7 +19,7 @@ namespace cyl {
 inline constexpr std::chrono::milliseconds short_cap{60};
 inline constexpr std::chrono::hours no_cap{1};
 
-/// Methods that do what the test says, then answer with the radius of a as the distance.
+/// Returns one method for each act. It performs the act, then answers with the radius of a as the distance.
 inline std::vector<std::unique_ptr<Method>> fakes(std::vector<std::function<void()>> acts) {
   std::vector<std::unique_ptr<Method>> methods;
   for (auto& act : acts) {
@@ -40,8 +40,8 @@ inline std::vector<Pair> numbered_pairs(std::size_t count) {
   return pairs;
 }
 
-/// Asks a good method, then one that does `act`, then the good one again; the middle answer. The others are
-/// checked.
+/// Asks a good method, then one that performs `act`, then the good one again. Returns the answer in the
+/// middle and checks the other two.
 inline MethodAnswer ask_between_good_ones(std::function<void()> act, const Caps& caps = {}) {
   const auto methods = fakes({[] {}, std::move(act)});
   const auto pairs = numbered_pairs(3);

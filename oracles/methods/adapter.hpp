@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the adapters of methods share. Nothing of the solver's arithmetic is in it.
+// Functions that the adapters of methods share. They use none of the solver's arithmetic.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,11 @@
 
 namespace cyl {
 
-/// An answer that declines, with the reason, where a solid of the pair is no cylinder; else nothing.
+/// Returns an answer that declines, with the reason, if a solid of the pair is not a valid cylinder. Else
+/// returns nothing.
 std::optional<MethodAnswer> decline_invalid(const Pair& pair);
 
-/// Both solids of every pair as a library keeps them, made once for many questions.
+/// Returns both solids of every pair in a library's own type, made once for many questions.
 template <class Solid>
 std::vector<std::pair<Solid, Solid>> solids_of(
     std::span<const Pair> pairs,
@@ -27,20 +28,21 @@ std::vector<std::pair<Solid, Solid>> solids_of(
   return solids;
 }
 
-/// The same, of solids that cannot be copied, for calls that are.
+/// The same for solids that cannot be copied, for calls that are copied.
 template <class Solid>
 std::shared_ptr<const std::vector<std::pair<Solid, Solid>>> shared_solids_of(std::span<const Pair> pairs) {
   return std::make_shared<const std::vector<std::pair<Solid, Solid>>>(solids_of<Solid>(pairs));
 }
 
-/// The cylinder with its rims rounded inwards by so much; as it is where that leaves nothing, and if it is
-/// rounded.
+/// Returns the cylinder with its rims rounded inwards by `rounding`. Returns it unchanged if it is too thin
+/// for that, or rounded already.
 Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept;
 
-/// axis/|axis|, each coordinate within 2^-51 of it, for any finite non-zero axis.
+/// Returns axis/|axis| for any finite axis but 0. Each coordinate is right within 2^-51.
 Vector3 unit_axis(const Vector3& axis) noexcept;
 
-/// A rotation that takes z to the unit vector u: orthonormal to a few roundings, its third column exactly u.
+/// Returns a rotation that takes z to the unit vector u. It is orthonormal to a few roundings. Its third
+/// column is u exactly.
 Eigen::Matrix3d rotation_to(const Vector3& u) noexcept;
 
 }  // namespace cyl

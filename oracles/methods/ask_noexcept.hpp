@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What a method answers, whatever it does short of ending the process.
+// Asks a method so that no exception and no invalid number leaves the call.
 #pragma once
 
 #include "oracles/methods/contained.hpp"
 
 namespace cyl {
 
-/// Asks in this process, and turns what a method throws, and numbers that are none, into failures.
+/// Asks in this process. An exception, an unknown value of an enum, or a number that is not finite becomes a
+/// failure.
 MethodAnswer ask_noexcept(Method& method, const Pair& pair, CallMode mode);
 
-/// Returns the answer, as a failure where it is not one of a method's: of no known kind, or not finite.
+/// Returns the answer. An answer with an unknown value of an enum, or a number that is not finite, becomes a
+/// failure.
 MethodAnswer checked(MethodAnswer answer);
 
 }  // namespace cyl

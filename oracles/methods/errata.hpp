@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The errata of the documents that this project starts from: which fault each is, and how a pair shows it.
+// The errata of the documents that this project starts from: each fault, and how a pair shows it.
 // solver/literature/errata.md describes them. The methods with a single fault are made from this table.
 #pragma once
 
@@ -41,19 +41,19 @@ std::span<const Erratum> errata();
 /// The id of the case that shows it, in corpus/cases/errata.jsonl.
 std::string case_of(const Erratum& erratum);
 
-/// The name of the method that shows it wrong, and of the one that differs by this fault alone and is right:
-/// both are literal, and nothing of ours repairs what the fault does.
+/// Returns the name of the method that is wrong on that case, and of the method that differs by this fault
+/// alone and is right. Both are literal: no code of ours repairs the effect of the fault.
 std::string wrong_method(const Erratum& erratum);
 std::string right_method(const Erratum& erratum);
 
-/// The mended texts (`-mended`), those with a single fault (`-only-`), the printed ones with a single fault
-/// taken out (`-without-`), and other readings of these. Campaigns ask those that are named.
+/// The mended texts (`-mended`), the texts with a single fault (`-only-`), the printed texts with a single
+/// fault taken out (`-without-`), and other readings of these. A campaign asks them only if it names them.
 std::vector<std::unique_ptr<Method>> errata_methods();
 std::vector<std::unique_ptr<Method>> errata_2008_methods();
 std::vector<std::unique_ptr<Method>> errata_2017_methods();
 
-/// Returns those of errata_methods() that are named by an item of `spec` (as select_methods() takes it) that
-/// names nothing in `methods`.
+/// Returns the methods of errata_methods() that an item of `spec` names (in the syntax of select_methods()),
+/// unless the item names a method in `methods`.
 std::vector<std::unique_ptr<Method>> named_errata(const std::vector<std::unique_ptr<Method>>& methods,
                                                   std::string_view spec);
 

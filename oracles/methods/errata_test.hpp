@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a pair shows an erratum: what the program that looks for cases and the test that replays them
-// share.
+// Whether a pair shows an erratum. The program that searches for cases and the test that replays them share
+// this code.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,9 @@ struct ShownErratum {
     return nullptr;
   }
 
-  /// Whether the pair is at least `margin` sizes from touching, the right method says what is proved of it
-  /// and the wrong one the contrary. Of what touches, the convention of section 3.1 is the truth.
+  /// Returns whether the pair is at least `margin` sizes from touching, the right method gives the proved
+  /// verdict, and the wrong method gives the opposite. For touching pairs the convention of section 3.1 is
+  /// the truth.
   bool on(const Pair& pair, double margin) const {
     const Verdict said = wrong->ask(pair).verdict, known = right->ask(pair).verdict;
     if (said == known) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A method for tests, which answers by a function.
+// A method for tests, whose answers come from a function.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Methods that are no part of this build: a shared library with the one function of plugin.h, or a program in
-// any language that answers lines with lines (oracles/methods/guest_protocol.hpp; questions as pair_io has
-// them). Nothing of a guest runs in a process that has more to do than to ask it.
+// Methods that are not part of this build. A guest is a shared library with the one function of plugin.h, or
+// a program that answers each line with a line. The format of the questions is that of pair_io. The format of
+// the answers is in guest_protocol.hpp. The code of a guest runs only in processes that do nothing else.
 #pragma once
 
 #include <memory>
@@ -20,25 +20,26 @@ enum class GuestKind : unsigned char { plugin, command };
 /// Names a guest well enough to ask it again.
 struct Guest {
   GuestKind kind;
-  std::string name;                  ///< empty: as it says itself, else after its file
-  std::string what;                  ///< the file, absolute; or the command, for /bin/sh
-  std::string folder;                ///< where the command runs; of a plug-in empty
-  std::string method = {};           ///< which of the methods of a plug-in's library; empty: all
-  std::optional<double> claim = {};  ///< relative, in the place of its own
+  std::string name;                  ///< if empty, the guest's own name, else that of its file
+  std::string what;                  ///< the absolute path of the file, or the command, for /bin/sh
+  std::string folder;                ///< the working directory of the command; empty for a plug-in
+  std::string method = {};           ///< one method of a plug-in's library; all if empty
+  std::optional<double> claim = {};  ///< relative; replaces the guest's own claim
 };
 
-/// "NAME=WHAT" or "WHAT", as a command line has it, seen from the working directory; a name begins with a
-/// small letter. NAME:METHOD=WHAT is one method of a plug-in's library. Throws UsageError on a name no method
-/// can have, and on control characters.
+/// Reads "NAME=WHAT" or "WHAT" of a command line, relative to the working directory. A name begins with a
+/// small letter. NAME:METHOD=WHAT is one method of a plug-in's library. Throws UsageError on a name that no
+/// method can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
-/// One in a command or a path would forge a line of format_guests().
+/// A control character in a command or a path could forge a line of format_guests().
 bool has_control_character(std::string_view text);
 
-/// Returns the option that names it, as a shell takes it: --plugin mine=./libmine.so.
+/// Returns the option that names the guest, quoted for a shell: --plugin mine=./libmine.so.
 std::string options_for(const Guest& guest);
 
-/// One line each, and back; the latter throws std::runtime_error on anything else.
+/// Writes one line for each guest, and reads it again. parse_guests() throws std::runtime_error on other
+/// text.
 std::string format_guests(const std::vector<Guest>& guests);
 std::vector<Guest> parse_guests(std::string_view text);
 
@@ -48,12 +49,12 @@ struct OpenedGuest {
 };
 
 /// Loads the library, or asks the program about one easy pair, in a process of its own. Throws
-/// std::runtime_error, which tells the user what is wrong, where it does not load, does not answer, or has no
-/// name that will do.
+/// std::runtime_error, with a message for the user, if it does not load, does not answer, or has no valid
+/// name.
 std::vector<OpenedGuest> open_guest(const Guest& guest);
 
-/// Returns a hash of the bytes of these files, eight digits. A guest that was changed is another version,
-/// whatever it says.
+/// Returns a hash of the bytes of these files, eight digits. A changed guest is another version, even if its
+/// own version is the same.
 std::string fingerprint(std::span<const std::string> files);
 
 std::vector<OpenedGuest> open_plugins(const Guest& guest);  ///< as open_guest, with any name

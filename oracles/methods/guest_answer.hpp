@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a guest's line says, as the answer of a method.
+// Turns a guest's line into the answer of a method.
 #pragma once
 
 #include "corpus/pairs/method_answer.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a program that is asked about pairs, a line each, says: one answer a line, before the first of them
-// perhaps a hello. The questions are lines of pair_io.
+// The answers of a program that reads pairs, one a line. It may send a hello first, then it sends one line
+// for each pair. The questions are lines of pair_io.
 //
 //   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"},
 //    "takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false}}
@@ -9,8 +9,8 @@
 //   {"declined":"no disks"}
 //   {"error":"no convergence"}
 //
-// All but the verdict may be left out; other keys are skipped. A coordinate of a point may be a pair of
-// numbers that stands for their exact sum.
+// All keys but the verdict are optional. Other keys are skipped. A coordinate of a point may be a pair of
+// numbers, which stands for their exact sum.
 #pragma once
 
 #include <array>
@@ -25,17 +25,17 @@
 namespace cyl {
 
 struct GuestHello {
-  std::string name, version;  ///< empty where not said
+  std::string name, version;  ///< empty if the hello has none
   double relative = 0, absolute = 0;
   std::string claim_source;
-  double rounded_rims = 0;  ///< by how much it rounds the edges of cylinders, inwards
-  /// Which kinds of solids it is asked about, by SolidKind.
+  double rounded_rims = 0;  ///< the radius by which it rounds the edges of cylinders, inwards
+  /// The kinds of solids that it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
   SizeRange sizes;  ///< of the solids that it is asked about
 };
 
 struct GuestAnswer {
-  std::optional<Verdict> verdict;  ///< else it declined or failed, and `reason` says why
+  std::optional<Verdict> verdict;  ///< empty if it declined or failed; `reason` has the reason
   bool declined = false;
   std::string reason;
   std::optional<double> distance;
@@ -43,14 +43,15 @@ struct GuestAnswer {
   std::optional<std::array<double, 6>> point;  ///< the three heads, then the three tails
 };
 
-/// Exactly one of the three; `error` says why the line is neither.
+/// Has exactly one of the three. `error` is the reason why the line is neither a hello nor an answer.
 struct GuestLine {
   std::optional<GuestHello> hello;
   std::optional<GuestAnswer> answer;
   std::string error;
 };
 
-/// Never throws on content. The numbers of an answer are finite; those of a claim also not negative.
+/// Throws on no content of a line. The numbers of an answer are finite. The numbers of a claim are also not
+/// negative.
 GuestLine parse_guest_line(std::string_view text);
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A method: anything that answers a pair. It may decline or fail; it is never trusted.
+// A method answers pairs. It may decline or fail, and is never trusted.
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@ enum class DecisionScope : unsigned char {
   all          ///< It decides every pair whose verdict can be proved.
 };
 
-/// What a method promises: to be right if |distance| >= relative * size + absolute, and more.
+/// The promise of a method: it is right if |distance| >= relative * size + absolute, and more.
 struct Claim {
   double relative = 0;
   double absolute = 0;      ///< a length in the scene's unit

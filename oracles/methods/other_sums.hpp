@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Methods whose library asks our support function, with its sums in another order: an answer that this
-// changes hangs on the last bit of ours.
+// Methods whose library calls our support function, with the sums of that function in another order. If this
+// changes an answer, the answer depends on the last bit of our sums.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace cyl {
 
-/// Those of ccd_methods(), by the same names.
+/// Returns ccd_methods() with the other sums, under the same names.
 #ifdef DAYLIGHT_WITH_CCD
 std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums();
 #else

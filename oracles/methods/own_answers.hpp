@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the methods of the solver say, for who has asked the solver already.
+// The answers of the solver's methods, for callers that have called the solver already.
 #pragma once
 
 #include "oracles/methods/method.hpp"
@@ -7,10 +7,10 @@
 
 namespace cyl {
 
-/// What the method `decide` answers; `decided` is decide(pair.a, pair.b).
+/// Returns the answer of the method `decide`, if `decided` is decide(pair.a, pair.b).
 MethodAnswer answer_of(const Pair& pair, const Answer& decided);
 
-/// What the method `distance` answers; `measured` is distance(pair.a, pair.b).
+/// Returns the answer of the method `distance`, if `measured` is distance(pair.a, pair.b).
 MethodAnswer answer_of(const Pair& pair, const Distance& measured);
 
 }  // namespace cyl

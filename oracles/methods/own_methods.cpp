@@ -101,7 +101,7 @@ class MeasureDistance final : public Method {
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.relative = distance_tol,
-            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so.",
+            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it reports more.",
             .bitwise_stable = true,
             .from_a_to_b = true,
             .reports_invalid = true,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A process in which foreign methods are asked, block after block, until it is lost; then the next block
-// starts another.
+// A process that asks foreign methods, block after block. When it is lost, the next block starts another
+// one.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,13 @@ namespace cyl {
 
 class Worker {
  public:
-  /// `confined`: it may start no process and signal none but itself, where the kernel sees to that.
+  /// `confined`: it may not start processes or signal others, if the kernel can enforce that.
   Worker(std::span<const std::unique_ptr<Method>> methods, bool confined, const Caps& caps);
   ~Worker();
 
-  /// Asks at most block_cap questions in order. Returns their answers; where the worker is lost, those up to
-  /// the question that it did not survive, whose answer says how it ended, or as many as it gave.
+  /// Asks at most block_cap questions in order, and returns their answers. If the worker is lost, the last
+  /// answer is that of the question that it did not survive, with how it ended. A worker may also return
+  /// fewer answers.
   std::vector<ContainedAnswer> ask(std::span<const Pair> pairs, std::span<const Question> questions);
 
  private:

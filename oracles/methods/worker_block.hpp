@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The memory in which a worker is asked and answers: both sides map it. The questions cannot be written in
-// the worker, and nothing that is read of the answers is believed unseen.
+// The memory that a worker and its parent share. Both sides map it. The worker cannot write the questions,
+// and the parent checks every value that it reads of the answers.
 #pragma once
 
 #include <fcntl.h>
@@ -18,24 +18,25 @@
 
 namespace cyl {
 
-/// Questions that go to a worker at once: many, so that waking it costs little beside them; few enough that
-/// both sides of the block stay in the cache.
+/// Questions that go to a worker at once. They are so many that the cost of waking it is small, and so few
+/// that both sides of the block stay in the cache.
 inline constexpr std::size_t block_cap = 256;
 
-/// Of the parent; the worker maps it read-only.
+/// Written by the parent. The worker maps it read-only.
 struct RequestBlock {
   std::atomic<std::uint64_t> number{0};  ///< of the block
   std::size_t count = 0;
-  bool one_by_one = false;        ///< also where a method takes many
-  Question questions[block_cap];  ///< the pair is the place in `pairs`
+  bool one_by_one = false;        ///< even if a method has a batch call
+  Question questions[block_cap];  ///< `pair` is an index into `pairs`
   Pair pairs[block_cap];
 };
 
-/// Of the worker.
+/// Written by the worker.
 struct ResponseBlock {
-  std::atomic<std::uint64_t> begun{0};   ///< the number of the last block that it took up
-  std::atomic<std::uint64_t> number{0};  ///< of the last block that was answered to its end
+  std::atomic<std::uint64_t> begun{0};   ///< the number of the last block that it began
+  std::atomic<std::uint64_t> number{0};  ///< the number of the last block that it completed
   std::atomic<std::size_t> cursor{0};    ///< the question being asked; the number of questions when all are
+                                         ///< done
   std::atomic<int> denied{-1};           ///< the system call that confine() refused
   ContainedAnswer answers[block_cap];
 };
@@ -50,7 +51,7 @@ class Shared {
     if (file_ < 0 || ftruncate(file_, sizeof(Content)) != 0) throw_errno("memfd_create");
     content_ = new (map(PROT_READ | PROT_WRITE)) Content;
     madvise(content_, sizeof(Content), MADV_DONTFORK);
-    // Whoever shortened it would have the other side end where it reads.
+    // A process that shortens the file would end the other one at its next read.
     const int seals =
         F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL | (parent_writes_alone ? F_SEAL_FUTURE_WRITE : 0);
     if (fcntl(file_, F_ADD_SEALS, seals) != 0) throw_errno("sealing a block");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inside of a worker: what it does from its start to its end.
+// The code that runs inside a worker, from its start to its end.
 #pragma once
 
 #include <sys/types.h>
@@ -11,14 +11,14 @@
 
 namespace cyl {
 
-/// Bytes that a worker may print, kept in memory; what comes after is lost.
+/// Bytes of output of a worker that are kept, in memory. The rest is lost.
 inline constexpr off_t output_cap = off_t{16} << 20;
 
 /// Exit code of a worker in which a method called exit().
 inline constexpr int exit_called_code = 98;
 
-/// Answers the blocks that `asked` holds, one whenever `go` (an eventfd) says so, and says on `done` that one
-/// is answered. Returns where the guest closed the descriptors, which is no fault. `confined` as of Worker.
+/// Answers the blocks in `asked`, one for each signal on `go` (an eventfd), and signals each completed block
+/// on `done`. Returns if the guest has closed the descriptors, which is not a fault. `confined` as in Worker.
 void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const RequestBlock& asked,
                    ResponseBlock& said, int go, int done);
 

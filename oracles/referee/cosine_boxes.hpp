@@ -11,7 +11,7 @@
 
 namespace cyl {
 
-/// What is known of min f.
+/// The known facts about min f.
 struct LeastValue {
   double width;                                           ///< how far apart `floor` and `best` may be
   double best = std::numeric_limits<double>::infinity();  ///< f(direction)

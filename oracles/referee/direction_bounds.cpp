@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: MIT
-// Every y = x - delta with x in K bounds f from below by the plane D.y, and on a cap of angle rho about D0
-//     min D.y = |y| cos(theta + rho),   theta the angle between y and D0.
-// With y the support point of D0 that is second order in rho where f is smooth. f has kinks on the great
-// circles square to either axis (the support point jumps along the solid's length) and at the axes (it jumps
-// across the cap); near one, the cap is widened until its middle lies on the kink, where every point of that
-// edge or disk is as good a support point, and the one that makes y most nearly parallel to D0 is taken. That
-// bound is second order again.
+// 1. The plane. Every y = x - delta with x in K bounds f from below by the plane D.y. Let theta be the angle
+//    between y and D0. On a cap of angle rho about D0 the least value of that bound is
+//     min D.y = |y| cos(theta + rho).
+// Take y as the support point of D0. If f is smooth, the bound is then short by the square of rho only.
 //
-// Near a local minimum D0 of f more is true, and the search need not go to the end of the digits. Let
-// D = D0 cos a + x, x square to D0, |x| = sin a, a <= rho. For the disk of solid i, let n_i be the unit
-// vector from its axis to D0, t_i the one square to both. The part of D square to the axis is A n_i + (t_i.x)
-// t_i with A = D.n_i, and its length L is A + (t_i.x)^2 / (L + A). L + A is at most 2 L_i, L_i the greatest L
-// on the cap; on the circle of solid i, where D0 is n_i, it is at most 1 + cos a. With y the support point of
-// D0 and g its part square to D0, D.y = f(D0) cos a + g.x and cos a = 1 - |x|^2 / (1 + cos a). So
-//     f(D) >= f(D0) + g.x + c x.Qx/2,   Q = -f(D0) I + sum r_i/M_i t_i t_i^T,   c = 2 / (1 + cos a),
-// with M_i = 1 on the circle, else L_i k with k = 2 / (1 + cos rho). c lies between 1 and k: what bends down
-// counts k times. A kink at D0 adds room. On the circle of solid i the support point may slide by p w_i,
-// |p| <= h_i; p is chosen so that g loses its part along w_i, and what is left of h_i, b = h_i - |p|, adds
-// b |w_i.x|. On both circles that is at least min(b_0, b_1) |x| times the sine between the axes. At the axis
-// of solid i a vector c of its disk takes g away, and r_i - |c| is left, times |x|.
-// With m the least eigenvalue of Q, least(g, q) the least of g x + c q x^2 / 2 over |x| <= sin rho, and g_a
-// and q_a taken along the eigenvectors of Q, f is at least f(D0) +
+// 2. Kinks. f has kinks on the great circles perpendicular to either axis, because the support point jumps
+//    along the solid's length. It also has kinks at the axes, because the support point jumps across the cap.
+//    Near a kink, the cap is widened until its middle lies on the kink. There every point of that edge or
+//    disk is a support point. The one that makes y most nearly parallel to D0 is taken. That bound is short
+//    by the square of rho again.
+//
+// 3. Local minima. Near a local minimum D0 of f a better bound holds, so the search need not use up all
+//    digits. Let D = D0 cos a + x, with x perpendicular to D0, |x| = sin a and a <= rho. For the disk of
+//    solid i, let n_i be the unit vector from its axis to D0, and t_i the unit vector perpendicular to both.
+//
+// 3.1. The part of D perpendicular to the axis is A n_i + (t_i.x) t_i with A = D.n_i. Its length L is A +
+// (t_i.x)^2 / (L + A). Let L_i be the greatest L on the cap. L + A is at most 2 L_i. On the circle of solid i
+// D0 is n_i, and L + A is at most 1 + cos a.
+//
+// 3.2. Let y be the support point of D0, and g its part perpendicular to D0. Then D.y = f(D0) cos a + g.x and
+// cos a = 1 - |x|^2 / (1 + cos a). So
+//     f(D) >= f(D0) + g.x + c x.Qx/2,   Q = -f(D0) I + sum r_i/M_i t_i t_i^T,   c = 2 / (1 + cos a).
+// On the circle M_i = 1, else M_i = L_i k with k = 2 / (1 + cos rho). c lies between 1 and k. So parts that
+// bend down count k times.
+//
+// 3.3. A kink at D0 adds room. On the circle of solid i the support point may slide by p w_i, |p| <= h_i. p
+// is chosen so that g loses its part along w_i. The rest of h_i, b = h_i - |p|, adds b |w_i.x|. On both
+// circles that is at least min(b_0, b_1) |x| times the sine between the axes. At the axis of solid i a vector
+// c of its disk takes g away. Then r_i - |c| is left, times |x|.
+//
+// 3.4. Let m be the least eigenvalue of Q, and least(g, q) the least of g x + c q x^2 / 2 over |x| <= sin
+// rho. g_a and q_a are taken along the eigenvectors of Q. Then f is at least f(D0) +
 //   No kink:            least(g_0, q_0) + least(g_1, q_1).
 //   One circle,         least(g_1, Q_11) + sin rho min(0, b - |g_0| - k sin rho (|Q_01| + max(0, -Q_00)/2)),
 //     e_0 = w_i, e_1 along it.
 //   Room b everywhere:  sin rho min(0, b - |g| - k sin rho max(0, -m)/2).
-// Newton's method along what is smooth makes g vanish first. Where it does and f is convex, or there is room,
-// this is f(D0) itself. If f is nearly flat along a valley, little is lost along it and nothing across.
+//
+// 3.5. Newton's method along the smooth directions first makes g vanish. If it does, and f is convex or there
+// is room, the bound is f(D0) itself. If f is nearly flat along a valley, little is lost along it and nothing
+// across.
 #include "oracles/referee/direction_bounds.hpp"
 
 #include <algorithm>
@@ -47,7 +59,7 @@ constexpr double shortest_step_tol = 0x1p-6;  ///< of Newton's; shorter ones are
 
 Vec across(const Vec& v, const Vec& d) { return v - dot(v, d) * d; }
 
-// The cap about `middle` that holds `cap`; false where it is no help any more (near a right angle).
+// The cap about `middle` that holds `cap`. Returns false if it is too wide to help (near a right angle).
 bool widen(const Cap& cap, const Vec& middle, Cap& out) {
   const double c = std::min(1.0, dot(cap.center, middle)), s = length(cross(cap.center, middle));
   out = {middle, cap.cosine * c - cap.sine * s, cap.sine * c + cap.cosine * s};
@@ -103,7 +115,7 @@ Bounds DirectionBounds::bounds(const Cap& cap, double enough) const {
   Bounds best = plane(cap, {});
   auto consider = [&](const Vec& middle, const Kinks& kinks) {
     Cap moved;
-    // untaken: a cap of the first cells has 36 degrees and holds its middle; twice 36 is less than 84
+    // not covered: a cap of the first cells has 36 degrees and holds its middle, and twice 36 is less than 84
     if (best.below >= enough || !widen(cap, middle, moved)) return;
     const Bounds b = plane(moved, kinks);
     best.below = std::max(best.below, b.below);
@@ -151,8 +163,8 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
     m.f += solid.half * std::fabs(m.t[i]) + solid.radius * m.s[i];
     if (!kinks.on_circle[i]) m.y = m.y + (m.t[i] < 0 ? -solid.half : solid.half) * solid.axis;
     if (kinks.at_axis[i] || m.s[i] == 0) continue;
-    // Near the axis the difference has lost digits: square to the axis again, or the point would leave the
-    // rim; where nearly all was lost the middle of the cap serves.
+    // Near the axis the difference has lost digits. It is made perpendicular to the axis again, or the point
+    // would leave the rim. If nearly all digits were lost, the middle of the cap serves.
     const Vec flat = across(normalized(radial), solid.axis);
     const double kept = length(flat);
     if (!(kept > 0.5)) continue;
@@ -163,7 +175,7 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
   const auto& [on_circle, at_axis] = kinks;
   std::array<double, 2> along{dot(m.g, solids_[0].axis), dot(m.g, solids_[1].axis)}, left{};
   if (on_circle[0] && on_circle[1]) {
-    // Divided by the tilt twice: its square may be no double.
+    // Divided by the tilt twice, because its square may underflow.
     const double c = dot(solids_[0].axis, solids_[1].axis);
     along = {(along[0] - c * along[1]) / tilt_ / tilt_, (along[1] - c * along[0]) / tilt_ / tilt_};
   }
@@ -202,7 +214,7 @@ Bounds DirectionBounds::plane(const Cap& cap, const Kinks& kinks) const {
   return {past ? -size : m.value * cap.cosine - beside * cap.sine, m.f, size, cap.center};
 }
 
-// Q as above with q in place of -f(D0); `longest`: M_i. By rows Q_00, Q_01, Q_11.
+// Q as above with q in place of -f(D0). `longest` is M_i. The result is Q_00, Q_01, Q_11.
 std::array<double, 3> DirectionBounds::curvature(const Model& m, const Frame& frame, double q,
                                                  const std::array<double, 2>& longest) const {
   std::array<double, 3> sum{q, 0, q};
@@ -221,9 +233,9 @@ std::array<double, 3> DirectionBounds::curvature(const Model& m, const Frame& fr
 DirectionBounds::Principal DirectionBounds::principal(const Frame& at, const std::array<double, 3>& q) {
   const double half = (q[0] - q[2]) / 2, away = std::sqrt(half * half + q[1] * q[1]),
                middle = (q[0] + q[2]) / 2;
-  // Of the two forms of the eigenvector the one that loses no digits.
+  // There are two forms of the eigenvector. This is the one that loses no digits.
   double x = half > 0 ? half + away : q[1], y = half > 0 ? q[1] : away - half;
-  // Of eigenvalues that are the same but for this, far below rounding, any two directions serve.
+  // If eigenvalues differ by less than this, far below rounding, any two directions serve.
   constexpr double alike_tol = 0x1p-450;
   const double size = std::sqrt(x * x + y * y);
   x = size > alike_tol ? x / size : 1;
@@ -239,8 +251,8 @@ DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) 
   return {e0, cross(d, e0)};
 }
 
-// Newton's method on the sphere, or along one circle, each step shortened until f becomes less; no farther
-// than `most` from where it begins. Where f is flat or bends down, it stays.
+// Newton's method on the sphere, or along one circle. Each step is shortened until f becomes less, and ends
+// no farther than `most` from its start. If f is flat or bends down, it stays.
 DirectionBounds::Model DirectionBounds::settle(const Vec& start, const Kinks& kinks, double most) const {
   const bool one_circle = kinks.one_circle();
   Model m = model(start, kinks);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lower bounds on f(D) = max over x in K of D.x - D.delta over unit directions D near a given one, for
-// K = (solid a) - (solid b), both centred: what branch and bound over the sphere asks of a pair.
+// Lower bounds on f(D) = max over x in K of D.x - D.delta over unit directions D near a given one, for K =
+// (solid a) - (solid b), both centred. Branch and bound over the sphere uses them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using Vec = Vec3<double>;
 
 /// Squares below this have lost digits, or soon will: lengths are scaled before they are squared.
 inline constexpr double short_square_tol = 0x1p-900;
-/// Of any vector whose square does not overflow.
+/// For any vector whose square does not overflow.
 inline double length(const Vec& v) {
   const double square = dot(v, v);
   if (square > short_square_tol) return std::sqrt(square);
@@ -36,9 +36,9 @@ inline Vec normalized(const Vec& v) {
 /// Some vector square to a unit vector, neither short nor longer than 1.
 inline Vec square_to(const Vec& v) { return cross(v, std::fabs(v.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}); }
 
-/// Rounding in one bound or one value of f, as a multiple of the pair's reach r0 + h0 + r1 + h1 + |delta|: 4
-/// units for the axes, fewer than 30 operations on terms no larger than the reach, doubled for the angles'
-/// sines and cosines.
+/// Rounding in one bound or one value of f, as a multiple of the pair's reach r0 + h0 + r1 + h1 + |delta|. It
+/// has 4 units for the axes, and fewer than 30 operations on terms up to the reach. It is doubled for the
+/// sines and cosines of angles.
 inline constexpr double bound_error = 64 * 0x1p-53;
 
 /// All directions within an angle below a right one of the middle.
@@ -86,15 +86,15 @@ class DirectionBounds {
   explicit DirectionBounds(const SearchPair<double>& p);
 
   double reach() const { return reach_; }
-  /// Both axes and their common normal, towards b: where f often is least.
+  /// Returns both axes and their common normal, towards b. f often has its least value at one of them.
   std::array<Vec, 3> likely() const;
   /// f of a unit direction.
   double value(const Vec& d) const;
   /// A bound that falls short of the least value by the square of the cap's angle; none better than `enough`
   /// is sought. Cost: 0.1 us, 0.6 beside kinks.
   Bounds bounds(const Cap& cap, double enough) const;
-  /// A bound that reaches the least value itself if f has a local minimum near `start` that all of the cap is
-  /// close enough to; none better than `enough`, or than `width` below the value found, is sought. Costs 1
+  /// A bound that reaches the least value itself if f has a local minimum near `start`, and all of the
+  /// cap is close enough to it. Stops at a bound of `enough`, or `width` below the value found. Cost: 1
   /// us.
   Bounds bounds_by_minimum(const Cap& cap, const Vec& start, double enough, double width) const;
   /// Returns the local minimum that Newton's method reaches from `start`, on a kink within `sine` of it or on

@@ -26,7 +26,7 @@ struct Cell {
   int face;
   double s, t, half;
   double below;
-  Vec best;                                                        // where f was least
+  Vec best;                                                        // the direction of the least f so far
   bool tried = false;                                              // by a minimum nearby
   bool operator<(const Cell& o) const { return below > o.below; }  // the least bound first
 };
@@ -62,7 +62,7 @@ class Minimum {
   Minimum(const DirectionBounds& sphere, const Vec& delta, LeastValue& least)
       : sphere_(sphere), frame_(frame_on(delta)), least_(least) {}
 
-  /// Looks where f might be least, until it is found.
+  /// Evaluates f at directions at which it may be least, until the minimum is found.
   void guess(std::span<const Vec> directions) {
     for (const Vec& d : directions)
       if (!least_.is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d, least_.best, 0));
@@ -140,15 +140,15 @@ class Minimum {
   std::priority_queue<Cell> queue_;
 };
 
-// Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
+// For axes that are exactly parallel. The distances along the axis and across it decide everything.
 LeastValue parallel(const SearchPair<double>& p) {
   const Vec axis = normalized(p.axis0);
   const double height = dot(p.delta, axis);
   const Vec w = height < 0 ? -1.0 * axis : axis;
   const double along = std::fabs(height) - p.half0 - p.half1;
   const double radial = length(cross(p.delta, w)), across = radial - p.radius0 - p.radius1;
-  // Square to the axis again after the difference has lost digits; where nearly all were lost, any direction
-  // across is as good.
+  // Perpendicular to the axis again after the difference has lost digits. If nearly all were lost, any
+  // direction across is as good.
   Vec out = p.delta - dot(p.delta, w) * w;
   if (length(out) > 0) out = normalized(out);
   out = out - dot(out, w) * w;
@@ -172,9 +172,9 @@ double way_to_both(const SearchPair<double>& p, const Vec& x) {
   return beyond(p.axis0, p.radius0, p.half0, x) + beyond(p.axis1, p.radius1, p.half1, x - p.delta);
 }
 
-// What is found from a point of a: how far apart two points are, the nearest in most cases, and two
-// directions: from one to the other, and square to both rims there, which is exact if the points are too
-// close to tell.
+// The results of a search from a point of a. They are the distance of two points, the nearest in most cases,
+// and two directions. One goes from one point to the other. The other is perpendicular to both rims there,
+// which is exact if the points are too close for the first.
 struct Nearby {
   double apart;
   std::array<Vec, 2> directions;
@@ -190,9 +190,9 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
   return {n.apart, {normalized(between), normalized(length(square) > 0 ? square : between)}};
 }
 
-// |distance| where one guess shows that it is within the width asked for: apart the solids are no farther
-// than a point's way to both, and no deeper than f anywhere. Nearly touching pairs would take all of the
-// sphere's cells.
+// Encloses |distance| if one guess shows that it is within the given width. If the solids are apart, their
+// distance is at most the sum of the distances of a point from both. If they overlap, their depth is at most
+// f in any direction. Nearly touching pairs would else take all cells of the sphere.
 std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict, double relative_width) {
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
@@ -210,7 +210,7 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
   return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
 }
 
-// The distance of rounded solids is that of their cores less the roundings, at the same direction: the
+// The distance of rounded solids is that of their cores less the roundings, in the same direction. The
 // difference of the solids is that of the cores grown by a ball, which moves its whole boundary outward by
 // the radius.
 AttainedDistance shrunk_by_roundings(const Pair& pair, const Truth& truth, double relative_width) {
@@ -231,7 +231,7 @@ AttainedDistance shrunk_by_roundings(const Pair& pair, const Truth& truth, doubl
 }  // namespace
 
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
-  // untaken: a family's pairs are valid
+  // not covered: a family's pairs are valid
   if (truth.verdict == Verdict::invalid) return {};
   if (is_rounded(pair)) return shrunk_by_roundings(pair, truth, relative_width);
   int exponent = 0;
@@ -243,7 +243,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   LeastValue f{std::max(relative_width * size, slack)};
   if (size == 0) {
     const double apart = length(p.delta);
-    // untaken: points in one place touch, of which the gate asks no distance
+    // not covered: points in one place touch, and the gate asks for no distance of touching pairs
     f = {0, -apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
@@ -268,7 +268,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   const Vec& d = f.direction;
   const std::array<double, 3> direction{d.x, d.y, d.z};
   if (truth.verdict == Verdict::touching) return {{0, 0}, direction, f.cells};
-  // Back to the scene's unit, outward; then what the verdict alone tells.
+  // Converts to the scene's unit, rounded outward, then adds the bounds that the verdict alone gives.
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure e{next_down(std::ldexp(-f.best - slack, exponent)),
               next_up(std::ldexp(-f.floor + slack, exponent))};
@@ -278,14 +278,14 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
-  // untaken: that the distance is 0 the gate takes from the verdict
+  // not covered: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
   if (is_rounded(pair)) return attain_distance(pair, truth, relative_width).distance;
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
 
-// untaken within: for `check --distance`; the gate asks at widths of its own
+// not covered within: for `check --distance`. The gate asks at its own widths.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) return {0, 0};
   const double width = truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol;

@@ -18,9 +18,9 @@ inline constexpr R half_spacing = [] {
   for (int digit = 0; digit < std::numeric_limits<R>::digits; ++digit) half /= 2;
   return half * (1 + 2 * half);
 }();
-// The successor of x, or the number after it (Rump, Zimmermann, Boldo, Melquiond, BIT 49, 2009): |x| times
-// the above, rounded, is more than half the way from x to its successor, so that the sum is not rounded back
-// to x; where that product underflows, the least number is the whole way.
+// The successor of x, or the number after it (Rump, Zimmermann, Boldo, Melquiond, BIT 49, 2009). The rounded
+// product of |x| and half_spacing is more than half the way from x to its successor. So the sum is not
+// rounded back to x. If that product underflows, the least number is the whole way.
 template <class R>
 R next_up(R x) {
   using Limits = std::numeric_limits<R>;
@@ -63,7 +63,7 @@ struct BasicInterval {
     if (b.lo <= 0 && b.hi >= 0) return everything();
     if (b.hi < 0) return -a / -b;
     const R low = a.lo / (a.lo < 0 ? b.lo : b.hi), high = a.hi / (a.hi < 0 ? b.hi : b.lo);
-    // untaken: the filter divides by numbers above 2^-60
+    // not covered: the filter divides by numbers above 2^-60
     return std::isnan(low + high) ? everything() : outward(low, high);
   }
   friend BasicInterval sqrt(const BasicInterval& a) {

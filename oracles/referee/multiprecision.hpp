@@ -28,7 +28,7 @@ class PrecisionScope {
 inline constexpr mpfr_prec_t inline_bits_cap = 256;
 
 namespace multiprecision_detail {
-using Limbs = mp_limb_t[inline_bits_cap / GMP_NUMB_BITS];  // where is_inline()
+using Limbs = mp_limb_t[inline_bits_cap / GMP_NUMB_BITS];  // used if is_inline()
 inline bool is_inline(mpfr_srcptr v) { return mpfr_get_prec(v) <= inline_bits_cap; }
 inline void make_zero(mpfr_ptr v, Limbs& limbs, mpfr_prec_t bits) {
   if (bits > inline_bits_cap) {
@@ -52,8 +52,8 @@ class MpFloat {
     copy_digits(o);
   }
   MpFloat& operator=(const MpFloat& o) {
-    if (this == &o) return *this;  // untaken: the search assigns no number to itself
-    // untaken: the numbers of one search have one precision
+    if (this == &o) return *this;  // not covered: the search assigns no number to itself
+    // not covered: the numbers of one search have one precision
     if (mpfr_get_prec(v_) != mpfr_get_prec(o.v_)) {
       clear();
       make_zero(mpfr_get_prec(o.v_));
@@ -70,13 +70,13 @@ class MpFloat {
     o.make_zero(inline_bits_cap);
   }
   MpFloat& operator=(MpFloat&& o) noexcept {
-    if (is_inline() || o.is_inline()) return *this = o;  // untaken: they have one precision
+    if (is_inline() || o.is_inline()) return *this = o;  // not covered: they have one precision
     mpfr_swap(v_, o.v_);
     return *this;
   }
   ~MpFloat() { clear(); }
 
-  double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }  // untaken: for tests
+  double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }  // not covered: for tests
   /// The same number exactly. Throws nothing; the number is finite.
   mpq_class to_rational() const {
     mpq_class q;
@@ -121,7 +121,7 @@ class MpFloat {
   void clear() {
     if (!is_inline()) mpfr_clear(v_);
   }
-  // Takes numbers of the same precision, where the digits are not inline.
+  // Takes numbers of the same precision, if the digits are not inline.
   void copy_digits(const MpFloat& o) {
     if (!o.is_inline()) {
       mpfr_set(v_, o.v_, MPFR_RNDN);
@@ -146,7 +146,7 @@ class MpInterval {
     mpfi_set_d(v_, x);
   }
   explicit MpInterval(const mpq_class& x) : MpInterval() { mpfi_set_q(v_, x.get_mpq_t()); }
-  // untaken: results are built in place; the language wants it all the same
+  // not covered: results are built in place, but the language requires it
   MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_set(v_, o.v_); }
   MpInterval& operator=(MpInterval&& o) noexcept {
     mpfi_set(v_, o.v_);

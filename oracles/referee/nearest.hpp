@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The referee's own search for the nearest points of two cylinders without rounding that lie apart. What it
-// finds is a guess until it is checked; so one text serves double and every precision of MPFR.
+// The referee's own search for the nearest points of two cylinders without rounding that are apart. Its
+// result is a guess until it is checked. So one text serves double and every precision of MPFR.
 //
-// From any point of one solid to the nearest of the other and back never leads farther apart, but may take
-// long. So between such steps the pair of faces, sides and rims that the points lie on is taken for the right
-// one, and Newton's method goes to where their distance is stationary: twice the digits each step.
+// Steps to the nearest point of the other solid and back never increase the distance, but may be slow. So the
+// search alternates them with Newton's method. That takes the faces, sides and rims of the current points as
+// the right ones, and goes to the points at which their distance is stationary. Each step doubles the digits.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace cyl {
 
-/// Two points, relative to a's centre; how far apart they are.
+/// Two points, relative to a's centre, and their distance.
 template <class R>
 struct Nearest {
   Vec3<R> on_a, on_b;
@@ -52,10 +52,11 @@ struct Solid {
   }
 };
 
-/// Which part of a solid's surface a point lies on: within its side, its cap, or where both end.
+/// The part of a solid's surface that a point lies on: the inside of its side, the inside of its cap, or the
+/// edge between them.
 enum class Part : unsigned char { side, cap, rim };
 
-/// A point of a part, and how it moves: up to two tangents, and what the second derivative along each adds.
+/// A point of a part, with up to two tangents, and the second derivative along each.
 template <class R>
 struct Place {
   Vec3<R> at{};
@@ -63,7 +64,7 @@ struct Place {
   std::size_t count = 0;
 };
 
-/// `u`: the unit vector from the axis to the point; `end`: +1 or -1.
+/// `u` is the unit vector from the axis to the point. `end` is +1 or -1.
 template <class R>
 Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
   const Vec3<R> d = x - s.center;
@@ -98,14 +99,15 @@ Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
   return p;
 }
 
-/// Solves the symmetric system of up to four unknowns by elimination with pivots; what cannot be told is 0.
+/// Solves the symmetric system of up to four unknowns by elimination with pivots. An unknown that the system
+/// does not determine is 0.
 template <class R>
 std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n, int bits) {
   constexpr std::size_t none = 4;
   std::array<std::size_t, 4> pivot_of{none, none, none, none};
   std::array<bool, 4> used{};
-  // Angles and lengths differ in unit: each unknown is measured so that its own entry is 1, or what cannot be
-  // told would depend on the scale of the scene.
+  // Angles and lengths have different units. Each unknown is scaled so that its own entry is 1. Else the
+  // choice of undetermined unknowns would depend on the scale of the scene.
   std::array<R, 4> unit{R(1.0), R(1.0), R(1.0), R(1.0)};
   for (std::size_t i = 0; i < n; ++i) {
     const R d = abs(m[i][i]);
@@ -154,7 +156,7 @@ class Search {
       settled_ = settled_ * R(std::ldexp(1.0, -std::min(2 * left, 1000)));
   }
 
-  /// From points that are nearly right, on the parts that they lie on.
+  /// Starts from points that are nearly right, and keeps the parts on which they lie.
   Nearest<R> refine(const Vec3<R>& on_a, const Vec3<R>& on_b) {
     take(on_a);
     take(a_.nearest(on_b));
@@ -184,7 +186,7 @@ class Search {
     return !at_cap ? Part::side : at_side ? Part::rim : Part::cap;
   }
 
-  // x on a or near it: the nearest of a, and of b to that.
+  // `x` is on a or near it. Takes the nearest point of a, and the point of b nearest to that.
   void take(const Vec3<R>& x) {
     const Vec3<R> on_a = a_.nearest(x), on_b = b_.nearest(on_a);
     const R apart = length(on_b - on_a);
@@ -192,7 +194,7 @@ class Search {
     started_ = true;
   }
 
-  // Newton's method with the points on these parts; kept where it has brought them nearer.
+  // Newton's method with the points on these parts. Its result is kept if the points are nearer.
   void follow(Part part_a, Part part_b) {
     Vec3<R> x = best_.on_a, y = best_.on_b;
     for (int step = 0; step < 10 + bits_ / 64; ++step) {
@@ -217,7 +219,7 @@ class Search {
       y = q.at;
       for (std::size_t i = 0; i < p.count; ++i) x = x + by[i] * p.tangent[i];
       for (std::size_t i = 0; i < q.count; ++i) y = y + by[p.count + i] * q.tangent[i];
-      // Twice as many digits are right after a step: after one below half of them, all are.
+      // A step doubles the right digits. So after a step below half of the digits, all are right.
       R moved(0.0);
       for (std::size_t i = 0; i < n; ++i) moved = moved + by[i] * by[i] * dot(tangent(i), tangent(i));
       if (!(moved > settled_)) break;
@@ -235,13 +237,13 @@ class Search {
 
 }  // namespace nearest_detail
 
-/// `start`: any point, relative to a's centre. Cost in double: some 10 us.
+/// `start` is any point, relative to a's centre. Cost in double: some 10 us.
 template <class R>
 Nearest<R> find_nearest(const SearchPair<R>& p, int bits, const Vec3<R>& start) {
   return nearest_detail::Search<R>(p, bits).run(start);
 }
 
-/// The same from points found with fewer bits. Cost: a twentieth of that.
+/// The same from points that were found with fewer bits. Cost: a twentieth of that.
 template <class R>
 Nearest<R> refine_nearest(const SearchPair<R>& p, int bits, const Vec3<R>& on_a, const Vec3<R>& on_b) {
   return nearest_detail::Search<R>(p, bits).refine(on_a, on_b);

@@ -23,7 +23,7 @@ Hulls hulls_of(const MethodAnswer& answer) { return {answer.hulls[0], answer.hul
 
 bool in_space(const MethodAnswer& answer) { return hulls_of(answer) == Hulls{}; }
 
-// The point that is offered, which is finite; none where its hulls do not meet.
+// Returns the offered point, which is finite. Returns nothing if its hulls have no common point.
 std::optional<Rational3> offered_point(const Pair& pair, const MethodAnswer& answer) {
   const Rational3 given = sum(answer.head, answer.tail);
   if (in_space(answer)) return given;
@@ -40,7 +40,7 @@ enum class Certificates : bool { left_out, written };
 
 std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, const MethodAnswer& answer,
                                      Certificates certificates) {
-  // untaken: our answers are finite; others' may be anything
+  // not covered: our answers are finite, but those of other methods may not be
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::points && (!finite(answer.other_head) || !finite(answer.other_tail)))
     return std::nullopt;
@@ -61,13 +61,13 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
   if (!filter.overlap_at(answer.head, answer.tail, hulls_of(answer))) return std::nullopt;
   if (certificates == Certificates::left_out) return verdict_alone(Verdict::intersecting);
   const auto point = offered_point(pair, answer);
-  if (!point) return std::nullopt;  // untaken: the filter saw the hulls meet
+  if (!point) return std::nullopt;  // not covered: the filter saw the hulls meet
   return proved(Verdict::intersecting, exact_vector(*point), Stage::filter, 53);
 }
 
 // A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
 std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
-  // untaken: our answers are finite; others' may be anything
+  // not covered: our answers are finite, but those of other methods may not be
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::direction &&
       separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
@@ -76,7 +76,7 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
   if (answer.witness == CertificateKind::points) return check_points_exactly(pair, answer);
   if (answer.witness != CertificateKind::point) return std::nullopt;
   const auto point = offered_point(pair, answer);
-  // untaken: our answers are finite, and points of both solids; others' may be anything
+  // not covered: our answers are finite points of both solids, but those of other methods may not be
   if (!point || !in_both_exact(pair, *point) || !overlap_at(pair, *point)) return std::nullopt;
   return proved(Verdict::intersecting,
                 in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
@@ -92,8 +92,9 @@ std::optional<Truth> check_offers(const Pair& pair, std::span<const MethodAnswer
   return std::nullopt;
 }
 
-// A common point found from a guess: the guess rounded to a's centre plus a double (short, and good enough
-// for all but the closest calls), or moved exactly into the flat solids' lines and planes.
+// A common point found from a guess. It is the guess rounded to a's centre plus a double, which is short, and
+// good enough for all but the closest calls. Or it is the guess moved exactly into the lines and planes of
+// the flat solids.
 struct CommonPoint {
   Rational3 point;
   ExactVector written;
@@ -137,7 +138,7 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   // No rational point was found. One within 2^-200 size of both solids is what a search at this precision
   // returns.
   Rational3 near_point, near_direction;
-  // untaken: touching solids show their point at any precision
+  // not covered: touching solids show their point at any precision
   if (!search_in_multiprecision(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
   t.certificate.kind = CertificateKind::near;
   t.certificate.vector = exact_vector(near_point);
@@ -209,8 +210,8 @@ std::optional<Truth> prove_in_long_double(const Pair& pair, const Guess& guess) 
   return std::nullopt;
 }
 
-// The first convergent of the continued fraction of x, near 1 or less, that double does not tell from it by
-// more than the tolerance.
+// The first convergent of the continued fraction of x that differs from x by at most the tolerance, in
+// double. x must be near 1 or less.
 mpq_class simple_near(double x) {
   constexpr double tolerance = 0x1p-32;  // so that numerator and denominator are small
   double p0 = 0, q0 = 1, p1 = 1, q1 = 0, rest = x;
@@ -223,10 +224,10 @@ mpq_class simple_near(double x) {
   return mpq_class(mpz_class(p1), mpz_class(q1));
 }
 
-// By algebra at simple points near those that double found. Solids with a plane between them touch or are
-// disjoint: no point is needed to tell.
+// By algebra at simple points near the points that double found. Solids with a plane between them touch or
+// are disjoint, and no point is needed to decide that.
 std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
-  // Where lengths are extreme double may have found nothing.
+  // If lengths are extreme, double may have found nothing.
   const auto known = [](const Vec3<double>& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   };
@@ -259,9 +260,9 @@ std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   return std::nullopt;
 }
 
-// Cores that meet have the first word: any common point will do. Then algebra, which settles ties; then the
-// nearest points. Where the cores are as near to touching as a small room, the search for those takes long
-// and shows nothing that this one does not show with more bits.
+// Cores that meet come first, because any common point is a proof. Then comes algebra, which settles ties,
+// then the nearest points. If the cores are as near to touching as a small contact distance, the search for
+// those points takes long. It shows nothing that this one does not show with more bits.
 Truth judge_rounded(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
@@ -296,7 +297,7 @@ Truth judge_in_full(const Pair& pair, int bits_cap) {
       if (auto t = prove_disjoint(pair, direction, bits)) return *t;
     if (!found.has_point) continue;
     const auto common = common_point(pair, point);
-    // Where the point does not rule touching out, the algebra has the word.
+    // If the point does not exclude touching, algebra decides.
     if (common && overlap_at(pair, common->point))
       return proved(Verdict::intersecting, common->written, Stage::exact, bits);
     if (common || bits <= tangency_bits)
@@ -313,14 +314,14 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   Guess guess;
   if (auto t = prove_in_double(pair, Filter(pair), offered, Certificates::written, guess))
     return std::move(*t);
-  // untaken: tests ask with that cap
+  // not covered: tests ask with that cap
   if (bits_cap >= first_multiprecision_bits)
     if (auto t = check_offers(pair, offered)) return std::move(*t);
   return judge_in_full(pair, bits_cap);
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
-  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);  // untaken: a family's pairs are valid
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);  // not covered: a family's pairs are valid
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
@@ -334,10 +335,10 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
-  if (!is_legal(pair)) return Verdict::undecided;  // untaken: a family's pairs are valid
+  if (!is_legal(pair)) return Verdict::undecided;  // not covered: a family's pairs are valid
   if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
-  // Of a gap too small for the bits of that.
+  // For a gap that is too small for those bits.
   if (answer.status == Status::answered && answer.witness == CertificateKind::direction &&
       finite(answer.head)) {
     const Rational3 d = sum(answer.head, no_tail);
@@ -346,11 +347,11 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (answer.status == Status::answered && answer.witness == CertificateKind::points && finite(answer.head) &&
       finite(answer.tail) && finite(answer.other_head) && finite(answer.other_tail))
     return points_show_contact(pair, answer) ? Verdict::intersecting : Verdict::undecided;
-  // untaken: our answers are finite, and points of both solids; others' may be anything
+  // not covered: our answers are finite points of both solids, but those of other methods may not be
   if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
       finite(answer.tail)) {
     const auto point = offered_point(pair, answer);
-    // untaken: the same
+    // not covered: the same
     if (point && in_both_exact(pair, *point)) return Verdict::intersecting;
   }
   return Verdict::undecided;

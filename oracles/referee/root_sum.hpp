@@ -10,8 +10,8 @@
 
 namespace cyl {
 
-/// A number of that form. + - * stay exact; sign() is exact: whether it is 0 is decided by algebra, which
-/// side of 0 it lies on by intervals, which are tried first.
+/// A number of that form. + - * stay exact, and so does sign(). Algebra decides whether the number is 0,
+/// intervals decide its sign. The intervals are tried first.
 class RootSum {
  public:
   RootSum() = default;
@@ -40,7 +40,7 @@ class RootSum {
   // Joins the term with one whose q makes a rational square with its own. The joined ones stay so.
   void add(const mpq_class& c, const mpq_class& q);
   RootSum joined() const;
-  int sign_within(int bits) const;  // 0 where intervals of that many bits do not tell
+  int sign_within(int bits) const;  // 0 if intervals of that many bits contain 0
   std::vector<Term> terms_;         // q >= 0
 };
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The referee's own search for a certificate: a direction that separates, or a common point. What it finds is
-// a guess until it is checked; so it is free to be approximate, and one text serves double and every
-// precision of MPFR.
+// The referee's own search for a certificate: a direction that separates, or a common point. Its result is a
+// guess until it is checked. So it may be approximate, and one text serves double and every precision of
+// MPFR.
 //
-// Planes parallel to both axes cut each solid in a rectangle; the solids meet iff in some plane the
-// rectangles do. With u the height of the plane above C0 along the common normal, the rectangles' four
-// separating axes give four concave functions of u, and the height that maximises the least of them decides.
-// Here that height is bracketed by the sign of the slope, and by halving in turn with the meeting point of
-// tangents, Newton's step where one function is least at both ends, or, beside a rim, a square of the
-// distance to it.
+// Planes parallel to both axes cut each solid in a rectangle. The solids meet iff the rectangles meet in some
+// plane. Let u be the height of the plane above C0 along the common normal. The four separating axes of the
+// rectangles give four concave functions of u. The height that maximises the least of them decides. The
+// search brackets that height by the sign of the slope. It halves the bracket in turn with one of three
+// steps:
+// 1. to the point at which the tangents meet,
+// 2. by Newton's method, if one function is the least at both ends,
+// 3. beside a rim, to a square of the distance to it.
 #pragma once
 
 #include <algorithm>
@@ -21,22 +23,24 @@
 
 namespace cyl {
 
-/// A pair in numbers of one kind; axes of any length; b's centre relative to a's; half heights.
+/// A pair in numbers of one kind. The axes may have any length. b's centre is relative to a's. Heights are
+/// halved.
 template <class R>
 struct SearchPair {
   Vec3<R> axis0, axis1, delta;
   R radius0, half0, radius1, half1;
 };
 
-/// A legal pair in double, all lengths times 2^-exponent so that the largest is near 1, the axes near unit
-/// length. Where that makes numbers subnormal they are rounded: good for searching, no proof.
+/// A legal pair in double, with all lengths times 2^-exponent so that the largest is near 1, and the axes
+/// near unit length. Numbers that become subnormal are rounded. This is good for a search, but not for a
+/// proof.
 SearchPair<double> double_pair(const Pair& pair, int& exponent);
 
-/// Where the rims of a cross those of b, seen along a's axis, from a's centre: faces at a tiny angle may be
-/// nearest there alone.
+/// The points at which the rims of a cross the rims of b, seen along a's axis, from a's centre. Faces at a
+/// tiny angle may be nearest only there.
 std::array<Vec3<double>, 4> crossings_of_rims(const SearchPair<double>& p);
 
-/// What the search offers; either may be absent, both are offered near touching.
+/// The result of a search. Either may be absent. Near touching it has both.
 template <class R>
 struct Found {
   bool has_direction = false, has_point = false;
@@ -69,7 +73,7 @@ template <class R>
 struct Cut {
   R u, b0, b1;          // height, half widths
   R value, slope;       // of the least function
-  R tilt0, tilt1;       // u/b0, v/b1 of the two widths, 0 where the width is
+  R tilt0, tilt1;       // u/b0, v/b1 of the two widths; 0 if the width is 0
   bool steep0, steep1;  // the width is 0 at the rim of its disk: tilt without bound
   int least;
 };
@@ -105,7 +109,7 @@ bool overlap(const Point2<R>& center, const Point2<R>& along, const Point2<R>& a
       }
     }
     corners.swap(kept);
-    // untaken: rectangles are cut with fine_ of room, where the least function is above -fine_
+    // not covered: rectangles are cut with a margin of fine_, and the least function is above -fine_
     if (corners.empty()) return false;
   }
   mean = {R(0), R(0)};
@@ -238,16 +242,16 @@ class Search {
 
   void offer_slice_point(const Cut<R>& cut) {
     Point2<R> mean;
-    // untaken: the same
+    // not covered: the same
     if (overlap<R>({dot(p_.delta, w0_), dot(p_.delta, m0_)},
                    {p_.half1 * dot(w1_, w0_), p_.half1 * dot(w1_, m0_)},
                    {cut.b1 * dot(m1_, w0_), cut.b1 * dot(m1_, m0_)}, p_.half0, cut.b0, fine_, mean))
       offer_point(mean.x * w0_ + mean.y * m0_ + cut.u * n_);
   }
 
-  // D for one slice that is as high as it gets: at the rim of one disk the other gives the tilt, at both rims
-  // a steep enough tilt does (r sqrt(A^2 + t^2) - r t < r A^2/(2t)); there both parts of D are given times k,
-  // or a tiny k would make the tilt infinite.
+  // The direction D for a slice that is the highest. At the rim of one disk, the other disk gives the tilt.
+  // At both rims, a steep enough tilt does (r sqrt(A^2 + t^2) - r t < r A^2/(2t)). There both parts of D are
+  // multiplied by k, because a tiny k would make the tilt infinite.
   void offer_peak(const Cut<R>& t) {
     const Line<R>& line = line_of(t);
     if (t.b0 == zero_ && t.b1 == zero_ && line.k > zero_ && p_.radius0 + p_.radius1 > zero_)
@@ -264,7 +268,7 @@ class Search {
       offer_direction(n_);
     }
     const Cut<R> left = cut_at(lo), right = cut_at(hi);
-    // untaken: of one slice the two slopes are the same
+    // not covered: of one slice the two slopes are the same
     if (left.slope <= zero_ || right.slope >= zero_ || lo == hi) {
       const Cut<R>& peak = left.slope <= zero_ ? left : right;
       if (peak.value < fine_ || lo == hi) {
@@ -283,10 +287,10 @@ class Search {
   void bracket_peak(Cut<R> left, Cut<R> right) {
     Cut<R> best = left.value < right.value ? right : left;
     const R radii = p_.radius0 + p_.radius1, rounding = fine_ / R(256);
-    // untaken: lo < hi, so that a radius is positive
+    // not covered: lo < hi, so that a radius is positive
     R next = radii > zero_ ? R(z_ * p_.radius0 / radii) : zero_;
     if (!(next > left.u && next < right.u)) next = (left.u + right.u) / two_;
-    // untaken: no pair that was ever seen comes to the cap
+    // not covered: no pair that was ever seen comes to the cap
     for (int step = 0; step < 3 * bits_ + 20; ++step) {
       const Cut<R> t = cut_at(next);
       ++found_.slices;
@@ -320,26 +324,27 @@ class Search {
         }
       }
       if (!(guess > left.u && guess < right.u)) guess = middle;
-      // untaken: rounding ends it first
+      // not covered: rounding ends it first
       if (!(guess > left.u && guess < right.u) || width < fine_ * fine_ / size_) break;
       next = guess;
     }
     if (best.value > -fine_) offer_slice_point(best);
   }
 
-  /// Where the function that is least at `t` is level, by a step of Newton's. Not at a rim.
+  /// Returns the height at which the function that is least at `t` is level, by one step of Newton's method.
+  /// Not for a rim.
   R level_after(const Cut<R>& t) const {
     const Line<R>& line = line_of(t);
     R bend = zero_;
-    // untaken: within the bracket both are positive
+    // not covered: within the bracket both are positive
     if (t.b0 > zero_) bend = line.a * (one_ + t.tilt0 * t.tilt0) / t.b0;
-    // untaken: the same
+    // not covered: the same
     if (t.b1 > zero_) bend = bend + line.b * (one_ + t.tilt1 * t.tilt1) / t.b1;
     return t.u + t.slope / bend;
   }
 
-  /// WitnessSet the direction of which the two tangents, mixed by `lambda`, show that f is at most `bound`;
-  /// true where that separates by more than rounding.
+  /// Offers the direction for which the two tangents, mixed by `lambda`, show that f is at most `bound`.
+  /// Returns true if that separates by more than rounding.
   bool offer_between(const Cut<R>& left, const Cut<R>& right, const R& lambda, const R& bound) {
     if (!(bound < zero_)) return false;
     const Line<R>&j = line_of(left), &k = line_of(right);
@@ -351,8 +356,8 @@ class Search {
     return bound < -fine_;
   }
 
-  /// The same where the bracket ends at a disk's `rim`, beside which widths grow without bound: one tangent
-  /// may show it alone, tilted as the other solid is at `t`.
+  /// The same if the bracket ends at a disk's `rim`, beside which widths grow without bound. One tangent may
+  /// show it alone, tilted as the other solid is at `t`.
   bool offer_beside(const Cut<R>& rim, const Cut<R>& t, const R& bound) {
     if (!(bound < zero_)) return false;
     const Line<R>& line = line_of(t);
@@ -374,8 +379,8 @@ class Search {
 
 }  // namespace search_detail
 
-/// Searches with `bits` of precision; R's own precision is at least that. Cost: 3 slices of 2 square roots on
-/// random pairs, in the mean 13 near touching, up to about 100 where lengths or angles are extreme.
+/// Searches with `bits` of precision. R must have at least as many. Cost: 3 slices of 2 square roots on
+/// random pairs, in the mean 13 near touching, up to about 100 for extreme lengths or angles.
 template <class R>
 Found<R> search(const SearchPair<R>& p, int bits) {
   return search_detail::Search<R>(p, bits).run();

@@ -12,7 +12,8 @@ namespace cyl {
 /// A direction D with f(D) <= 0 exactly: a plane square to it has one solid on each closed side.
 struct Tangency {
   Rational3 direction;
-  bool meet;  ///< f(D) = 0, and the solids share a point of that plane: touching; else they are disjoint
+  bool
+      meet;  ///< f(D) = 0, and the solids share a point of that plane, so they touch. Else they are disjoint.
 };
 
 /// Looks for D among the rational directions that the pair and the guessed points of a's and of b's core

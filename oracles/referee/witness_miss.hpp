@@ -9,10 +9,12 @@
 
 namespace cyl {
 
-/// Returns the miss of the witness of an answer, relative to the size: of a direction f of it at unit length,
-/// which separates where it is negative; of a point how far beyond a cap or a wall it lies, negative within
-/// both solids. In 512 bits, which no cancellation of doubles near 1 uses up; rounded. Nothing where there is
-/// no witness, a point in hulls, a number that is not finite, or no size.
+/// Returns how far the witness of an answer is from a proof, relative to the size.
+/// 1. For a direction: f of it at unit length. It separates if that is negative.
+/// 2. For a point: how far it lies outside a cap or a wall, negative inside both solids.
+/// 3. Returns nothing without a witness, for a point in hulls, for a number that is not finite, and for a
+///    size of 0.
+/// Computed in 512 bits, more than the cancellation of doubles near 1 can lose, then rounded.
 std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer);
 
 }  // namespace cyl

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which methods share an algorithm, as far as their errors tell: those that are wrong on the same pairs in
-// the same way are one group. The pairs never change, so that the groups depend on the build alone and not on
-// what a run happened to find.
+// Groups methods that share an algorithm, as far as their errors show: methods that are wrong on the same
+// pairs in the same way are one group. The pairs are fixed. So the groups depend only on the build, and not
+// on the findings of a run.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,16 @@ namespace cyl {
 /// Returns "fcl" of "fcl-libccd-tol1e-10".
 std::string_view library_of(std::string_view method);
 
-/// Returns whether two names differ in a setting alone, by the rule <library>[-<way>][-<setting>]: one begins
-/// with the other and '-', or both with the same library and way.
+/// Returns whether two names differ in a setting alone, by the rule <library>[-<way>][-<setting>]. They do if
+/// one is the other with '-' and more, or if both have the same library and way.
 bool differ_in_setting(std::string_view x, std::string_view y);
 
-/// Returns for each method the first one of its shared-algorithm group. A group holds methods that differ in
-/// a setting, those of one library of which one is hardly ever wrong where the other is right, and those of
-/// different libraries that are moreover wrong about equally often. A guest is grouped by its name alone, and
-/// changes no group of others. Cost: every method but guests is asked, contained, about 400 pairs near
-/// touching; about a second with those of all_methods().
+/// Returns for each method the first method of its shared-algorithm group. A group holds
+/// 1. methods that differ in a setting,
+/// 2. methods of one library, if one is hardly ever wrong on a pair on which the other is right,
+/// 3. methods of different libraries for which 2 holds, and which are wrong about equally often.
+/// A guest is grouped by its name alone, and changes no other group. Cost: all methods but guests are asked,
+/// contained, about 400 pairs near touching. That is about a second for all_methods().
 std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods);
 
 }  // namespace cyl

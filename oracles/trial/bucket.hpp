@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bucket key: findings with one cause, as far as we can tell, have one key. It is taken from a simplified
-// pair: what is still extreme there is what matters.
+// The bucket key: findings that seem to have one cause have one key. The key is taken from a simplified pair.
+// A property that is still extreme there is part of the cause.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@
 
 namespace cyl {
 
-/// The one coordinate that still matters: the first in this order. What places and sizes the whole scene
-/// comes before what tells the solids apart, and the margin last, because most findings are near touching.
+/// The one coordinate that still matters: the first that applies, in this order. Position and size of the
+/// whole scene come before differences between the solids. The margin comes last, because most findings are
+/// near touching.
 enum class Coordinate : unsigned char {
   offset,  ///< both centres beyond offset_size_margin sizes from the origin, and nearer to each other than to
            ///< it
@@ -32,20 +33,20 @@ constexpr auto words_of(Coordinate) noexcept {
 /// Relative to the size.
 inline constexpr double offset_size_margin = 100;
 
-/// Returns the coordinate of a legal pair; `margin`: |signed distance| / size, or a bound of it from above.
+/// Returns the coordinate of a legal pair. `margin` is |signed distance| / size, or an upper bound of it.
 Coordinate coordinate_of(const Pair& simplified, double margin);
 
-/// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure`: a finding's kind or a law's name; the
-/// feature is "unknown" where there is none.
+/// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure` is a finding's kind or a law's name. Without
+/// a feature, "unknown" takes its place.
 std::string bucket_key(std::string_view method, std::string_view failure,
                        std::optional<ContactFeature> feature, Coordinate coordinate);
 
-/// Returns the key of a pair: what meets and what matters are looked up. Cost: that of an enclosure of the
-/// distance.
+/// Returns the key of a pair. It finds the contact feature and the coordinate itself. Cost: that of an
+/// enclosure of the distance.
 std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair);
 
-/// Returns twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its
-/// FNV-1a hash, four a letter, the highest first.
+/// Returns twelve letters a to p that stand for the key, for tools that mangle digits. They are the low 48
+/// bits of its FNV-1a hash, four bits a letter, the highest first.
 std::string letter_hash(std::string_view key);
 
 }  // namespace cyl

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The planes that failure maps are drawn on, and where on them a pair lies. A place is no verdict: margins
-// are the solver's own, so that the places of pairs closer to touching than its rounding (about 1e-14 of
-// their size) are no more than near.
+// The planes of the failure maps, and the place of a pair on them. A place is not a verdict. Margins come
+// from the solver, so the place of a pair is approximate if the pair is closer to touching than the solver's
+// rounding, about 1e-14 of its size.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ struct CellAxis {
   std::vector<std::string> labels;
 };
 
-/// Returns the bins of the margin |signed distance| / size: decades d of (10^(-d-1), 10^-d], from 0, all
-/// above 0.1, to 16, all up to 1e-16; then what is proved to touch.
+/// The bins of the margin |signed distance| / size. Bin d is the decade (10^(-d-1), 10^-d]. Bin 0 also has
+/// all above 0.1, bin 16 all up to 1e-16. Bin 17 has the pairs that are proved to touch.
 inline constexpr int margin_bins = 18, touching_bin = 17;
 CellAxis margin_axis();
 CellAxis x_axis(Plane plane);
@@ -41,13 +41,14 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// Returns where a legal pair lies, in the order of `planes`; `truth` is its proved verdict.
-///   angle  of the lines of the axes: exactly parallel, decades of the sine, oblique, decades of the cosine,
-///          exactly perpendicular
-///   aspect the largest of: diameter to height or height to diameter of either solid, and size of one solid
-///          (radius + height) to that of the other; infinite where a length is 0
-///   scale  size of the pair; offset: the largest coordinate of a centre over it
+/// Returns the place of a legal pair on each plane, in the order of `planes`. `truth` is its proved verdict.
 /// Cost: that of the solver's distance, and 0.1 us.
+/// * angle: that of the lines of the axes. Exactly parallel, decades of the sine, oblique, decades of the
+///   cosine, exactly perpendicular.
+/// * aspect: the largest of three ratios, infinite if a length is 0. They are diameter to height of either
+///   solid, height to diameter, and size of one solid (radius + height) to that of the other.
+/// * scale: the size of the pair.
+/// * offset: the largest coordinate of a centre, divided by the size.
 std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holds a method's answer against the proved truth: what is wrong with it, if anything, and whether its own
-// claim allows that. Only proofs refute: where the truth is undecided nothing is wrong.
+// Compares a method's answer with the proved truth: finds the fault of the answer, and whether the method's
+// claim covers it. Only proofs refute. If the truth is undecided, no answer is wrong.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,34 @@ namespace cyl {
 
 struct Trial;
 
-/// Returns what is wrong with `answer`, the worst first; nothing where it is right, declined or may be
-/// undecided, or where nothing is proved. The distance is enclosed only where the finding's severity or an
-/// offered distance depends on it, and is most of the cost. Throws nothing of its own.
+/// Returns the worst fault of `answer`.
+/// 1. Returns nothing if the answer is right, declined or allowed to be undecided, or if no verdict is
+///    proved.
+/// 2. Encloses the distance only if the finding's severity or an offered distance depends on it. That is most
+///    of the cost.
+/// 3. Throws only what Trial throws.
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
-/// Returns the finding that a failure is.
+/// Returns the kind of finding of a failure.
 FindingKind finding_of(Failure failure);
 
-/// Relative to the size: what a claim with an absolute length is allowed at least, since `intersect` claims
-/// no less of itself.
+/// Relative to the size. A claim with an absolute length is allowed at least this, because `intersect` claims
+/// no less.
 inline constexpr double claim_floor = 1e-13;
 
-/// Returns the length below which the claim promises nothing of a pair of this size, rounded up; exactly 0
+/// Returns the length below which the claim promises nothing for a pair of this size, rounded up. Exactly 0
 /// for a claim of 0/0.
 double reach(const Claim& claim, double size);
 
-/// Returns |signed distance| of a pair whose verdict is proved, enclosed as narrowly as it takes to tell
-/// whether it reaches `length` (or as narrowly as is ever asked).
+/// Returns |signed distance| of a pair whose verdict is proved. The enclosure is narrow enough to decide
+/// whether it reaches `length`, or as narrow as any that is computed.
 Enclosure magnitude_against(double length, Trial& trial);
 
-/// Returns the error of the distance said that the answer's `error_bound` bounds; `real` holds the distance.
+/// Returns the error that the answer's `error_bound` bounds, if `real` encloses the true distance.
 Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer);
 
-/// Returns whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
+/// Returns whether two answers to one question are equal, bit for bit. Reasons are not compared, and every
+/// answer equals a hang.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
 
 }  // namespace cyl

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From which margin on a method that decides `above_1e13` may not be undecided: if the solids are apart by
-// 1e-13 of the size, or have a ball of that radius in common. If a solid is flat, a disk or a segment of that
-// radius takes the place of the ball.
+// The margin from which a method that decides `above_1e13` must decide: the solids are apart by 1e-13 of the
+// size, or have a ball of that radius in common. If a solid is flat, a disk or a segment of that radius takes
+// the place of the ball.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ namespace cyl {
 /// bound of the distance lose to rounding.
 inline constexpr double resolved_margin = 1.01e-13;
 
-/// Returns the points of the solid around which a ball of radius `least` fits: the solid, smaller by that on
-/// all sides. If the solid is no thicker than that, a disk or a segment takes the place of the ball. Returns
-/// nothing for a solid between the two, and for a point.
+/// Returns the points of the solid around which a ball of radius `least` fits. They are the solid, smaller by
+/// `least` on all sides. If the solid is at most that thick, a disk or a segment takes the place of the ball.
+/// Returns nothing for a solid between the two, and for a point.
 std::optional<Cylinder> core(Cylinder c, double least);
 
 /// Returns both cores. Returns nothing if nothing is promised: if both solids are flat, or the sum of the

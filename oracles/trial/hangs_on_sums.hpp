@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a failure is the library's own, or hangs on the last bit of what our adapter computes for it.
+// Finds out whether a failure is the library's own, or depends on the last bit of our adapter's sums.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace cyl {
 
-/// Asks once more, contained, with the sums of our support function in another order, and returns whether the
-/// method does not fail so. Nothing if its library asks no support function of ours.
+/// Asks once more, contained, with the sums of our support function in another order. Returns whether this
+/// failure is then absent. Returns nothing if the library does not call our support function.
 std::optional<bool> hangs_on_our_sums(std::string_view method, FindingKind kind, const Pair& pair);
 
 }  // namespace cyl

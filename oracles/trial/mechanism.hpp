@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why a method is wrong on a pair, as far as a few more questions tell: it is asked about the pair moved,
-// made larger and smaller, and its other settings are asked about the pair.
+// Finds out why a method is wrong on a pair, as far as a few more questions show. The method is asked about
+// the pair moved, enlarged and reduced. Its other settings are asked about the pair.
 #pragma once
 
 #include <array>
@@ -23,25 +23,25 @@ struct Trial;
 /// The first that applies, in this order.
 enum class Mechanism : unsigned char {
   gone,             ///< not wrong today
-  offset,           ///< right where both solids are moved to the origin together
+  offset,           ///< right if both solids are moved to the origin together
   iteration_cap,    ///< its search ended by its own cap on steps
-  underflow,        ///< right at a larger size, which is below 2^-128 all the same
-  overflow,         ///< right at a smaller size, which is above 2^128 all the same
-  absolute_length,  ///< right where both solids are made larger or smaller
+  underflow,        ///< right at a larger size that is still below 2^-128
+  overflow,         ///< right at a smaller size that is still above 2^128
+  absolute_length,  ///< right if both solids are made larger or smaller
   rounding,         ///< wrong below rounding_margin, at any size that was tried
   setting,          ///< another setting of the same algorithm is right
   unclassified,     ///< none of these
-  model  ///< right about the solids that it models, whose edges it rounds on purpose; before all others
+  model  ///< right about the solids that it models, whose edges it rounds on purpose; comes before all others
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
                     "rounding", "setting", "untold",        "model"};
 }
 
-/// Relative to the size: errors no larger are what double computations of some steps leave.
+/// Relative to the size. Double computations of some steps leave errors up to this.
 inline constexpr double rounding_margin = 1e-12;
 
-/// The same for people: "a fixed length in it: ...".
+/// Returns the same in words: "a fixed length in it: ...".
 std::string_view in_words(Mechanism m) noexcept;
 
 /// A pair and the method that is wrong on it.
@@ -51,68 +51,74 @@ struct Failing {
   Pair pair;
 };
 
-/// All lengths times 2^wrong: not right; times 2^right: right. `right` is the nearest that was seen.
+/// With all lengths times 2^wrong the method is not right, times 2^right it is. `right` is the nearest one
+/// found.
 struct ScaleCure {
   int wrong, right;
 };
 
-/// What further questions told of a failure.
+/// The result of further questions about a failure.
 struct Classification {
   Mechanism mechanism = Mechanism::unclassified;
-  /// The method that is right with another setting, whatever the mechanism.
+  /// The method that is right with another setting, for any mechanism.
   std::optional<std::size_t> right_sibling;
   bool capped = false;  ///< its search ended by its own cap
   bool right_at_origin = false;
-  Pair base;                                 ///< the pair, at the origin where it fails there too
-  std::optional<ScaleCure> smaller, larger;  ///< of that
+  Pair base;                                 ///< the pair, moved to the origin if it fails there too
+  std::optional<ScaleCure> smaller, larger;  ///< of `base`
 };
 
-/// Returns whether the method is right on the pair of `after`, which is the failing one changed so that its
-/// truth stays: that it fails otherwise, or does not answer, cures nothing. A distance must be right by the
-/// claim, and off by half as much at most, relative to the size. Both are trials of one method.
+/// Returns whether the method is right on the pair of `after`, the failing pair after a change that keeps its
+/// truth.
+/// 1. Another failure, or no answer, is not a cure.
+/// 2. A distance must be right by the claim, and its error at most half as large, relative to the size.
+/// Both are trials of one method.
 bool cures(const Trial& failing, Trial& after);
 
-/// Returns whether the other fails as the first does: in the same kind, and where it broke, by the same words
-/// but for numbers that are no codes.
+/// Returns whether the other trial fails as the first does: with the same kind. If the library broke, its
+/// words must also be the same, except for numbers other than codes.
 bool fails_alike(const Trial& failing, const Trial& other);
 
-/// "right once scaled down to a size of 12 (..), wrong at a size of 24 (..)"; empty where no scale cures it.
+/// Returns "right once scaled down to a size of 12 (..), wrong at a size of 24 (..)". Empty if no scale cures
+/// it.
 std::string scale_in_words(const Classification& found, const Trial& failing);
 
-/// Methods, and for each the first of those that share its algorithm (algorithm_groups()).
+/// Methods, with the first method of each one's shared-algorithm group (algorithm_groups()).
 struct GroupedMethods {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const std::size_t> groups;
 };
 
-/// Returns the classification of each failure, a pure function of it, hangs excepted. Cost: two rounds of
-/// some 25 questions a failure for all together, in one worker, or in those of an asker of all methods.
+/// Returns the classification of each failure. It is a pure function of the failure, except for hangs. Cost:
+/// two rounds of some 25 questions a failure for all together, in one worker, or in those of an asker of all
+/// methods.
 std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
                                      std::span<const Failing> failing, const Caps& caps);
 std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
                                      std::span<const Failing> failing, Asker& asker);
-/// Returns the same of one, with the two ends of each cure by scale neighbours: some 40 questions more.
+/// Returns the same for one failure. Each cure by scale is narrowed to neighbouring powers of two: some 40
+/// questions more.
 Classification classify_closely(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
                                 const Caps& caps);
 
-/// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
+/// Returns the methods of other libraries that share the method's algorithm, as far as their errors show.
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method);
 
-/// Returns the key of the cause: the same for every finding that has it, whatever the pair or the run.
-///   "fcl-libccd/absolute-length"   the mechanism; the first of the library's that share the algorithm
-///                                  stands for all of them
-///   "fcl-libccd/overflow"          products of lengths leave the doubles
-///   "fcl-libccd/wrong_disjoint"    no more is known than the kind, or that another setting is right
-///   "fcl-libccd/hang"              it does not come to an end
-///   "ode/crash/..."                a failure of a library, by its own words without numbers
-///   "fcl/within-claim"             a library's answers that its claims allow; "own" of those not foreign
-///   "fcl-libccd/not-again"         not wrong when asked again
-/// `reason`: the method's own words on a failure.
+/// Returns the key of the cause. Every finding with this cause has the same key, for any pair and any run.
+/// `reason` is the method's own words on a failure. Examples:
+///   "fcl-libccd/absolute-length"   The mechanism. The first method of the library that shares the algorithm
+///                                  stands for all of them.
+///   "fcl-libccd/overflow"          Products of lengths leave the doubles.
+///   "fcl-libccd/wrong_disjoint"    Only the kind is known, or another setting is right.
+///   "fcl-libccd/hang"              The call does not end.
+///   "ode/crash/..."                A failure of a library, by its own words without numbers.
+///   "fcl/within-claim"             Answers of a library that its claims cover. Our own methods: "own".
+///   "fcl-libccd/not-again"         The answer was not wrong when the method was asked again.
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
                       Mechanism mechanism, std::string_view reason);
 
-/// Returns the key of the cause of one failure, classified beforehand. Whoever has many to find keeps the
-/// asker: to start a worker takes longer than the questions.
+/// Returns the key of the cause of one failure, which it classifies first. A caller with many failures keeps
+/// the asker, because the start of a worker takes longer than the questions.
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
                        std::string_view reason, Asker& asker);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How bad an answer is: a number of one answer to one pair. `worst` makes the most of it for one method, the
-// family `climbed` for our own calls, and the fuzzers are guided by it.
+// How bad one answer to one pair is, as a number. `worst` maximises it for one method, the family `climbed`
+// for our own calls, and it guides the fuzzers.
 #pragma once
 
 #include <array>
@@ -12,39 +12,41 @@
 
 namespace cyl {
 
-/// What is sought: the most of it.
+/// The quantity that a search maximises.
 enum class Objective : unsigned char {
-  margin,     ///< by which a verdict is wrong
-  time,       ///< of a call, by the clock
-  steps,      ///< that a call reports: the same on every machine; of the referee, bits
-  error,      ///< of the distance, over the bound that is returned with it, or claimed
-  bound,      ///< of the error of the distance of solids apart, over the claim
-  undecided,  ///< the distance, or the radius of a ball in common, over the size, of a pair left undecided
+  margin,     ///< the margin by which a verdict is wrong
+  time,       ///< the wall time of a call
+  steps,      ///< the steps that a call reports, which are the same on every machine; for the referee, bits
+  error,      ///< the error of the distance, divided by the bound that is returned with it, or by the claim
+  bound,      ///< the bound of the error of the distance of solids apart, divided by the claim
+  undecided,  ///< the distance of an undecided pair, or the radius of a ball in common, divided by the size
 };
 constexpr auto words_of(Objective) noexcept {
   return std::array{"margin", "time", "steps", "error", "bound", "undecided"};
 }
 
-/// By which means a score is found: its cost, and what it is worth.
+/// How a score is found. A more costly one is worth more.
 enum class Effort : unsigned char {
-  quick,   ///< one call of the solver: what is undecided may count for more
+  quick,   ///< one call of the solver, in which an undecided pair may count for more than it is
   likely,  ///< the solver, or for `error` an enclosure of the distance: a few us, up to 0.1 ms for an
            ///< enclosure and more of overlapping rods
   proved   ///< the referee
 };
 
 struct Badness {
-  double value = 0;  ///< 0 if the answer has none, and of `margin` and `time`, which no single answer shows
-  bool beyond = false;  ///< more than the method promises: of `undecided` and `error` only if that is proved
+  double value = 0;  ///< 0 if the answer has none, and for `margin` and `time`, which no single answer shows
+  bool beyond = false;  ///< beyond the method's promise; for `undecided` and `error` only if that is proved
 };
 
-/// Returns how bad an answer is. Beyond the promise are a bound of the error that is exceeded (the value is
-/// what it is at most), or above the claim; undecided beyond rounding; steps beyond their cap.
+/// Returns how bad an answer is. It is beyond the promise if
+/// 1. it exceeds its bound of the error (the value is then an upper bound), or that bound is above the claim,
+/// 2. it is undecided beyond rounding,
+/// 3. its steps exceed their cap.
 Badness badness_of(Objective objective, const Claim& claim, const Pair& pair, const MethodAnswer& answer,
                    Effort effort);
 
-/// Returns what the referee answers, `steps` being the bits it took; and the referee as a method, for
-/// searches for its slowest call.
+/// Returns the referee's answer, with the bits that it took as `steps`. judge_method() is the referee as a
+/// method, for searches for its slowest call.
 MethodAnswer answer_of(const Truth& truth);
 std::unique_ptr<Method> judge_method();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The distance that the solver's own points and direction show, in long double and whatever the solver thinks
-// of them: cheaper than an enclosure, and narrower where they are good.
+// The distance that the solver's own points and direction show, in long double. The solver's value and error
+// bound are not used. It is cheaper than an enclosure, and narrower if the points and the direction are good.
 #pragma once
 
 #include "corpus/pairs/certificate.hpp"
@@ -8,9 +8,11 @@
 
 namespace cyl {
 
-/// Returns bounds of the signed distance of a legal pair, of which `measured` is the solver's: apart both are
-/// shown; overlapping `hi` is 0, so that no depth is shown, but none is more than -lo. Wide or not finite
-/// where points or direction are no good. Cost: 0.3 us.
+/// Returns bounds of the signed distance of a legal pair. `measured` is the solver's distance of it.
+/// 1. Apart: both bounds are shown.
+/// 2. Overlapping: `hi` is 0, so no depth is shown, but the depth is at most -lo.
+/// 3. The bounds are wide or not finite if the points or the direction are bad.
+/// Cost: 0.3 us.
 Enclosure shown_distance(const Pair& pair, const Distance& measured);
 
 }  // namespace cyl

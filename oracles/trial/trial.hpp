@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One pair put to methods: what is proved of it, what they say, what is wrong with that.
+// One pair that methods are asked about: its proved truth, their answers and the findings.
 #pragma once
 
 #include <deque>
@@ -23,17 +23,17 @@ struct Trial {
   Pair pair;
   Truth truth;
   std::vector<MethodAnswer> answers;             ///< of the methods that were asked, in their order
-  std::vector<std::optional<Finding>> findings;  ///< one an answer: what is wrong with it, if anything is
-  /// The narrowest enclosure of the signed distance so far; means nothing before the first.
+  std::vector<std::optional<Finding>> findings;  ///< one for each answer, empty if it is right
+  /// The narrowest enclosure of the signed distance so far. It has no meaning before the first.
   Enclosure distance;
-  /// The width that it was asked for at, relative to the size; infinite before the first.
+  /// The width at which it was computed, relative to the size. Infinite before the first.
   double width = std::numeric_limits<double>::infinity();
-  /// Encloses the distance at a relative width; empty: the referee does.
+  /// Encloses the distance at a relative width. If empty, the referee does.
   std::function<Enclosure(double relative_width)> enclose;
 
   Trial() = default;
   Trial(const Pair& about, Truth proved) : pair(about), truth(std::move(proved)) {}
-  /// Judges the pair; the witnesses of the answers offered, which are not kept, are tried first.
+  /// Judges the pair. The witnesses of the offered answers, which are not kept, are tried first.
   explicit Trial(const Pair& about, std::span<const MethodAnswer> offered = {})
       : Trial(about, judge(about, offered)) {}
 
@@ -41,20 +41,20 @@ struct Trial {
   bool meets() const { return truth.verdict != Verdict::disjoint; }
   /// Whether a verdict is proved.
   bool decided() const { return truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid; }
-  /// Where one method was asked: its answer, and what is wrong with that.
+  /// If one method was asked: its answer, and the finding.
   const MethodAnswer& answer() const { return answers.front(); }
   const std::optional<Finding>& finding() const { return findings.front(); }
-  /// Whether what is wrong with the method's answer is of that kind.
+  /// Whether the finding is of that kind.
   bool fails(FindingKind kind) const { return finding() && finding()->kind == kind; }
-  /// Whether the method answered, a verdict is proved, and nothing is wrong with the answer.
+  /// Whether the method answered, a verdict is proved, and there is no finding.
   bool right() const;
 
-  /// Returns an enclosure asked for at `relative_width` or narrower: a certified one where a verdict is
-  /// proved. Encloses only where none so narrow is known. Cost: that of enclose_distance().
+  /// Returns an enclosure that was computed at `relative_width` or narrower. It is certified if a verdict is
+  /// proved. A new one is computed only if none so narrow is known. Cost: that of enclose_distance().
   const Enclosure& distance_at(double relative_width);
-  /// Drops the enclosure: margins found from here on depend on nothing before.
+  /// Drops the enclosure, so that later margins do not depend on earlier ones.
   void forget_distance() { width = std::numeric_limits<double>::infinity(); }
-  /// Encloses the distance until it is known to a thousandth of itself, as far as it can be.
+  /// Encloses the distance until its relative width is a thousandth, or as narrow as it can be.
   void narrow_distance();
 };
 
@@ -62,17 +62,19 @@ struct Trial {
 inline constexpr Caps probe_caps{
     .call_cpu = std::chrono::milliseconds(200), .call_wall = std::chrono::milliseconds(4000), .hangs = 8};
 
-/// Asks every method about every pair, contained, `times` times in a row; judges each pair with all answers
-/// to it, and compares. The trials are in the order of the pairs, the answers those of the first time; two
-/// that differ are a finding where nothing else is. Distances are enclosed, coarsely where no finding needs
-/// them. Throws std::system_error only where the system refuses a process or memory.
+/// Asks every method about every pair, contained, `times` times in a row. Judges each pair with all its
+/// answers, and compares.
+/// 1. The trials are in the order of the pairs. The answers are those of the first time.
+/// 2. If the answers of a method differ, and nothing else is wrong, that is a finding.
+/// 3. Distances are enclosed, coarsely if no finding needs them.
+/// 4. Throws std::system_error only if the system refuses a process or memory.
 std::vector<Trial> try_methods(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                                const Caps& caps, std::size_t times = 1);
 
-/// The same of one method.
+/// The same for one method.
 std::vector<Trial> try_method(const std::unique_ptr<Method>& method, std::span<const Pair> pairs,
                               const Caps& caps = probe_caps);
-/// The same of one pair, with the caps of a campaign, and the distance narrow.
+/// The same for one pair, with the caps of a campaign and a narrow distance.
 Trial try_method(const std::unique_ptr<Method>& method, const Pair& pair);
 
 /// Returns the index of the method of that name, or nothing.
@@ -82,11 +84,11 @@ std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> 
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 
-/// "3.1e-07 apart", "overlapping by 0.05", "touching"; if the distance said is wrong, to the digits that tell
-/// the two apart.
+/// Returns "3.1e-07 apart", "overlapping by 0.05" or "touching". If the method's distance is wrong, it has as
+/// many digits as make the two differ.
 std::string distance_in_words(const Trial& trial);
 
-/// The distance said, to the digits that tell it from the true one.
+/// Returns the method's distance, with as many digits as make it differ from the true one.
 std::string said_distance(const Trial& trial);
 
 /// Judges the pairs of one question when first asked for them, and keeps what is proved.
@@ -97,9 +99,9 @@ class Proofs {
   Proofs(const Proofs&) = delete;
   Proofs& operator=(const Proofs&) = delete;
 
-  /// Returns what is proved of the pair itself or of any other. Valid as long as this is.
+  /// Returns the trial of the pair itself or of any other pair. Valid as long as this object.
   Trial& of(const Pair& pair);
-  /// Returns what was found of it so far, or nullptr.
+  /// Returns the trial if it exists already, else nullptr.
   const Trial* known(const Pair& pair) const;
 
  private:
@@ -108,8 +110,8 @@ class Proofs {
   std::deque<Trial> proved_;  // few
 };
 
-/// Returns whether |signed distance| of the pair certainly reaches what `claim` promises: from there on the
-/// method's verdict is its contract. False where no verdict is proved.
+/// Returns whether |signed distance| of the pair certainly reaches the claim, from which on the method
+/// promises the right verdict. Returns false if no verdict is proved.
 bool beyond_claim(Trial& trial, const Claim& claim);
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The answers whose witnesses the referee may use, whichever methods are asked.
+// The answers whose witnesses the referee may use. They do not depend on the methods of the run.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@ class WitnessSet {
   /// `methods` are those that the run asks.
   explicit WitnessSet(std::span<const std::unique_ptr<Method>> methods);
 
-  /// Returns the answers to a pair. Adds that of our certifying method unless the run asks it anyway. The
-  /// span is valid until the next call.
+  /// Returns the answers to a pair. Adds the answer of our certifying method unless the run asks that method.
+  /// The span is valid until the next call.
   std::span<const MethodAnswer> with_own_witness(const Pair& pair, std::span<const MethodAnswer> said);
 
  private:

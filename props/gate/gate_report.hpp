@@ -82,19 +82,21 @@ struct GateFailure {
 /// Independent random pairs of one stratum, and how many were wrong.
 struct GateCell {
   Stratum stratum;
-  bool claimed = false;  ///< by the method, for every pair of the cell
+  bool claimed = false;  ///< by the method, for every drawn pair; false if no pair was drawn
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+  std::uint64_t drawn = 0;  ///< also pairs that the method declines
 };
 
 /// Independent random pairs of one cell of close contacts (corpus/pairs/close_contact.hpp).
 struct CloseGateCell {
   CloseCell cell;
-  bool claimed = false;  ///< by the method, for every gap of the cell
+  bool claimed = false;  ///< by the method, for every drawn pair; false if no pair was drawn
   std::uint64_t gaps = 0, wrong_gaps = 0;
   /// Pairs that overlap by construction. The cell's margin is an upper bound of their depth. An answer is
   /// wrong if the proved margin is beyond the claim.
   std::uint64_t overlaps = 0, wrong_overlaps = 0;
   std::uint64_t undecided = 0;  ///< besides
+  std::uint64_t drawn = 0;      ///< also pairs that the method declines
 };
 
 /// Independent random pairs with a sphere, a capsule or a rounded cylinder. Wrong: if the proved margin is

@@ -103,8 +103,10 @@ TEST(Gate, LetsAnHonestMethodPass) {
   EXPECT_EQ(exit_code(report), 0);
   EXPECT_EQ(report.methods.at(0).remark, "");
   for (const GateCell& cell : report.methods.at(0).cells) {
+    const std::string name = fmt::format("{} {}", to_string(cell.stratum.feature), cell.stratum.decade);
+    EXPECT_EQ(cell.claimed, cell.drawn > 0 && cell.stratum.decade < last_close_decade) << name;
     if (cell.claimed) {
-      EXPECT_EQ(cell.wrong, 0u) << to_string(cell.stratum.feature) << ' ' << cell.stratum.decade;
+      EXPECT_EQ(cell.wrong, 0u) << name;
     }
   }
   ASSERT_EQ(report.methods.at(0).close_cells.size(), close_cell_count);

@@ -21,7 +21,10 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
-/// Counts pair `p` as undecided where it is. Returns whether it is a trial: there is an answer to it, and a
+/// Counts a drawn pair. Its cell is claimed as long as all pairs drawn so far are.
+void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 || cell.claimed) && claimed; }
+
+/// Counts pair `p` as undecided if it is. Returns whether it is a trial: there is an answer to it, and a
 /// truth.
 bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided) {
   const MethodAnswer& answer = said.answers[p];
@@ -35,13 +38,13 @@ bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided)
 
 std::vector<GateCell> empty_cells() {
   std::vector<GateCell> cells;
-  for (const Stratum& stratum : drawn_strata) cells.push_back({stratum, true});
+  for (const Stratum& stratum : drawn_strata) cells.push_back({stratum});
   return cells;
 }
 
 std::vector<CloseGateCell> empty_close_cells() {
   std::vector<CloseGateCell> cells;
-  for (const CloseCell& cell : close_cells) cells.push_back({cell, true});
+  for (const CloseCell& cell : close_cells) cells.push_back({cell});
   return cells;
 }
 
@@ -135,13 +138,13 @@ void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswer
       method.rounded.wrong += said.wrong_beyond[p];
     } else if (round.contacts.empty()) {
       GateCell& at = method.cells[number_of(round.strata[p])];
-      at.claimed = at.claimed && claims(method.claim, size, at.stratum.decade);
+      count_drawn(at, claims(method.claim, size, at.stratum.decade));
       at.pairs += is_trial(said, p, at.undecided);
       at.wrong += said.wrong[p];
     } else {
       CloseGateCell& at = method.close_cells[number_of(round.contacts[p].cell)];
       const bool gap = round.contacts[p].distance > 0;
-      at.claimed = at.claimed && claims(method.claim, size, at.cell.decade);
+      count_drawn(at, claims(method.claim, size, at.cell.decade));
       (gap ? at.gaps : at.overlaps) += is_trial(said, p, at.undecided);
       (gap ? at.wrong_gaps : at.wrong_overlaps) += said.wrong_beyond[p];
     }

@@ -34,8 +34,8 @@ std::vector<KillMatrixRow> read_kill_matrix(const std::string& file);
 std::vector<KillMatrixRow> faults_soon_found(const std::vector<KillMatrixRow>& rows,
                                              std::span<const std::unique_ptr<Method>> methods);
 
-/// Returns the data of the page: the numbers of planted faults, of detected ones and of those argued to be
-/// equivalent, and each fault with its detectors. Null if the file does not exist. Throws like
+/// Returns the data of the page: the numbers of planted faults, of detected ones, and of faults argued to be
+/// equivalent. Then each fault with its detectors. Null if the file does not exist. Throws like
 /// read_kill_matrix().
 nlohmann::ordered_json kill_data(const std::string& file);
 

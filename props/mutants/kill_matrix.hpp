@@ -66,9 +66,10 @@ struct KillRow {
 KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
                       void (*select)(int) noexcept);
 
-/// laws: every law on the cases and on pairs of the families. corpus: laws 30 and up on the cases, and their
-/// stated truths. differential: laws 30 and up on pairs of all families, near touching ones too. Only
-/// violations of a claim (Severity::contract) count. `cases` must outlive them.
+/// Returns three detectors. Only violations of a claim (Severity::contract) count. `cases` must outlive them.
+/// * laws: every law on the cases and on pairs of the families.
+/// * corpus: laws 30 and up on the cases, and their stated truths.
+/// * differential: laws 30 and up on pairs of all families, near touching ones too.
 std::vector<Detector> law_detectors(std::span<const Case> cases);
 
 }  // namespace cyl

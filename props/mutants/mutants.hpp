@@ -16,7 +16,7 @@ struct Mutant {
   std::string_view what;        ///< the fault in words
   std::string_view like;        ///< its kind: operator class, or the code that had such a fault
   std::string_view asks;        ///< names of the methods that may betray it, as select_methods() takes them
-  std::string_view tests;       ///< filter of the unit tests that may detect it; empty: none
+  std::string_view tests;       ///< filter of the unit tests that may detect it; none if empty
   std::string_view equivalent;  ///< why no test can detect it; empty if a test can
 };
 

@@ -70,9 +70,9 @@ std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method
 /// Up to four questions.
 bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind);
 
-/// Returns the pair with each parameter outside its range moved into it, `share` (0 to 1) of the way up, and
-/// b moved until the signed distance over the size is `margin`. Returns nothing if there is no such pair.
-/// Costs some enclosures of the distance.
+/// Returns the pair, changed in two ways. Each parameter outside its range is moved into it, `share` (0 to 1)
+/// of the way up. Then b is moved until the signed distance over the size is `margin`. Returns nothing if
+/// there is no such pair. Costs some enclosures of the distance.
 std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
                                    double margin);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes a finding for the maintainers of a library: a program that needs only their library (or the guest),
-// a proof that needs only Python, and the text of an issue.
+// Writes a finding for the maintainers of a library. It has a program that needs only their library (or the
+// guest), a proof that needs only Python, and the text of an issue.
 #pragma once
 
 #include <memory>

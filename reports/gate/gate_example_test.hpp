@@ -36,8 +36,9 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
   return f;
 }
 
-/// intersect breaks law 1 beyond its claim on a random pair, law 2 not deterministically, and law 3 within
-/// its claim. fake breaks law 30 on a case, with hostile words. One cell of fake is wrong, one is empty.
+/// A report on two methods. The method intersect breaks law 1 beyond its claim on a random pair, law 2 not
+/// deterministically, and law 3 within its claim. The method fake breaks law 30 on a case, with hostile
+/// words. One cell of fake is wrong, one is empty.
 inline GateReport example_report() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();

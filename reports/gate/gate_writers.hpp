@@ -15,9 +15,9 @@ inline constexpr std::size_t also_cap = 5;
 /// Breaks in one line each (within claims, or known), of all methods together; then how many more.
 inline constexpr std::size_t brief_cap = 20;
 
-/// Returns the report for people: what was not asked, the counts of each method, each failure with a command
-/// that replays it, and last what was proved of each method. No line is wider than 120 columns, except for
-/// pairs and quotations of methods.
+/// Returns the report as text. It lists the questions that were not asked, the counts of each method, and
+/// each failure with a command that replays it. The proved facts about each method come last. No line is
+/// wider than 120 columns, except for pairs and quotations of methods.
 std::string gate_text(const GateReport& report);
 
 /// Returns the last lines of one method: what its independent random pairs prove, one fact a line. Cases and

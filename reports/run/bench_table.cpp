@@ -120,16 +120,16 @@ std::string format_bench_table(std::span<const BenchRow> rows) {
                         power(row.max_error));
   }
   return text +
-         "\nns/pair: median of the turns; spread: the middle half of these, in % of it. p99: over "
-         "pairs.\n"
-         "ratio: times the ns of `intersect`, same query (certificate: its verdict). instr: instructions a "
+         "\nns/pair: median of the turns; spread: the middle half of these, in % of it. p99: over pairs.\n"
+         "ratio: times the ns of `intersect`, same query (certificate: its verdict). instr: instructions per "
          "pair.\n"
          "verdict, certificate, batch, distance, depth: on prepared solids; raw: prepared inside the call, "
-         "as a\n"
-         "foreign method's adapter does it. distance is asked of disjoint pairs, depth of the others. "
-         "disj(!),\n"
-         "inter(!): wrongly said disjoint, intersecting; claimed: of these, within its own claim. error: at\n"
-         "least, of a distance, in units of the pair's size.\n";
+         "as an\n"
+         "adapter of a foreign method prepares them. distance is asked of disjoint pairs, depth of the "
+         "others.\n"
+         "disj(!), inter(!): wrong answers disjoint, intersecting; claimed: of these, within the "
+         "claim.\n"
+         "error: a lower bound of the greatest error of a distance, in units of the pair's size.\n";
 }
 
 std::string format_comparisons(std::span<const QueryComparisons> queries) {

@@ -98,7 +98,8 @@ std::string format_history(const History& history) {
       history.runs, history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::back),
       number(Recurrence::gone), number(Recurrence::known), number(Recurrence::rare));
   if (history.unreadable > 0)
-    text += fmt::format("\n  skipped because they cannot be read: {} runs", history.unreadable);
+    text += fmt::format("\n  skipped because they cannot be read: {} run{}", history.unreadable,
+                        history.unreadable == 1 ? "" : "s");
   return text;
 }
 

@@ -98,7 +98,7 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   EXPECT_EQ(format_history(read_run(folder / "2", {}).history),
             "compared with 1 earlier run in the same folder, groups by method, kind and family: 0 new, 0 "
             "back, 0 gone, 1 known, 0 rare\n"
-            "  skipped because they cannot be read: 1 runs");
+            "  skipped because they cannot be read: 1 run");
 }
 
 }  // namespace

@@ -9,10 +9,13 @@
 namespace cyl {
 
 /// Returns the data of the page: the run, its charts (an object with maps, honesty, speed, cost, paths,
-/// backward, builds), the buckets of triage (buckets_json() of triage.hpp), and the kill matrix in the file
-/// of that name, if any. A finding without a pair is only counted. The result is one line of valid UTF-8.
-/// Distances are enclosed again. Nearest points are the solver's and approximate. Cost: some 0.1 ms a pair.
-/// Throws std::runtime_error that names a file that cannot be read or has other content.
+/// backward, builds), and the buckets of triage (buckets_json() of triage.hpp). The kill matrix is added if
+/// `kill_matrix` names a file.
+/// 1. A finding without a pair is only counted.
+/// 2. The result is one line of valid UTF-8.
+/// 3. Distances are enclosed again. Nearest points are the solver's and approximate.
+/// 4. Throws std::runtime_error that names a file that cannot be read or has other content.
+/// Cost: some 0.1 ms a pair.
 std::string report_json(const RunData& run, const std::string& kill_matrix = {});
 
 /// Writes RUN/report.html atomically, so that a reader sees the old page or the new one. Throws

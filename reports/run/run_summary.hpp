@@ -12,8 +12,9 @@ namespace cyl {
 /// then by margin. Returns nullptr if there is none.
 const FindingRecord* worst_finding(const RunData& run);
 
-/// Returns lines, each with its end: the counts of pairs and methods, the changes since earlier runs, the
-/// methods that are wrong or failed, the result of our methods, and the self-check.
+/// Returns lines, each with its end. They have the counts of pairs and methods, the changes since earlier
+/// runs, and the methods that are wrong or failed. The results of our methods and of the self-check come
+/// last.
 std::string format_summary(const RunData& run);
 
 }  // namespace cyl

@@ -14,7 +14,7 @@ namespace cyl {
 /// that refutes it, or the part that is open.
 std::string proof_text(const Scene& scene, const MotionProof& proof);
 std::string exemption_text(const Scene& scene, const ExemptionProof& exemption);
-/// Sorts the worst first: refuted, by distance; then open, by share, and proved, by bound.
+/// Sorts the worst first. That is refuted, by distance, then open, by share, then proved, by bound.
 std::pair<MotionVerdict, double> risk_of(const MotionProof& proof);
 
 /// Returns "0.75 %": the upper bound at 95 % of a rate if none of these draws failed, rounded up.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first slice and the five directions of one pair, for both solids at a time. What sections.hpp computes
-// for each solid is one operation on two numbers here. The roundings and their order are the same, so the
-// verdicts are the same.
+// The first slice and the five directions of one pair, for both solids at a time. One operation on two
+// numbers here does the work of sections.hpp for both solids. The roundings and their order are the same, so
+// the verdicts are the same.
 #pragma once
 
 #include "solver/detail/frame.hpp"

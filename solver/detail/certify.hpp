@@ -26,8 +26,8 @@ inline Vector3 times_power(const Vector3& x, int exponent) noexcept {
 
 inline double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta); }
 
-// How much decide() grows and shrinks solids if rounding decides, relative to the reach: 64 units of rounding
-// of separation_error. sqrt(8) of it, twice the size for the reach, is below 1e-13.
+// How much decide() grows and shrinks solids if rounding decides, relative to the reach. It is 64 units of
+// rounding of separation_error. sqrt(8) of it, twice the size for the reach, is below 1e-13.
 inline constexpr double proof_slack_tol = 0x1p-46;
 
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
@@ -78,9 +78,9 @@ struct Place {
 };
 
 // Whether the point of both hulls nearest to x, as seen from both solids, lies inside both solids beyond
-// rounding. It is no farther from x than x is off the one hull. If planes cross, or a plane and a line, it is
-// no farther than x is off both, over the sine of their angle (and twice that for the line, which x goes
-// along).
+// rounding. It is no farther from x than x is off the one hull. If planes cross, or a plane and a line, the
+// bound is the distance of x from both, over the sine of their angle. It is twice that for the line, which x
+// goes along.
 inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hull0, Hull hull1) noexcept {
   const double error = membership_error * (at0.away + length(p.delta)) + underflow_error;
   double move = 0;
@@ -118,8 +118,8 @@ inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
 }
 
 inline bool try_point(ProofTask& q, const Vector3& x) noexcept {
-  // The returned certificate is the one that is checked: back in the scene's unit, where a subnormal
-  // coordinate may have lost bits.
+  // The returned certificate is the one that is checked. In the scene's unit, a subnormal coordinate may have
+  // lost bits.
   const Scaled& p = q.solids;
   const int exponent = q.base.exponent;
   const Vector3 tail = times_power(x, exponent), given = times_power(tail, -exponent);

@@ -97,7 +97,7 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
     return {x, t * x};
   }
   double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
-  // untaken: Newton on a convex function ends before the cap
+  // not covered: Newton on a convex function ends before the cap
   for (int i = 0; i < circle_step_cap; ++i) {
     ++steps;
     const double q = 1 / std::sqrt(t * t + cc);
@@ -112,8 +112,8 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
   return {t * y, y};
 }
 
-// Whether f >= `low` on the circle perpendicular to an axis of radius `own`. z and e as above, both >= 0
-// except for e. sqrt(x^2 + c^2 y^2) is at least x, and at least 1 - (1 - c) y.
+// Whether f >= `low` on the circle perpendicular to an axis of radius `own`. z and e are as above, both >= 0
+// except for e. Note that sqrt(x^2 + c^2 y^2) is at least x, and at least 1 - (1 - c) y.
 inline bool circle_is_above(double z, double e, double own, double other, double c, double low) noexcept {
   const double room = own - low, from_z = larger(0, z - other), from_e = larger(0, e);
   const double both = room + other, from_chord = larger(0, e + other * (1 - c));

@@ -143,8 +143,8 @@ class PatchSearch {
 
   static double square_of(ValueRange x) noexcept { return x.least_size() * x.least_size(); }
 
-  // Whether y is never opposite to the part of D perpendicular to the axis: p and q along n and m, where -y
-  // has n and y has m. A point, of radius 0, has all directions.
+  // Whether y is never opposite to the part of D perpendicular to the axis. p and q are along n and m. There
+  // -y has n and y has m. A point, of radius 0, has all directions.
   bool is_askew(double r, ValueRange p, ValueRange q, ValueRange n, ValueRange m) const noexcept {
     const bool turned = q.low < 0;
     const double near = turned ? -q.high : q.low, far = turned ? -q.low : q.high, slack = 2 * error_ * r;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Numbers of twice the digits of double, as unevaluated sums of two doubles. sections.hpp uses them if
-// rounding in double decides. Relative errors of every operation: at most 2^-100 (Dekker 1971, Knuth's
-// two-sum; no fused operations, so the same on any machine). Within 2^-400 and 2^400.
+// rounding in double decides. The relative error of every operation is at most 2^-100 (Dekker 1971, Knuth's
+// two-sum). There are no fused operations, so results are the same on any machine. Numbers must be within
+// 2^-400 and 2^400.
 #pragma once
 
 #include "solver/detail/sections.hpp"

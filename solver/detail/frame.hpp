@@ -81,7 +81,8 @@ inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexc
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));
   // `before` restores a Delta that overflowed (smaller terms do not matter then). It brings the largest
-  // lengths to where a normal factor takes them to 1, and lifts subnormal pairs in the same way.
+  // lengths into the range in which a normal factor takes them to 1, and lifts subnormal pairs in the same
+  // way.
   int shift = 0;
   if (!(most < 0x1p1023))
     shift = -100;

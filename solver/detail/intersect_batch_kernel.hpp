@@ -137,7 +137,7 @@ Mask resolve_at_edge(const Sections<Lanes>& f, Mask& open) {
   if (bits(open) == 0) return overlaps;
   const auto first = start(e);
   Lanes t = first.t;
-  // untaken: no pair that was ever seen comes to the cap
+  // not covered: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap && bits(open) != 0; ++i) {
     const auto now = step(e, first.low, t);
     overlaps = overlaps | (open & now.overlaps);
@@ -190,7 +190,7 @@ Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
 template <bool steep>
 void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
-    // untaken: the gate asks batches of one pair; intersect_batch_test asks all sizes
+    // not covered: the gate asks batches of one pair, and intersect_batch_test asks all sizes
     const unsigned n =
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);
@@ -215,7 +215,7 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
   constexpr unsigned width = lanes, all = (1u << width) - 1;
   unsigned steep[batch_chunk] = {}, flat[batch_chunk] = {}, steep_count = 0, flat_count = 0, left = 0;
   for (unsigned start = 0; start < job.count; start += width) {
-    // untaken: the same
+    // not covered: the same
     const unsigned n = job.count - start < width ? job.count - start : width;
     Records r;
     unsigned ordinary = 0;
@@ -241,7 +241,7 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
     }
     const unsigned decided = ordinary & seen;
     for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(overlaps >> i & 1);
-    if (decided == all) continue;  // untaken: the same
+    if (decided == all) continue;  // not covered: the same
     for (unsigned i = 0; i < n; ++i) {
       if (decided >> i & 1) continue;
       if (!(ordinary >> i & 1))

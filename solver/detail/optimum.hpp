@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Certificates where H is greatest: there is the deepest slice, and the multipliers of the demands that hold
-// it there are the weights of a direction (derivation.md, section 7). For decide() alone.
+// Certificates at the height at which H is greatest. The deepest slice is there. The multipliers of the
+// demands that hold it there are the weights of a direction (derivation.md, section 7). For decide() alone.
 //
 // F is a frame in numbers of one kind, F::Scalar: its sections `f`, its slices(), a point at(x, y, u) of
 // them, and direction(i, a, j, b, c), which is a e_i + b e_j + c n.
@@ -90,7 +90,7 @@ void separate_at_corner(ProofTask& q, const F& frame, const At& at) noexcept {
 template <class F, class T>
 void separate_at_top(ProofTask& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
-  // untaken: x is 0 if the radius is, and u with it; a tip, of width 0, cannot be a top, since k > 0
+  // not covered: x is 0 if the radius is, and u with it. A tip, of width 0, cannot be a top, since k > 0.
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
   try_direction(q, frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
                                    positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)));
@@ -120,7 +120,7 @@ void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) 
   const auto [low, first] = start(e);
   T t = first;
   int misses = 0;
-  // untaken: no pair that was ever seen comes to the first of the caps
+  // not covered: no pair that was ever seen comes to the first of the caps
   for (int i = 0; i < iteration_cap && misses < miss_cap && t <= T(far_tol); ++i) {
     ++q.answer.iterations;
     const auto now = step(e, low, t);

@@ -19,7 +19,7 @@ struct PlanePoint {
 };
 
 // A point that is often in both. It is on the line along r's longer side that passes other's centre as near
-// as possible inside r: the middle of the part that both rectangles cut out of it.
+// as possible inside r. There it is the middle of the part that both rectangles cut out of the line.
 template <class T>
 PlanePoint<T> on_long_side(const Rectangle<T>& r, const Rectangle<T>& other) noexcept {
   constexpr double inwards = 0.75;
@@ -64,11 +64,11 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
     for (int i = 0; i < count; ++i) {
       const PlanePoint<T>&from = polygon[i], &to = polygon[(i + 1) % count];
       const T d0 = limit - sign * (from.*axis), d1 = limit - sign * (to.*axis);
-      // untaken: a rectangle cut four times has at most 8 corners
+      // not covered: a rectangle cut four times has at most 8 corners
       if (d0 >= T(0) && n < 8) kept[n++] = from;
       if ((d0 > T(0) && d1 < T(0)) || (d0 < T(0) && d1 > T(0))) {
         const T t = d0 / (d0 - d1);
-        // untaken: the same
+        // not covered: the same
         if (n < 8) kept[n++] = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
       }
     }

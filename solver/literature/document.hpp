@@ -11,8 +11,8 @@
 
 namespace cyl::literature {
 
-/// Errors that a program can make that follows the documents. Each is a switch of the mended method, so that
-/// it can be shown alone or be removed from the printed text: errata.md, which oracles/methods/errata.cpp
+/// Errors that a program can make that follows the documents. Each is a switch of the mended method. So it
+/// can be shown alone or be removed from the printed text. See errata.md, which oracles/methods/errata.cpp
 /// writes.
 enum class Fault : unsigned char {
   // 2017
@@ -63,9 +63,9 @@ struct Options {
   int step_cap = 60;     ///< of every search along a line, and of Newton's steps of every polish
   double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
   int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
-  /// Only the text, without additions: roles and axes stay as given (prepare_as_given), no found direction is
-  /// checked again, no search ends early because it cannot succeed, and no root or critical point is
-  /// polished. Each must have the signs that were assumed.
+  /// Only the text, without additions. Roles and axes stay as given (prepare_as_given). No found direction is
+  /// checked again. No search ends early because it cannot succeed. No root or critical point is polished,
+  /// and each must have the signs that were assumed.
   bool literal = false;
   bool touching_apart = false;  ///< f(D) <= 0 separates, as the text of 2017 has it; else f(D) < 0
 };

@@ -32,9 +32,9 @@ struct Octant {
   Point gradient(const Point& x, Signs signs) const noexcept;
   /// |P_i D(x)|.
   double across(int i, const Point& x) const noexcept;
-  /// The direction in which G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it. Without
-  /// that term the gradient is g, and g.d/|P_i d| is least for H d = -g, where 2 H is the second derivatives
-  /// of Q_i.
+  /// The direction in which G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it.
+  /// Without that term the gradient is g. 2 H is the second derivatives of Q_i. g.d/|P_i d| is least for H d
+  /// = -g.
   Point off_axis(int i, const Point& x, Signs signs) const noexcept;
 };
 

@@ -21,8 +21,8 @@ enum class CriticalWay : unsigned char {
   adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
 };
 
-/// The text as printed, and the page of the book. equal_eigenvalues changes no verdict. sign_of_p0 is one way
-/// in which a reader may continue, but a step of neither: errata.md.
+/// The text as printed, and the page of the book. equal_eigenvalues changes no verdict. sign_of_p0 is a way
+/// in which a reader may continue, but neither text has it. See errata.md.
 inline constexpr Faults printed_2008 = Faults(Fault::radius_not_squared) |
                                        Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
                                        Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 |

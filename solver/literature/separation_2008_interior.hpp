@@ -13,7 +13,7 @@ namespace cyl::literature {
 struct SmoothGap {
   SmoothGap(const Solids& solids, double sign0, double sign1) noexcept;  ///< phi = 0 gives no_phi
 
-  /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas'. 0 if C is not invertible.
+  /// Section 12: D = x U + y V + W times det(C), and (x, y) are the etas'. 0 if C is not invertible.
   Vector3 direction(const Vector2& eta0, const Vector2& eta1) const noexcept;
   /// The same by the text's own two equations in x and y, with C, d and the dot products G_i = R^T R_i; D.W
   /// = 1.

@@ -47,7 +47,7 @@ Direction separated_by_axes(const Couple<double>& p, const Options& options) noe
 Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept;
 /// Section 6: D perpendicular to W0. The axes are not parallel.
 Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Options& options) noexcept;
-/// Section 7: any D; Delta is not 0. Call it after the others, which handle the kinks of f.
+/// Section 7, for any D. Delta must not be 0. Call it after the others, which handle the kinks of f.
 Direction separated_by_other_directions(const Couple<double>& p, Minimiser minimiser,
                                         const Options& options) noexcept;
 

@@ -23,7 +23,7 @@ struct CriticalSystem {
 struct CriticalPairs {
   Vector2 eta0[2], eta1[2];
   int count = 0;
-  bool equal = false;  ///< e0 = e1: no isolated solution; g0 is least at W, or only at W0 and W1
+  bool equal = false;  ///< e0 = e1: no isolated solution. g0 is least at W, or only at W0 and W1.
 
   void add(const Vector2& first, const Vector2& second) noexcept {
     eta0[count] = first;

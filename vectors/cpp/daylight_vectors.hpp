@@ -10,7 +10,7 @@
 
 namespace daylight_v1 {  // <time.h> has a variable `daylight`
 
-/// What a library said: that the solids are disjoint or meet, and the signed distance if it has one.
+/// The answer of a library: that the solids are disjoint or meet, and the signed distance if it has one.
 struct Said {
   enum Kind { declined, disjoint, meet, distance } kind = declined;
   double value = 0;

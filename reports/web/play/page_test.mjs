@@ -77,7 +77,7 @@ function saysWhatIsKnown() {
   for (const { id, truth, pair, answers } of examplesOf("errata")) {
     const { a, b, truth: known } = cases.find((c) => c.id === id);
     assert.deepEqual([pair, truth.verdict], [{ a, b }, known], id);
-    const says = (m) => `\`${m.method}\` says ${m.verdict}`,
+    const says = (m) => `\`${m.method}\` answers ${m.verdict}`,
       [wrong, right] = answers.filter(({ method }) => method.startsWith("seed"));
     const sentence = ([p, q]) => `${known}, by proof. ${says(p)}, ${says(q)}.`;
     assert.ok(
