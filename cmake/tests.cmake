@@ -51,10 +51,10 @@ daylight_tests(corpus corpus/pairs corpus/store)
 daylight_tests(oracles oracles/trial props/laws)
 daylight_tests(props props/laws props/gate props/shrink props/mutants)
 daylight_tests(bench bench bench/stability reports/run)
-daylight_tests(scenes scenes)
+daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
-daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene)
+daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene scenes/read)
 
 # daylight_deep(FOLDER FILTER AMOUNT..): the same tests with more of what they draw: ctest -L deep.
 function(daylight_deep folder filter)

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "corpus/pairs/solid_kind.hpp"
-#include "scenes/scene_files.hpp"
+#include "scenes/read/scene_files.hpp"
 
 namespace cyl {
 namespace {

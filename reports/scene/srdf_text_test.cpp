@@ -10,7 +10,7 @@
 #include "base/files.hpp"
 #include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/scene_files.hpp"
+#include "scenes/read/scene_files.hpp"
 
 namespace cyl {
 namespace {
