@@ -5,12 +5,16 @@
 #include <mujoco/mujoco.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/scene_files.hpp"
@@ -101,11 +105,40 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
   EXPECT_EQ(coupled, 20 * model->neq);
 }
 
+/// MuJoCo's own filter of pairs, against ours: with a margin beyond everything, it reports each pair that it
+/// checks.
+void expect_pairs_like_mujoco(const std::string& file) {
+  const Scene scene = read_scene(file);
+  const std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file.c_str(), nullptr, nullptr, 0));
+  ASSERT_TRUE(model) << file;
+  std::fill_n(model->geom_margin, model->ngeom, 100);
+  model->nconmax = 5000;
+  const std::unique_ptr<mjData, DeleteData> data(mj_makeData(model.get()));
+  mj_fwdPosition(model.get(), data.get());
+  ASSERT_LT(data->ncon, model->nconmax);
+  std::set<std::pair<std::string, std::string>> theirs, ours;
+  const auto name_of = [&](int g) {
+    const char* const given = mj_id2name(model.get(), mjOBJ_GEOM, g);
+    return given ? std::string(given) : "geom " + std::to_string(g);
+  };
+  for (const mjContact& contact : std::span(data->contact, static_cast<std::size_t>(data->ncon)))
+    if (model->geom_type[contact.geom1] != mjGEOM_PLANE && model->geom_type[contact.geom2] != mjGEOM_PLANE)
+      theirs.insert(std::minmax(name_of(contact.geom1), name_of(contact.geom2)));
+  const PairRule rule(scene, false);
+  const auto last = [](const Body& body) { return body.name.substr(body.name.find('/') + 1); };
+  for (const Body& a : scene.bodies)
+    for (const Body& b : scene.bodies)
+      if (&a < &b && rule.reason(a, b) == PairRule::Reason::checked)
+        ours.insert(std::minmax(last(a), last(b)));
+  EXPECT_EQ(ours, theirs) << file;
+  EXPECT_GT(ours.size(), 5u);
+}
+
 /// A file beside the tests, away when it is done with.
 class Written {
  public:
-  explicit Written(const std::string& text)
-      : file_((std::filesystem::path(testing::TempDir()) / ("mujoco_" + std::to_string(getpid()) + ".xml"))
+  explicit Written(const std::string& text, const std::string& ending = ".xml")
+      : file_((std::filesystem::path(testing::TempDir()) / ("mujoco_" + std::to_string(getpid()) + ending))
                   .string()) {
     std::ofstream(file_) << text;
   }
@@ -116,10 +149,33 @@ class Written {
   std::string file_;
 };
 
-TEST(Kinematics, OfUrdfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.urdf", false); }
+TEST(Kinematics, OfUrdfAsMujocoHasThem) {
+  expect_like_mujoco(folder + "crane.urdf", false);
+  expect_like_mujoco(folder + "twenty.urdf", false);
+}
+
+// Boxes that are turned, on links that are turned.
+TEST(Kinematics, OfBoxesInUrdfAsMujocoHasThem) {
+  const Written written(
+      R"(<robot name="boxes"><link name="a"><collision><geometry><box size="1 2 3"/></geometry>
+    <origin xyz="1 0 2" rpy="0.1 0.2 0.3"/></collision></link>
+    <link name="b"><collision><geometry><box size="0.5 1 0.2"/></geometry>
+    <origin xyz="0 1 0" rpy="-1 0.5 2"/></collision>
+    <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+    <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0 0 1" rpy="0.4 -0.3 0.2"/>
+    <axis xyz="0.1 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)",
+      ".urdf");
+  expect_like_mujoco(written.file(), false);
+}
+
 TEST(Kinematics, OfMjcfAsMujocoHasThem) {
   expect_like_mujoco(folder + "crane.xml", true);
   expect_like_mujoco(folder + "walker.xml", true);
+}
+
+TEST(Pairs, OfMjcfAsMujocoChecksThem) {
+  expect_pairs_like_mujoco(folder + "crane.xml");
+  expect_pairs_like_mujoco(folder + "walker.xml");
 }
 
 // MuJoCo 2 does not load the hand, but does without the lines that say "today"; with them we read the same.
@@ -130,6 +186,7 @@ TEST(Kinematics, OfAHandAsMujocoHasThem) {
     if (line.find("<!-- today -->") == line.npos) older += line + "\n";
   const Written written(older);
   expect_like_mujoco(written.file(), true);
+  expect_pairs_like_mujoco(written.file());
   const Scene scene = read_scene(folder + "hand.xml"), without = read_scene(written.file());
   EXPECT_EQ(scene.bodies.size(), without.bodies.size() + 3);
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"mesh", "palm"}}));
