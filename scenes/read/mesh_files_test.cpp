@@ -2,27 +2,22 @@
 #include "scenes/read/mesh_files.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+
+#include "base/scratch_test.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Meshes : public testing::Test {
+class Meshes : public testing::Test, protected Scratch {
  protected:
   Meshes() { fs::create_directories(folder / "robots" / "arm" / "meshes"); }
-  ~Meshes() override { fs::remove_all(folder); }
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(folder / name, std::ios::binary) << bytes;
-    return (folder / name).string();
-  }
   std::string why(const std::string& name, const std::string& bytes) const {
     try {
       read_mesh(write(name, bytes));
@@ -31,7 +26,6 @@ class Meshes : public testing::Test {
     }
     return "read";
   }
-  const fs::path folder = fs::path(testing::TempDir()) / ("meshes_" + std::to_string(getpid()));
 };
 
 /// A binary STL of one triangle, little-endian.

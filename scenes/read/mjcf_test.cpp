@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: MIT
 // MJCF beyond what the MuJoCo at hand reads: what is of today, what is included, what is refused.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <tuple>
 
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/scene_files.hpp"
 
 namespace cyl {
 namespace {
 
-namespace fs = std::filesystem;
-
-class Mjcf : public testing::Test {
+class Mjcf : public testing::Test, protected Scratch {
  protected:
-  Mjcf() { fs::create_directories(folder / "parts"); }
-  ~Mjcf() override { fs::remove_all(folder); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+  Mjcf() { std::filesystem::create_directory(folder / "parts"); }
   Scene read(const std::string& inside) const {
-    write("model.xml", "<mujoco>" + inside + "</mujoco>");
-    return read_scene((folder / "model.xml").string());
+    return read_scene(write("model.xml", "<mujoco>" + inside + "</mujoco>"));
   }
   std::string why(const std::string& inside) const {
     try {
@@ -34,7 +28,6 @@ class Mjcf : public testing::Test {
     }
     return "read";
   }
-  const fs::path folder = fs::path(testing::TempDir()) / ("mjcf_" + std::to_string(getpid()));
 };
 
 TEST_F(Mjcf, IncludesFilesBesideTheFirst) {

@@ -3,12 +3,10 @@
 #ifdef DAYLIGHT_WITH_MUJOCO
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <set>
@@ -16,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/scene_files.hpp"
 
@@ -134,21 +133,6 @@ void expect_pairs_like_mujoco(const std::string& file) {
   EXPECT_GT(ours.size(), 5u);
 }
 
-/// A file beside the tests, away when it is done with.
-class Written {
- public:
-  explicit Written(const std::string& text, const std::string& ending = ".xml")
-      : file_((std::filesystem::path(testing::TempDir()) / ("mujoco_" + std::to_string(getpid()) + ending))
-                  .string()) {
-    std::ofstream(file_) << text;
-  }
-  ~Written() { std::filesystem::remove(file_); }
-  const std::string& file() const { return file_; }
-
- private:
-  std::string file_;
-};
-
 TEST(Kinematics, OfUrdfAsMujocoHasThem) {
   expect_like_mujoco(folder + "crane.urdf", false);
   expect_like_mujoco(folder + "twenty.urdf", false);
@@ -156,16 +140,16 @@ TEST(Kinematics, OfUrdfAsMujocoHasThem) {
 
 // Boxes that are turned, on links that are turned.
 TEST(Kinematics, OfBoxesInUrdfAsMujocoHasThem) {
-  const Written written(
-      R"(<robot name="boxes"><link name="a"><collision><geometry><box size="1 2 3"/></geometry>
+  const Scratch scratch;
+  const std::string file = scratch.write(
+      "boxes.urdf", R"(<robot name="boxes"><link name="a"><collision><geometry><box size="1 2 3"/></geometry>
     <origin xyz="1 0 2" rpy="0.1 0.2 0.3"/></collision></link>
     <link name="b"><collision><geometry><box size="0.5 1 0.2"/></geometry>
     <origin xyz="0 1 0" rpy="-1 0.5 2"/></collision>
     <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
     <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0 0 1" rpy="0.4 -0.3 0.2"/>
-    <axis xyz="0.1 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)",
-      ".urdf");
-  expect_like_mujoco(written.file(), false);
+    <axis xyz="0.1 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)");
+  expect_like_mujoco(file, false);
 }
 
 TEST(Kinematics, OfMjcfAsMujocoHasThem) {
@@ -184,10 +168,11 @@ TEST(Kinematics, OfAHandAsMujocoHasThem) {
   std::string older;
   for (std::string line; std::getline(in, line);)
     if (line.find("<!-- today -->") == line.npos) older += line + "\n";
-  const Written written(older);
-  expect_like_mujoco(written.file(), true);
-  expect_pairs_like_mujoco(written.file());
-  const Scene scene = read_scene(folder + "hand.xml"), without = read_scene(written.file());
+  const Scratch scratch;
+  const std::string file = scratch.write("hand.xml", older);
+  expect_like_mujoco(file, true);
+  expect_pairs_like_mujoco(file);
+  const Scene scene = read_scene(folder + "hand.xml"), without = read_scene(file);
   EXPECT_EQ(scene.bodies.size(), without.bodies.size() + 3);
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"mesh", "palm"}}));
 }
@@ -197,7 +182,9 @@ TEST(Kinematics, OfEveryWayToTurnAsMujocoHasThem) {
   const std::array kinds{R"(<compiler angle="radian" eulerseq="XyZ"/>)", R"(<compiler eulerseq="zyx"/>)",
                          R"(<compiler angle="radian"/><compiler eulerseq="ZXY"/>)"};
   for (const char* compiler : kinds) {
-    const Written written(std::string("<mujoco>") + compiler + R"(<default><default class="b">
+    const Scratch scratch;
+    const std::string file =
+        scratch.write("model.xml", std::string("<mujoco>") + compiler + R"(<default><default class="b">
       <geom size="0.1 0.2 0.3" type="box"/><default class="e"><geom euler="0.3 0.2 0.1"/>
       </default></default></default>
       <worldbody><body childclass="b"><geom quat="1 2 3 4"/><geom axisangle="1 1 0 0.7"/><geom xyaxes="1 1 0 0 1 1"/>
@@ -209,7 +196,7 @@ TEST(Kinematics, OfEveryWayToTurnAsMujocoHasThem) {
       <geom class="e" pos="0 1 0"/>
       <body pos="0 0 1" zaxis="1 0 0"><geom/><geom type="capsule" size="0.1 0.2"/></body></body></body></worldbody>
       </mujoco>)");
-    expect_like_mujoco(written.file(), true);
+    expect_like_mujoco(file, true);
   }
 }
 

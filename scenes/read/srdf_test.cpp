@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
+#include "base/scratch_test.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/motion_proof.hpp"
 #include "scenes/study/scene_study.hpp"
@@ -14,26 +11,20 @@ namespace {
 
 const std::string crane = DAYLIGHT_SOURCE_DIR "/corpus/scenes/crane.urdf";
 
-/// A file that is there as long as this is.
-struct Srdf {
-  std::string name =
-      (std::filesystem::path(testing::TempDir()) / ("own_" + std::to_string(getpid()) + ".srdf")).string();
-  explicit Srdf(const std::string& text) { std::ofstream(name) << text; }
-  ~Srdf() { std::filesystem::remove(name); }
-};
-
 TEST(Srdf, TheOneBesideOrTheOneNamed) {
   const Scene beside = read_scene(crane);
   EXPECT_TRUE(beside.srdf.ends_with("crane.srdf"));
   ASSERT_EQ(beside.exemptions.size(), 1u);
   EXPECT_EQ(beside.links[beside.exemptions[0].a].name, "hook");
   EXPECT_EQ(beside.exemptions[0].reason, "Never");
-  const Srdf own(
-      "<robot name='crane'><disable_collisions link1='tower' link2='trolley' reason='User'/>"
-      "<disable_collisions link1='jib' link2='hook'/><disable_collisions link1='hook' "
-      "link2='winch'/></robot>");
-  const Scene named = read_scene(crane, own.name);
-  EXPECT_EQ(named.srdf, own.name);
+  const Scratch scratch;
+  const std::string own =
+      scratch.write("own.srdf",
+                    "<robot name='crane'><disable_collisions link1='tower' link2='trolley' reason='User'/>"
+                    "<disable_collisions link1='jib' link2='hook'/><disable_collisions link1='hook' "
+                    "link2='winch'/></robot>");
+  const Scene named = read_scene(crane, own);
+  EXPECT_EQ(named.srdf, own);
   ASSERT_EQ(named.exemptions.size(), 1u);
   EXPECT_EQ(named.exemptions[0].reason, "User");
   EXPECT_EQ(named.disabled.size(), 1u);
@@ -43,18 +34,21 @@ TEST(Srdf, TheOneBesideOrTheOneNamed) {
 
 TEST(Srdf, WhatCannotBeReadIsSaid) {
   EXPECT_THROW(read_scene(crane, "none.srdf"), std::runtime_error);
-  const Srdf broken("<robot><disable_collisions"), other("<sdf/>");
-  EXPECT_THROW(read_scene(crane, other.name), std::runtime_error);
+  const Scratch scratch;
+  for (const char* text : {"<robot><disable_collisions", "<sdf/>"})
+    EXPECT_THROW(read_scene(crane, scratch.write("bad.srdf", text)), std::runtime_error);
 }
 
 // The trolley meets the tower in some 1 of 100 configurations; a planner that believes this file never looks.
 TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
-  const Srdf planted(
-      "<robot name='crane'><disable_collisions link1='trolley' link2='tower' reason='Never'/>"
-      "<disable_collisions link1='hook' link2='counterweight' reason='Never'/>"
-      "<disable_collisions link1='hook' link2='ground' reason='User'/>"
-      "<disable_collisions link1='counterweight' link2='ground' reason='Never'/></robot>");
-  const Scene scene = read_scene(crane, planted.name);
+  const Scratch scratch;
+  const std::string planted =
+      scratch.write("planted.srdf",
+                    "<robot name='crane'><disable_collisions link1='trolley' link2='tower' reason='Never'/>"
+                    "<disable_collisions link1='hook' link2='counterweight' reason='Never'/>"
+                    "<disable_collisions link1='hook' link2='ground' reason='User'/>"
+                    "<disable_collisions link1='counterweight' link2='ground' reason='Never'/></robot>");
+  const Scene scene = read_scene(crane, planted);
   const MotionStudy study = prove_motions(scene, {}, {});
   ASSERT_EQ(study.exemptions.size(), 3u);
   const ExemptionProof& refuted = study.exemptions[0];
@@ -71,9 +65,11 @@ TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
 }
 
 TEST(Srdf, ANeverOfWhatWasNotLookedAtIsNotProved) {
-  const Srdf planted(
+  const Scratch scratch;
+  const std::string planted = scratch.write(
+      "planted.srdf",
       "<robot name='arm'><disable_collisions link1='camera' link2='base' reason='Never'/></robot>");
-  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/arm.urdf", planted.name);
+  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/arm.urdf", planted);
   const MotionStudy study = prove_motions(scene, {}, {});
   ASSERT_EQ(study.exemptions.size(), 1u);
   EXPECT_TRUE(study.exemptions[0].not_looked_at) << "a mesh of the camera";

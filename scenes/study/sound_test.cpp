@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What must not be said: "never" of links that meet, "adjacent" of links that no joint joins.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "corpus/pairs/solid_kind.hpp"
-#include "scenes/read/scene_files.hpp"
+#include "scenes/read/read_text_test.hpp"
 #include "scenes/study/motion_proof.hpp"
 #include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 namespace {
-
-Scene read_text(const std::string& ending, const std::string& text) {
-  const auto file =
-      std::filesystem::path(testing::TempDir()) / ("sound_" + std::to_string(getpid()) + ending);
-  std::ofstream(file) << text;
-  Scene scene = read_scene(file.string());
-  std::filesystem::remove(file);
-  return scene;
-}
 
 std::string ball(const std::string& link, const std::string& at, const std::string& radius = "0.1") {
   return "<link name='" + link + "'><collision><origin xyz='" + at + "'/><geometry><sphere radius='" +
