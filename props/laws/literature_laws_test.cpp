@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The exact laws and the text of 2017: put right it keeps them. As printed its verdict and that of the text
-// of 2008 turn where the solids are swapped or an axis is reversed.
+// The exact laws and the texts: put right they keep them. As printed a verdict turns if the solids are
+// swapped or an axis is reversed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +36,18 @@ TEST_P(Literature2017Laws, HoldBitForBit) {
 
 INSTANTIATE_TEST_SUITE_P(Families, Literature2017Laws, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
+
+// Random pairs are far from touching: what breaks a law there is not rounding. The printed r1 |W0 x W1|^2
+// mixes powers of lengths, and a reversed axis has another tangent line, which misses another U0.
+TEST(PrintedLaws, OnlyThePrintedTextOf2008BreaksThemOnRandomPairs) {
+  std::set<std::string> broken;
+  for (const auto& method : literature_2008_methods())
+    for (const int law : {1, 2, 3})
+      for (std::uint64_t index = 0; index < 40; ++index)
+        if (violation_of(*method, law_numbered(law), find_family("random")->generate(20080302, index)))
+          broken.insert(std::string(method->name()) + ' ' + std::string(law_numbered(law).name));
+  EXPECT_EQ(broken, (std::set<std::string>{"seed2008-printed reversal", "seed2008-printed scaling"}));
+}
 
 struct Turned {
   int swapped = 0, reversed0 = 0, reversed1 = 0;
