@@ -117,6 +117,7 @@ daylight_script(mutants_off_change_nothing props 2400 ${PROJECT_SOURCE_DIR}/prop
 daylight_script(make_mutants_test props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants_test.sh
                 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants.py)
 daylight_script(mutations_test props 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/props/mutants/mutations_test.py)
+daylight_script(untaken_branches_test props 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/untaken_branches_test.py)
 daylight_script(mutants_smoke props 2400 daylight-mutants matrix --first --only 103)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some

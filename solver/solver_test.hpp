@@ -39,6 +39,11 @@ class Numbers {
     unit();
     return static_cast<double>(static_cast<std::int64_t>(state_) >> 11) * 0x1p-52;
   }
+  // Each coordinate in [-1, 1), drawn in order.
+  Vector3 vector() {
+    const double x = either_sign(), y = either_sign(), z = either_sign();
+    return {x, y, z};
+  }
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
 
  private:

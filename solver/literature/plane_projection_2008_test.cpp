@@ -16,10 +16,6 @@ namespace {
 class Draw : public Numbers {
  public:
   Draw() : Numbers(2008) {}
-  Vector3 vector() {
-    const double x = either_sign(), y = either_sign(), z = either_sign();
-    return {x, y, z};
-  }
   Vector3 unit() { return vector().normalized(); }
   Cylinder solid() { return {2 * vector(), vector(), 1.1 + either_sign(), 1.1 + either_sign()}; }
 };
