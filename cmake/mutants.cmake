@@ -22,7 +22,7 @@ set(test_candidates
     corpus/store/run_store_test.cpp corpus/pairs/pair_io_test.cpp
     props/laws/laws_test.cpp props/laws/exact_laws_test.cpp props/laws/one_sided_laws_test.cpp
     props/laws/approximate_laws_test.cpp props/laws/answer_laws_test.cpp props/laws/examine_test.cpp
-    props/laws/batch_families_test.cpp fuzz/campaign/batch_test.cpp
+    fuzz/campaign/batch_test.cpp
     solver/intersect_batch_test.cpp solver/intersect_test.cpp solver/distance_test.cpp)
 
 # daylight_reached(RESULT SOURCE..): those of the sources that a fault reaches.
