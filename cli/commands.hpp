@@ -4,16 +4,11 @@
 // any other std::exception. daylight_main.cpp prints the text and returns exit code 64, 65 or 1.
 #pragma once
 
+#include "base/exit_code.hpp"
+
 namespace cyl {
 
 class Program;
-
-inline constexpr int exit_pass = 0;
-inline constexpr int exit_harness_failed = 1;
-inline constexpr int exit_findings = 2;
-inline constexpr int exit_undecided = 3;
-inline constexpr int exit_usage = 64;
-inline constexpr int exit_invalid_input = 65;
 
 void add_ask(Program& program);
 void add_bench(Program& program);

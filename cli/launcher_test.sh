@@ -3,9 +3,9 @@
 # The launcher, copied into a project of one file: what it prints where, what it exits with, what it installs.
 set -euo pipefail
 
-launcher=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../daylight
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
+# shellcheck source=SCRIPTDIR/expect.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
+launcher=$source_tree/daylight
 home="$scratch/a checkout" # the path holds a space
 mkdir -p "$home" "$scratch/no packages" "$scratch/elsewhere"
 cp -- "$launcher" "$home/daylight"
@@ -29,12 +29,6 @@ cat >"$home/main.cpp" <<'CPP'
 int main(int argc, char**) { std::puts("hello"); return argc - 1; }
 CPP
 
-failures=0
-expect() { # what, wanted, got
-  [[ $2 == "$3" ]] && return
-  printf 'FAILED: %s\n  wanted: %s\n  got:    %s\n' "$1" "$2" "$3"
-  failures=$((failures + 1))
-}
 # Runs a launch in the folder elsewhere/; leaves out, err and code.
 launch() {
   code=0
@@ -47,18 +41,18 @@ printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/dpkg-query"
 printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
 chmod +x "$scratch/no packages/"*
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight"
-expect 'missing packages: exit code' 1 "$code"
-expect 'missing packages: standard output' '' "$out"
-expect 'missing packages: the command is shown' yes "$([[ $err == *"apt-get install -y --no-install-recommends cmake g++ "* ]] && echo yes)"
-expect 'missing packages: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
+equal 'missing packages: exit code' 1 "$code"
+equal 'missing packages: standard output' '' "$out"
+equal 'missing packages: the command is shown' yes "$([[ $err == *"apt-get install -y --no-install-recommends cmake g++ "* ]] && echo yes)"
+equal 'missing packages: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
 
 # Root installs them. (The package tools of this test say so and do nothing.)
 printf '#!/bin/sh\necho 0\n' >"$scratch/no packages/id"
 printf '#!/bin/sh\necho "$*" >>"%s/installed"\n' "$scratch" >"$scratch/no packages/apt-get"
 chmod +x "$scratch/no packages/apt-get"
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight"
-expect 'root: exit code' 0 "$code"
-expect 'root: packages are installed' update "$(head -n 1 "$scratch/installed")"
+equal 'root: exit code' 0 "$code"
+equal 'root: packages are installed' update "$(head -n 1 "$scratch/installed")"
 
 # What is piped in is the command's, though tools that install and build would read it.
 rm -rf "$home/build"
@@ -68,7 +62,7 @@ printf '#!/bin/sh\ncat >/dev/null\nexec %s "$@"\n' "$(command -v ninja)" >"$scra
 chmod +x "$scratch/no packages/"*
 cp "$home/main.cpp" "$scratch/main.cpp"
 printf '#include <cstdio>\nint main() { for (int c; (c = std::getchar()) != EOF;) std::putchar(c); }\n' >"$home/main.cpp"
-expect 'first use in a pipe' 'a pair' "$(printf 'a pair\n' | PATH="$scratch/no packages:$PATH" "$home/daylight" 2>/dev/null)"
+equal 'first use in a pipe' 'a pair' "$(printf 'a pair\n' | PATH="$scratch/no packages:$PATH" "$home/daylight" 2>/dev/null)"
 cp "$scratch/main.cpp" "$home/main.cpp"
 
 # An ordinary user's own installation that fails is said to fail, and nothing is built.
@@ -83,9 +77,9 @@ if script -qec true /dev/null >/dev/null 2>&1; then # a pseudo-terminal can be h
     touch "$scratch/answered"
     exit "$code"
   } || code=$?
-  expect 'a failed installation: exit code' 1 "$code"
-  expect 'a failed installation is told' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
-  expect 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
+  equal 'a failed installation: exit code' 1 "$code"
+  equal 'a failed installation is told' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
+  equal 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
 else
   "$(dirname -- "$launcher")/.ci/skip" 'a terminal: apt-get install bsdutils' || [[ $? == 77 ]]
 fi
@@ -95,31 +89,31 @@ rm -rf "$home/build/release"
 (cd "$scratch" && ./link >"$scratch/out2" 2>/dev/null) &
 launch "$home/daylight" one two three
 wait $!
-expect 'arguments and exit code' 3 "$code"
-expect 'standard output' hello "$out"
-expect 'through a link, at the same time' hello "$(<"$scratch/out2")"
+equal 'arguments and exit code' 3 "$code"
+equal 'standard output' hello "$out"
+equal 'through a link, at the same time' hello "$(<"$scratch/out2")"
 
 launch "$home/daylight"
-expect 'nothing to build: standard error' '' "$err"
-expect 'nothing to build: exit code' 0 "$code"
+equal 'nothing to build: standard error' '' "$err"
+equal 'nothing to build: exit code' 0 "$code"
 
 # What is built starts without the build tool; a file that came, went or changed calls it.
 mkdir "$scratch/no ninja"
 printf '#!/bin/sh\necho called >&2\nexit 1\n' >"$scratch/no ninja/ninja"
 chmod +x "$scratch/no ninja/ninja"
 launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
-expect 'nothing to build: no build tool is called' 'hello' "$out$err"
+equal 'nothing to build: no build tool is called' 'hello' "$out$err"
 mkdir "$home/runs"
 launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
-expect 'a run is not a source' 'hello' "$out$err"
+equal 'a run is not a source' 'hello' "$out$err"
 mkdir "$home/room"
 touch "$home/room/new.cpp"
 launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
-expect 'a new file calls the build tool' 1 "$code"
+equal 'a new file calls the build tool' 1 "$code"
 launch "$home/daylight"
 rm "$home/room/new.cpp"
 launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
-expect 'a removed file calls the build tool' 1 "$code"
+equal 'a removed file calls the build tool' 1 "$code"
 
 # Who has to wait for another build is told so.
 exec {held}>"$home/build/lock"
@@ -128,24 +122,24 @@ flock "$held"
 until grep -qs 'waiting for another' "$scratch/err2"; do sleep 0.05; done
 exec {held}>&-
 wait $!
-expect 'after the wait' hello "$(<"$scratch/out2")"
+equal 'after the wait' hello "$(<"$scratch/out2")"
 
 sed -i 's/hello/goodbye/' "$home/main.cpp"
 launch "$home/daylight"
-expect 'a change is built' goodbye "$out"
-expect 'a build shows its steps' yes "$([[ $err == *Building* ]] && echo yes)"
+equal 'a change is built' goodbye "$out"
+equal 'a build shows its steps' yes "$([[ $err == *Building* ]] && echo yes)"
 
 # What fuzzes is built for `fuzz` alone, and only where clang++ is.
 printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/clang++"
 chmod +x "$scratch/no packages/clang++"
-expect 'without fuzz: no fuzzer' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
+equal 'without fuzz: no fuzzer' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target=core
-expect 'fuzz: exit code' 2 "$code"
-expect 'fuzz: its program is built' yes "$([[ -x $home/build/clang/fuzz_core_libfuzzer ]] && echo yes)"
+equal 'fuzz: exit code' 2 "$code"
+equal 'fuzz: its program is built' yes "$([[ -x $home/build/clang/fuzz_core_libfuzzer ]] && echo yes)"
 rm -rf "$home/build/clang"
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target none
-expect 'fuzz: an unknown target is left to the command' 3 "$code"
-expect 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
+equal 'fuzz: an unknown target is left to the command' 3 "$code"
+equal 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 
 # What tests need is installed for `test` alone: Node.js and npm only where there are none, what npm brings only once. Who
 # cannot install it is told how, and the tests that do without run.
@@ -172,21 +166,19 @@ chmod +x "$scratch/stubs/"* "$scratch/npm/"*
 mkdir -p "$home/reports/web"
 touch "$home/reports/web/package-lock.json"
 launch env PATH="$scratch/stubs:$few" "$home/daylight" test --install-only
-expect 'test --install-only: exit code' 0 "$code"
-expect 'test: what it lacks is told' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"
-expect 'test: that tests are skipped is told' yes "$([[ $err == *'will be skipped'* ]] && echo yes)"
+equal 'test --install-only: exit code' 0 "$code"
+equal 'test: what it lacks is told' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"
+equal 'test: that tests are skipped is told' yes "$([[ $err == *'will be skipped'* ]] && echo yes)"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
-expect 'test: not where there are Node.js and npm' yes "$([[ $err == *"--no-install-recommends chromium'"* ]] && echo yes)"
-expect 'test: exit code' 0 "$code"
+equal 'test: not where there are Node.js and npm' yes "$([[ $err == *"--no-install-recommends chromium'"* ]] && echo yes)"
+equal 'test: exit code' 0 "$code"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test --install-only
-expect 'test: npm was asked once' 'web ci' "$(<"$scratch/npm said")"
+equal 'test: npm was asked once' 'web ci' "$(<"$scratch/npm said")"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
-expect 'test: the last lines are those of ctest' yes "$([[ $out == *'100% tests passed'*'Total Test time'* ]] && echo yes)"
+equal 'test: the last lines are those of ctest' yes "$([[ $out == *'100% tests passed'*'Total Test time'* ]] && echo yes)"
 
 echo 'this is no C++' >>"$home/main.cpp"
 launch "$home/daylight"
-expect 'a failed build: exit code' 1 "$code"
-expect 'a failed build: standard output' '' "$out"
-expect 'a failed build: the compiler is heard' yes "$([[ $err == *error:* ]] && echo yes)"
-
-((failures == 0))
+equal 'a failed build: exit code' 1 "$code"
+equal 'a failed build: standard output' '' "$out"
+equal 'a failed build: the compiler is heard' yes "$([[ $err == *error:* ]] && echo yes)"

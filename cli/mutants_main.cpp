@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exit_code.hpp"
 #include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/process/process.hpp"
@@ -34,8 +35,6 @@
 namespace {
 
 using namespace cyl;
-
-constexpr int exit_harness_failed = 1, exit_survivors = 2;
 
 /// A campaign of its own seed, looked at after each step; a finding beyond a claim or a truth that nobody
 /// can prove ends it.
@@ -63,7 +62,7 @@ std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
   GateOptions options;
   options.pairs = gate_pairs_each;
   const GateReport report = run_gate(methods, cases, options);
-  if (exit_code(report) == 0) return {};
+  if (exit_code(report) == exit_pass) return {};
   for (const GateFailure& f : report.failures)
     if (f.severity == Severity::contract)
       return fmt::format("{}: law {}, {}; {}", f.method, f.law->number, f.what, format_pair(f.simplest));
@@ -217,7 +216,7 @@ int matrix(const MutantsMainArguments& arguments) {
   fmt::print("{} of {} mutants detected\n", killed, chosen.size());
   if (!survivors.empty()) fmt::print("neither detected nor equivalent:{}\n", survivors);
   if (!not_equivalent.empty()) fmt::print("called equivalent, but detected:{}\n", not_equivalent);
-  return survivors.empty() && not_equivalent.empty() ? 0 : exit_survivors;
+  return survivors.empty() && not_equivalent.empty() ? exit_pass : exit_findings;
 }
 
 /// Faults of each part, in an order in which any first few are of different parts; each is caught within a
@@ -242,7 +241,7 @@ int self_test(std::size_t count, const std::string& corpus) {
     if (!killed) missed += fmt::format(", not {} ({})", number, mutant->what);
   }
   fmt::print("{} of {} detected{}\n", detected, count, missed);
-  return detected == count ? 0 : exit_survivors;
+  return detected == count ? exit_pass : exit_findings;
 }
 
 struct Planted {
@@ -269,7 +268,7 @@ int self_check(const Planted& planted) {
   const BatchRecord found =
       run_until_found({methods, drawn, {}, weights}, planted.seed, planted.first, planted.pairs);
   const std::string bytes = format_batch(found);
-  return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() ? 0 : exit_harness_failed;
+  return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() ? exit_pass : exit_harness_failed;
 }
 
 }  // namespace
@@ -310,7 +309,7 @@ int main(int argc, char** argv) {
     if (listing->parsed()) list();
     if (self_checking->parsed()) return self_check(planted);
     if (quick->parsed()) return self_test(count, arguments.corpus);
-    return running->parsed() ? matrix(arguments) : 0;
+    return running->parsed() ? matrix(arguments) : exit_pass;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';
     return exit_harness_failed;

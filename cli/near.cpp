@@ -9,8 +9,8 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "reports/scene/near_report.hpp"
-#include "scenes/scene_files.hpp"
-#include "scenes/scene_generators.hpp"
+#include "scenes/near/scene_generators.hpp"
+#include "scenes/read/scene_files.hpp"
 
 namespace cyl {
 namespace {

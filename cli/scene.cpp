@@ -13,8 +13,8 @@
 #include "cli/options.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "reports/web/page_template.hpp"
-#include "scenes/scene_files.hpp"
-#include "scenes/scene_study.hpp"
+#include "scenes/read/scene_files.hpp"
+#include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 namespace {

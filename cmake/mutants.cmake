@@ -17,12 +17,12 @@ set(test_candidates
     oracles/trial/compare_test.cpp oracles/methods/contained_test.cpp oracles/referee/referee_test.cpp
     oracles/referee/arithmetic_test.cpp oracles/referee/certificates_test.cpp oracles/referee/searches_test.cpp
     oracles/referee/touching_test.cpp solver/batches_test.cpp solver/promises_test.cpp
-    oracles/trial/proofs_test.cpp oracles/referee/enclosed_distance_test.cpp oracles/methods/literature_2017_test.cpp
+    oracles/trial/proofs_test.cpp oracles/referee/enclosed_distance_test.cpp oracles/methods/literature_test.cpp
     oracles/methods/errata_test.cpp
     corpus/store/run_store_test.cpp corpus/pairs/pair_io_test.cpp
     props/laws/laws_test.cpp props/laws/exact_laws_test.cpp props/laws/one_sided_laws_test.cpp
     props/laws/approximate_laws_test.cpp props/laws/answer_laws_test.cpp props/laws/examine_test.cpp
-    props/laws/batch_families_test.cpp fuzz/campaign/batch_test.cpp
+    fuzz/campaign/batch_test.cpp
     solver/intersect_batch_test.cpp solver/intersect_test.cpp solver/distance_test.cpp)
 
 # daylight_reached(RESULT SOURCE..): those of the sources that a fault reaches.

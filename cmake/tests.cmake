@@ -22,10 +22,10 @@ endfunction()
 
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
-set(process_suites Approaches Backward Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
+set(process_suites Backward Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
     Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit GateSarif Guest* *SupervisedProcess* KillMatrix Kin
-    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Urdf
-    Worker Worst WorstOfCause WriteStability)
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Worker
+    Worst WorstOfCause WriteStability)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
 
@@ -51,10 +51,10 @@ daylight_tests(corpus corpus/pairs corpus/store)
 daylight_tests(oracles oracles/trial props/laws corpus/store)
 daylight_tests(props props/laws props/gate props/shrink props/mutants)
 daylight_tests(bench bench bench/stability reports/run)
-daylight_tests(scenes scenes)
+daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
-daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene)
+daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene scenes/read)
 
 # daylight_deep(FOLDER FILTER AMOUNT..): the same tests with more of what they draw: ctest -L deep.
 function(daylight_deep folder filter)
@@ -117,6 +117,7 @@ daylight_script(mutants_off_change_nothing props 2400 ${PROJECT_SOURCE_DIR}/prop
 daylight_script(make_mutants_test props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants_test.sh
                 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants.py)
 daylight_script(mutations_test props 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/props/mutants/mutations_test.py)
+daylight_script(untaken_branches_test props 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/untaken_branches_test.py)
 daylight_script(mutants_smoke props 2400 daylight-mutants matrix --first --only 103)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some

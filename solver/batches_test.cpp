@@ -45,6 +45,19 @@ Batch draw_batch(const std::vector<Pair>& drawn, std::size_t size, RandomStream&
   return batch;
 }
 
+/// All that is drawn, each pair once.
+Batch whole_batch(const std::vector<Pair>& drawn) {
+  Batch batch;
+  for (const Pair& pair : drawn) {
+    const auto at = static_cast<std::uint32_t>(batch.pairs.size());
+    batch.a.push_back(prepare(pair.a));
+    batch.b.push_back(prepare(pair.b));
+    batch.pairs.push_back({at, at});
+    batch.single.push_back(intersect(batch.a[at], batch.b[at]));
+  }
+  return batch;
+}
+
 /// What is behind the last verdict stays as it is.
 constexpr std::size_t room = 64;
 constexpr Verdict untouched{0xaa};
@@ -98,6 +111,9 @@ TEST(SolverBatches, AnswerAsSinglePairs) {
   std::vector<Pair> drawn;
   for (const PairsOfKind& kind : draw_pairs(drawing_seed))
     drawn.insert(drawn.end(), kind.pairs.begin(), kind.pairs.end());
+  const Batch whole = whole_batch(drawn);
+  for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4})
+    if (wanted <= best_instructions()) ask_in_batch(whole, wanted);
   for (std::uint64_t i = 0; i < std::size(sizes) * times_of_a_size; ++i) {
     RandomStream stream("batches", drawing_seed, i);
     const std::size_t size = sizes[i % std::size(sizes)];

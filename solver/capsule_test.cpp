@@ -63,15 +63,11 @@ long double long_distance(const Vector3& a, const Vector3& b, const Vector3& c, 
 TEST(Segments, AreMeasuredWithinTheProvedError) {
   if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "no wider type to measure with";
   Numbers n(20261122);
-  const auto vector = [&] {
-    const double x = n.either_sign(), y = n.either_sign(), z = n.either_sign();
-    return Vector3(x, y, z);
-  };
   double worst = 0;
   for (int i = 0; i < 4 * 3600; ++i) {
     const double angle = std::ldexp(1.0, -(i % 60)), far = std::ldexp(1.0, -(i / 60 % 60));
-    const Vector3 at = (i & 1) != 0 ? Vector3(vector()) : Vector3(0, 0, 0), d = vector();
-    const Vector3 e = (i & 2) != 0 ? Vector3(d + angle * vector()) : Vector3(angle * vector());
+    const Vector3 at = (i & 1) != 0 ? n.vector() : Vector3(0, 0, 0), d = n.vector();
+    const Vector3 e = (i & 2) != 0 ? Vector3(d + angle * n.vector()) : Vector3(angle * n.vector());
     const Vector3 other = at + far * d.cross(e) / std::max(d.cross(e).norm(), 0x1p-200);
     const Vector3 p0 = at - n.unit() * d, p1 = p0 + d, q0 = other - n.unit() * e, q1 = q0 + e;
     const double lengths = ((p0 + p1) / 2).norm() + ((q0 + q1) / 2).norm() + d.norm() + e.norm();
@@ -96,8 +92,7 @@ class Draw : public Numbers {
   double next() { return either_sign(); }
   Vector3 unit() {
     for (;;) {
-      const double x = next(), y = next(), z = next();
-      const Vector3 v(x, y, z);
+      const Vector3 v = vector();
       if (const double l = length(v); l > 0.1 && l <= 1) return v / l;
     }
   }

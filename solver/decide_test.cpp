@@ -46,22 +46,6 @@ Pair at_distance(Cylinder a, Cylinder b, const Vector3& d, double relative_gap, 
   return {a, b};
 }
 
-Cylinder upright(double x, double y, double z, double radius, double height) {
-  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
-}
-
-// Support gap of a direction, the slow way, for checking what decide hands out.
-long double support_gap(const Pair& p, const Vector3& direction) {
-  using Wide = Eigen::Matrix<long double, 3, 1>;
-  const Wide d = direction.cast<long double>();
-  long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    const Wide w = c->axis.cast<long double>().normalized();
-    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
-  }
-  return f;
-}
-
 TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
   Stream random(20261121);
   int decided[2] = {0, 0}, undecided = 0;

@@ -2,7 +2,6 @@
 // The distance where the rims are hard to bring near: small on large, nearly tangent, at the border of a cap.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -11,19 +10,6 @@
 
 namespace cyl {
 namespace {
-
-using Wide = Eigen::Matrix<long double, 3, 1>;
-
-double reach_of(const Pair& p) {
-  return p.a.radius + p.a.height + p.b.radius + p.b.height + (p.b.center - p.a.center).norm();
-}
-
-// How far a point, from the solid's centre, is outside: 0 within.
-double outside(const Cylinder& c, const Vector3& offset) {
-  const Wide x = offset.cast<long double>(), w = c.axis.cast<long double>().normalized();
-  const long double along = std::fabs(x.dot(w)) - c.height / 2, across = x.cross(w).norm() - c.radius;
-  return static_cast<double>(std::max(0.0L, std::max(along, across)));
-}
 
 // Axes nearly parallel and rims nearly tangent.
 TEST(Distance, NearlyTangentRimsApart) {

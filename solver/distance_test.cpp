@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,8 +11,6 @@
 
 namespace cyl {
 namespace {
-
-using Wide = Eigen::Matrix<long double, 3, 1>;
 
 class Stream : public Numbers {
  public:
@@ -36,34 +33,8 @@ class Stream : public Numbers {
   }
 };
 
-double size_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
-
-double reach_of(const Pair& p) { return size_of(p) + (p.b.center - p.a.center).norm(); }
-
-Cylinder upright(double x, double y, double z, double radius, double height) {
-  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
-}
-
 Cylinder lying(double x, double y, double z, double radius, double height) {
   return {Vector3(x, y, z), Vector3(1, 0, 0), radius, height};
-}
-
-// f at a direction, the slow way.
-double support_gap(const Pair& p, const Vector3& direction) {
-  const Wide d = direction.cast<long double>();
-  long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    const Wide w = c->axis.cast<long double>().normalized();
-    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
-  }
-  return static_cast<double>(f / d.norm());
-}
-
-// How far a point, from the solid's centre, is outside: 0 within.
-double outside(const Cylinder& c, const Vector3& offset) {
-  const Wide x = offset.cast<long double>(), w = c.axis.cast<long double>().normalized();
-  const long double along = std::fabs(x.dot(w)) - c.height / 2, across = x.cross(w).norm() - c.radius;
-  return static_cast<double>(std::max(0.0L, std::max(along, across)));
 }
 
 struct Known {

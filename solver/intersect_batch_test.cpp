@@ -112,22 +112,5 @@ TEST(Batch, GivesTheCertificatesOfDecideOnEveryInstructionSet) {
   }
 }
 
-TEST(Batch, TakesPairsInAnyOrderAndNumber) {
-  const std::vector<Prepared> solids = crowd(100);
-  for (const Instructions instructions : runnable()) {
-    for (const std::size_t count : {0u, 1u, 2u, 3u, 7u, 8u, 9u, 1023u, 1024u, 1025u, 3000u}) {
-      std::vector<IndexPair> pairs;
-      for (std::size_t i = 0; i < count; ++i)
-        pairs.push_back({static_cast<std::uint32_t>(i * 37 % 100), static_cast<std::uint32_t>(i * i % 100)});
-      // One more, which must stay as it is.
-      std::vector<Verdict> verdicts(count + 1, Verdict::touching);
-      intersect_batch(solids, solids, pairs, verdicts.data(), instructions);
-      for (std::size_t i = 0; i < count; ++i)
-        ASSERT_EQ(verdicts[i], intersect(solids[pairs[i].a], solids[pairs[i].b])) << i << " of " << count;
-      ASSERT_EQ(verdicts[count], Verdict::touching);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace cyl

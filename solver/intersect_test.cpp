@@ -6,13 +6,10 @@
 #include <limits>
 
 #include "solver/decide.hpp"
+#include "solver/solver_test.hpp"
 
 namespace cyl {
 namespace {
-
-Cylinder upright(double x, double y, double z, double radius, double height) {
-  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
-}
 
 TEST(Intersect, PairsKnownOnPaper) {
   const Cylinder unit = upright(0, 0, 0, 1, 2);

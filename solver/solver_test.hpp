@@ -3,10 +3,15 @@
 // it.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
+
+#include "solver/cylinder.hpp"
 
 // Counts allocations, so that a test can require none. Not inlined, because gcc would report a mismatch of
 // malloc and free through new and delete.
@@ -34,10 +39,43 @@ class Numbers {
     unit();
     return static_cast<double>(static_cast<std::int64_t>(state_) >> 11) * 0x1p-52;
   }
+  // Each coordinate in [-1, 1), drawn in order.
+  Vector3 vector() {
+    const double x = either_sign(), y = either_sign(), z = either_sign();
+    return {x, y, z};
+  }
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
 
  private:
   std::uint64_t state_;
 };
+
+using Wide = Eigen::Matrix<long double, 3, 1>;
+
+inline Cylinder upright(double x, double y, double z, double radius, double height) {
+  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
+}
+
+inline double reach_of(const Pair& p) {
+  return p.a.radius + p.a.height + p.b.radius + p.b.height + (p.b.center - p.a.center).norm();
+}
+
+// f at a direction, the slow way.
+inline double support_gap(const Pair& p, const Vector3& direction) {
+  const Wide d = direction.cast<long double>();
+  long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    const Wide w = c->axis.cast<long double>().normalized();
+    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
+  }
+  return static_cast<double>(f / d.norm());
+}
+
+// How far a point, from the solid's centre, is outside: 0 within.
+inline double outside(const Cylinder& c, const Vector3& offset) {
+  const Wide x = offset.cast<long double>(), w = c.axis.cast<long double>().normalized();
+  const long double along = std::fabs(x.dot(w)) - c.height / 2, across = x.cross(w).norm() - c.radius;
+  return static_cast<double>(std::max(0.0L, std::max(along, across)));
+}
 
 }  // namespace cyl

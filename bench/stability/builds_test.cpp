@@ -2,7 +2,6 @@
 #include "bench/stability/builds.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/json.hpp"
+#include "base/scratch_test.hpp"
 #include "bench/stability/build_pairs.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/fake_method_test.hpp"
@@ -111,7 +111,8 @@ TEST(Builds, TheMethodsAreThoseThatNeedEigenAlone) {
 }
 
 TEST(Builds, AreReadBackLineByLine) {
-  const fs::path file = fs::temp_directory_path() / ("daylight_builds_" + std::to_string(getpid()));
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "builds";
   EXPECT_EQ(builds_json(file), json::array());
   BuildDifference d;
   d.method = "m";
@@ -125,7 +126,6 @@ TEST(Builds, AreReadBackLineByLine) {
     std::ofstream(file) << bad;
     EXPECT_THROW(builds_json(file), std::runtime_error) << bad;
   }
-  fs::remove(file);
 }
 
 TEST(Builds, TheCommittedOnesAreOfTheForm) {

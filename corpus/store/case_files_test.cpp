@@ -2,7 +2,6 @@
 #include "corpus/store/case_files.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,32 +12,23 @@
 #include <string>
 #include <string_view>
 
+#include "base/scratch_test.hpp"
+
 namespace cyl {
 namespace {
 
 const std::string committed = std::string(DAYLIGHT_SOURCE_DIR) + "/corpus/cases";
 
-class CaseFiles : public testing::Test {
+class CaseFiles : public testing::Test, protected Scratch {
  protected:
-  CaseFiles() { std::filesystem::create_directory(folder_); }
-  ~CaseFiles() override { std::filesystem::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-
   std::string error() const {
     try {
-      read_case_folder(folder_.string());
+      read_case_folder(folder.string());
       return "";
     } catch (const std::exception& fault) {
       return fault.what();
     }
   }
-
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                        ("case_files_test." + std::to_string(getpid()) + "." +
-                                         testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 std::string line_with_id(const std::string& id) {
@@ -51,22 +41,21 @@ TEST_F(CaseFiles, AreReadInTheOrderOfTheirNames) {
   write("b.jsonl", line_with_id("3"));
   write("a.jsonl", line_with_id("1") + "\n" + line_with_id("2"));
   write("c.json", "not read");
-  std::filesystem::create_directory(folder_ / "d");
+  std::filesystem::create_directory(folder / "d");
   std::string ids;
-  for (const Case& c : read_case_folder(folder_.string())) ids += c.id;
+  for (const Case& c : read_case_folder(folder.string())) ids += c.id;
   EXPECT_EQ(ids, "123");
 }
 
 TEST_F(CaseFiles, NameTheFaultAndItsPlace) {
   write("a.jsonl", line_with_id("1") + "{\"a\":1}\n");
-  EXPECT_EQ(error(),
-            (folder_ / "a.jsonl").string() + ": line 2, column 6: a is a number, expected an object");
-  std::filesystem::remove(folder_ / "a.jsonl");
+  EXPECT_EQ(error(), (folder / "a.jsonl").string() + ": line 2, column 6: a is a number, expected an object");
+  std::filesystem::remove(folder / "a.jsonl");
   EXPECT_EQ(error(), "");
-  std::filesystem::create_directory(folder_ / "e.jsonl");
-  EXPECT_EQ(error(), (folder_ / "e.jsonl").string() + ": cannot be read");
-  std::filesystem::remove_all(folder_);
-  EXPECT_EQ(error(), folder_.string() + ": No such file or directory");
+  std::filesystem::create_directory(folder / "e.jsonl");
+  EXPECT_EQ(error(), (folder / "e.jsonl").string() + ": cannot be read");
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(error(), folder.string() + ": No such file or directory");
 }
 
 TEST(CommittedCases, HaveUniqueIdsAndASource) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the entries, rows and families of a stored run mean: the words that campaigns write and reports read.
+// The meaning of the entries, rows and families of a stored run: the words that campaigns write and reports
+// read.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace cyl {
 /// referee.
 inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
-/// How often each arithmetic gave the verdict, decided or not, and the time of those pairs, in the order of
-/// Stage.
+/// How often each arithmetic gave the verdict, decided or not, and the time of the pairs that it got, in the
+/// order of Stage.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
 /// Returns whether a row belongs to a method and is not one of the rows above.
 constexpr bool is_method_row(std::string_view name) {

@@ -65,7 +65,7 @@ struct TallyRecord {
   static auto columns(auto& t) { return std::tie(t.method, t.family, t.counts); }
 };
 
-/// What findings have in common that are counted together.
+/// The findings that are counted together have these properties in common.
 struct FindingGroup {
   std::string method;
   FindingKind kind = FindingKind::wrong_disjoint;

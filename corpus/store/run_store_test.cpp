@@ -13,6 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/scratch_test.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
 
@@ -21,17 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone afterwards.
-class Store : public testing::Test {
- protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() / ("daylight_store_" + std::to_string(getpid()) + "_" +
-                                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-  fs::path folder;
-};
+class Store : public testing::Test, protected Scratch {};
 
 FindingRecord finding_at(std::uint64_t index, double margin) {
   FindingRecord f;
@@ -289,7 +280,7 @@ TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
       RunStore store = RunStore::open(folder);
       for (std::uint64_t first = store.progress().next;; first += 10) {
         store.commit(batch_of(first, first + 10, [](auto i) { return 1.0 / double(i + 1); }), 1);
-        if (write(stored[1], "", 1) != 1) _exit(1);
+        if (::write(stored[1], "", 1) != 1) _exit(1);
       }
     }
     close(stored[1]);

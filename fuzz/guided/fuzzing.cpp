@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/exit_code.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -233,8 +234,8 @@ FuzzSummary run_fuzzing(const FuzzOptions& options,
 }
 
 int exit_code(const FuzzSummary& summary) {
-  if (!summary.harness_failure.empty()) return 1;
-  return summary.findings.empty() ? 0 : 2;
+  if (!summary.harness_failure.empty()) return exit_harness_failed;
+  return summary.findings.empty() ? exit_pass : exit_findings;
 }
 
 std::string format_fuzzing(const FuzzSummary& summary) {

@@ -2,7 +2,6 @@
 #include "fuzz/guided/fuzzing.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -13,6 +12,7 @@
 #include <iterator>
 #include <string>
 
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
@@ -44,31 +44,27 @@ trap 'exit 0' USR1
 live() { echo "#2 INITED cov: 1 ft: 5 corp: 1"; echo "#9 NEW cov: 1 ft: 12 corp: 2"; while :; do sleep 0.05; done; }
 )";
 
-class Fuzzing : public testing::Test {
+class Fuzzing : public testing::Test, protected Scratch {
  protected:
   void SetUp() override {
-    std::string name = fs::temp_directory_path() / "fuzzing_test_XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    options_.program = folder_ / "engine";
+    options_.program = folder / "engine";
     options_.target = "fuzz_fake";
-    options_.out = folder_ / "run";
+    options_.out = folder / "run";
     options_.budget = std::chrono::minutes(10);  // for what never comes
     options_.exchange_interval = milliseconds(200);
     options_.seed = 1;
     const Record record = encode_record(pair);
-    std::ofstream(folder_ / "record", std::ios::binary)
+    std::ofstream(folder / "record", std::ios::binary)
         .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
     for (const Stratum& s : {cap_cap, cap_rim}) {
       Visited seen;
       const auto number = static_cast<unsigned>(s.feature);
       seen.executions = 70 + number;
       seen.strata[index_of(s)] = 1;
-      std::ofstream(folder_ / ("visited-" + std::to_string(number)), std::ios::binary)
+      std::ofstream(folder / ("visited-" + std::to_string(number)), std::ios::binary)
           .write(reinterpret_cast<const char*>(&seen), sizeof seen);
     }
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void live(const std::string& life) {
     std::ofstream(options_.program) << engine << life;
@@ -89,7 +85,6 @@ class Fuzzing : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  fs::path folder_;
   FuzzOptions options_;
 };
 
@@ -121,7 +116,7 @@ TEST_F(Fuzzing, KeepsFindingsOncePerBucket) {
   Case c;
   c.pair = pair;
   c.id = "abcdefghijkl";
-  std::ofstream(folder_ / "line") << format_case(c) << '\n';
+  std::ofstream(folder / "line") << format_case(c) << '\n';
   live("cp $here/line $DAYLIGHT_FUZZ_OUT/findings.jsonl; live");
   for (int run = 0; run < 2; ++run) {  // the second knows it from the first
     const FuzzSummary summary = fuzz_until([](const FuzzProgress& p) { return p.findings == 1; });
@@ -189,7 +184,7 @@ TEST_F(Fuzzing, EndsInOrderWhenAsked) {
 }
 
 TEST_F(Fuzzing, WhatWasVisitedOutlivesTheProcess) {
-  const std::string file = folder_ / "visited";
+  const std::string file = folder / "visited";
   EXPECT_EQ(read_visited(file).executions, 0u);
   keep_visited(file);
   visited().executions = 7;

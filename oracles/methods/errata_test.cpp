@@ -37,7 +37,6 @@ TEST(Errata, EachThatAPairShowsIsShownByItsCase) {
     ASSERT_NE(found, left.end()) << e.id;
     const Case& c = found->second;
     EXPECT_TRUE(ShownErratum(e).on(c.pair, rounding_margin)) << e.id;
-    EXPECT_EQ(judge(c.pair).verdict, c.truth) << e.id;
     for (const Cylinder& solid : {c.pair.a, c.pair.b})
       for (const double x : {solid.center.x(), solid.center.y(), solid.center.z(), solid.axis.x(),
                              solid.axis.y(), solid.axis.z(), solid.radius, solid.height})

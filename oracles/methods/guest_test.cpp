@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/scratch_test.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 
@@ -91,10 +91,9 @@ TEST(GuestCommand, TheHelloGivesNameVersionAndClaim) {
 }
 
 TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
-  const fs::path file = fs::temp_directory_path() / ("guest_version" + std::to_string(getpid()) + ".sh");
+  const Scratch scratch;
   const auto version_of = [&](const std::string& program) {
-    std::ofstream(file) << program << '\n';
-    Guest guest = read_guest(GuestKind::command, "test=sh -e " + file.string());
+    Guest guest = read_guest(GuestKind::command, "test=sh -e " + scratch.write("guest.sh", program + '\n'));
     guest.folder = "/";
     return std::string(open_guest(guest).front().method->version());
   };
@@ -102,7 +101,6 @@ TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
   EXPECT_TRUE(before.starts_with("unversioned (")) << before;
   EXPECT_EQ(version_of(each_line(say(apart))), before);
   EXPECT_NE(version_of(each_line("true; " + say(apart))), before);
-  fs::remove(file);
 }
 
 TEST(GuestCommand, AskedFromAThreadThatEndsItGoesOn) {
@@ -204,7 +202,8 @@ TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
 }
 
 TEST(GuestCommand, NothingOfItOutlivesIt) {
-  const fs::path file = fs::temp_directory_path() / ("guest_test_" + std::to_string(getpid()));
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "pipe";
   // What it starts, in a session of its own, holds the pipe open as long as it lives.
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   const int pipe = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -218,7 +217,6 @@ TEST(GuestCommand, NothingOfItOutlivesIt) {
   }
   EXPECT_EQ(read(pipe, text, sizeof text), 0) << "an orphan lives on";  // the end, and not: nothing yet
   close(pipe);
-  fs::remove(file);
 }
 
 TEST(GuestCommand, WhatCannotBeAskedIsRefusedAtOnce) {
@@ -243,10 +241,8 @@ TEST(GuestNames, GivenOrDerived) {
   EXPECT_EQ(read_guest(GuestKind::command, "mine=FOO=1 x").name, "mine");
   EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").name, "");
   EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").what, "FOO=1 x");
-  const fs::path file = fs::temp_directory_path() / ("guest" + std::to_string(getpid()) + ".sh");
-  std::ofstream(file) << each_line(say(apart)) << '\n';
-  EXPECT_EQ(name("sh  -e " + file.string() + " --fast"), file.stem().string());
-  fs::remove(file);
+  const Scratch scratch;
+  EXPECT_EQ(name("sh  -e " + scratch.write("script.sh", each_line(say(apart)) + '\n') + " --fast"), "script");
   EXPECT_THROW(read_guest(GuestKind::command, "a\tb"), std::invalid_argument);
   EXPECT_THROW(read_guest(GuestKind::plugin, ""), std::invalid_argument);
   EXPECT_THROW(name("test=" + say(R"({"name":"a,b"})")), std::runtime_error);

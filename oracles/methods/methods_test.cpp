@@ -10,6 +10,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
@@ -371,14 +372,13 @@ TEST(Peers, DeclineSizesThatTheyDoNotTake) {
 TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
   const auto methods = chosen("mujoco");
   namespace fs = std::filesystem;
-  const fs::path before = fs::current_path(), scratch = fs::path(testing::TempDir()) / "daylight_mujoco";
-  fs::create_directories(scratch);
-  fs::current_path(scratch);
+  const fs::path before = fs::current_path();
+  const Scratch scratch;
+  fs::current_path(scratch.folder);
   mju_warning("no trace of this");
   EXPECT_DEATH(mju_error("said of this"), "said of this");
-  EXPECT_TRUE(fs::is_empty(scratch));
+  EXPECT_TRUE(fs::is_empty(scratch.folder));
   fs::current_path(before);
-  fs::remove_all(scratch);
 }
 
 // Their squares vanish.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/exit_code.hpp"
+
 namespace cyl {
 namespace {
 
@@ -38,7 +40,7 @@ bool is_error(const GateFailure& failure) { return failure.severity == Severity:
 bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
 
 int exit_code(const GateReport& report) {
-  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return 2;
+  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return exit_findings;
   const auto unsampled = [](const GatePhaseReport& p) {
     return (p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0;
   };
@@ -46,7 +48,7 @@ int exit_code(const GateReport& report) {
                          std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
                          std::any_of(report.methods.begin(), report.methods.end(),
                                      [](const GateMethod& m) { return abstains(m.counts); });
-  return undecided ? 3 : 0;
+  return undecided ? exit_undecided : exit_pass;
 }
 
 }  // namespace cyl

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/scratch_test.hpp"
 #include "reports/export/export.hpp"
 #include "reports/export/exported_folder_test.hpp"
 
@@ -48,13 +48,10 @@ Pair asked_of(std::size_t fault) {
 }
 
 /// A plug-in and a program with these faults, in a folder of their own.
-class Guests {
+class Guests : Scratch {
  public:
   Guests() {
-    std::string name = (fs::temp_directory_path() / "daylight-guests-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = name;
-    std::ofstream c(folder_ / "faulty.cpp"), shell(folder_ / "faulty.sh");
+    std::ofstream c(folder / "faulty.cpp"), shell(folder / "faulty.sh");
     c << "#include <cstdlib>\n#include \"plugin.h\"\n"
          "static int ask(const double* a, const double*, double* more) {\n  switch (int(a[7])) {\n";
     shell << "while read -r q; do case $q in\n";
@@ -69,17 +66,13 @@ class Guests {
     shell << "*) echo '{\"verdict\":\"disjoint\"}';; esac; done\n";
     c.close();
     shell.close();
-    const std::string build = "cd " + shell_quoted(name) + " && c++ -shared -fPIC -w -I " +
+    const std::string build = "cd " + shell_quoted(folder.string()) + " && c++ -shared -fPIC -w -I " +
                               shell_quoted(DAYLIGHT_SOURCE_DIR "/oracles") + " faulty.cpp -o faulty.so";
     if (std::system(build.c_str()) != 0) throw std::runtime_error("the plug-in is not built");
   }
-  ~Guests() { fs::remove_all(folder_); }
 
-  Guest plugin() const { return {GuestKind::plugin, "", (folder_ / "faulty.so").string(), ""}; }
-  Guest command() const { return {GuestKind::command, "", "sh faulty.sh", folder_.string()}; }
-
- private:
-  fs::path folder_;
+  Guest plugin() const { return {GuestKind::plugin, "", (folder / "faulty.so").string(), ""}; }
+  Guest command() const { return {GuestKind::command, "", "sh faulty.sh", folder.string()}; }
 };
 
 /// Opens a guest, which then has the name that it is called by.
@@ -175,9 +168,9 @@ TEST(Export, ItsSourceIsSentAndBuilt) {
 }
 
 TEST(Export, AtTheEdgeOfTheClaimTheWorstIsShown) {
-  std::string name = (fs::temp_directory_path() / "daylight-edge-XXXXXX").string();
-  ASSERT_NE(mkdtemp(name.data()), nullptr);
-  Guest guest{GuestKind::command, "", "while read -r q; do echo '{\"verdict\":\"disjoint\"}'; done", name};
+  const Scratch scratch;
+  Guest guest{GuestKind::command, "", "while read -r q; do echo '{\"verdict\":\"disjoint\"}'; done",
+              scratch.folder.string()};
   guest.what = "h='{\"claim\":{\"relative\":1e-3}}'; echo \"$h\"; " + guest.what;
   guest.name = "edge";
   const auto methods = opened(guest);
@@ -198,7 +191,6 @@ TEST(Export, AtTheEdgeOfTheClaimTheWorstIsShown) {
   EXPECT_TRUE(has(plain, "the worst known")) << plain;
   EXPECT_FALSE(has(centre(0.0078125, {}), "Another pair"));
   EXPECT_TRUE(has(centre(0.001953125, {}), "within its tolerance")) << "within the claim";
-  fs::remove_all(name);
 }
 
 TEST(Export, APluginShowsIt) {

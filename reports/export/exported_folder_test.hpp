@@ -3,10 +3,8 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -14,6 +12,7 @@
 #include <string_view>
 
 #include "base/safe_text.hpp"
+#include "base/scratch_test.hpp"
 #include "reports/export/export.hpp"
 
 namespace cyl {
@@ -28,26 +27,17 @@ struct Ran {
 };
 
 /// A folder of its own, with an export in it.
-class Folder {
+class Folder : Scratch {
  public:
-  explicit Folder(const Export& files) {
-    std::string name = (std::filesystem::temp_directory_path() / "daylight-export-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-    write_export(files, name);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
+  explicit Folder(const Export& files) { write_export(files, folder.string()); }
 
   Ran run(const std::string& command) const {
-    const std::string all = "cd " + shell_quoted(path_.string()) + " && { " + command + "; } >printed 2>&1";
+    const std::string all = "cd " + shell_quoted(folder.string()) + " && { " + command + "; } >printed 2>&1";
     const int status = std::system(all.c_str());
-    std::ifstream in(path_ / "printed");
+    std::ifstream in(folder / "printed");
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
             {std::istreambuf_iterator<char>(in), {}}};
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace cyl

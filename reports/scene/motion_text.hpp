@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "scenes/scene_study.hpp"
+#include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/close_pairs.hpp"
-#include "scenes/nearest_pairs.hpp"
+#include "scenes/near/close_pairs.hpp"
+#include "scenes/near/nearest_pairs.hpp"
 
 namespace cyl {
 

@@ -6,7 +6,7 @@
 
 #include "base/json.hpp"
 #include "reports/schemas/schema_check_test.hpp"
-#include "scenes/scene_generators.hpp"
+#include "scenes/near/scene_generators.hpp"
 
 namespace cyl {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/statistics.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/shown_pairs.hpp"
+#include "scenes/study/shown_pairs.hpp"
 
 namespace cyl {
 namespace {

@@ -7,8 +7,8 @@
 #include "reports/schemas/schema_check_test.hpp"
 #include "reports/web/page_data_test.hpp"
 #include "reports/web/page_template.hpp"
-#include "scenes/scene_files.hpp"
-#include "scenes/shown_pairs.hpp"
+#include "scenes/read/scene_files.hpp"
+#include "scenes/study/shown_pairs.hpp"
 
 namespace cyl {
 namespace {

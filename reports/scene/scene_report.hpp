@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_study.hpp"
+#include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 
@@ -39,7 +39,7 @@ StudyWords words_of(const Scene& scene, const SceneOptions& question, const Scen
 /// study has `prove` and `prove_others`.
 std::string srdf_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
-/// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
+/// Returns the study with its words and the shown configurations (scenes/study/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.
 std::string study_json(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/json.hpp"
-#include "scenes/bounding_solid.hpp"
-#include "scenes/scene_files.hpp"
-#include "scenes/scene_study.hpp"
+#include "scenes/read/bounding_solid.hpp"
+#include "scenes/read/scene_files.hpp"
+#include "scenes/study/scene_study.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {

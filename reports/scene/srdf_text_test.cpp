@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "base/files.hpp"
+#include "base/scratch_test.hpp"
 #include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/scene_files.hpp"
+#include "scenes/read/scene_files.hpp"
 
 namespace cyl {
 namespace {
@@ -27,13 +25,10 @@ SceneOptions question() {
 
 /// What comes back when it is read for the same robot: by the names of the links.
 std::map<std::pair<std::string, std::string>, std::string> read_back(Scene scene, const std::string& text) {
-  const auto file =
-      std::filesystem::path(testing::TempDir()) / ("back_" + std::to_string(getpid()) + ".srdf");
-  write_file(file.string(), text);
+  const Scratch scratch;
   scene.exemptions.clear();
   scene.notes.clear();
-  read_srdf(file.string(), scene);
-  std::filesystem::remove(file);
+  read_srdf(scratch.write("back.srdf", text), scene);
   EXPECT_TRUE(scene.notes.empty());
   std::map<std::pair<std::string, std::string>, std::string> reasons;
   for (const Exemption& e : scene.exemptions)

@@ -3,30 +3,21 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "base/process/line_program.hpp"
+#include "base/scratch_test.hpp"
 
 namespace cyl {
 
-/// A file of this process, removed with the object.
-class ScratchFile {
+/// A file that is removed with the object.
+class ScratchFile : Scratch {
  public:
-  explicit ScratchFile(const std::string& content)
-      : path(std::filesystem::temp_directory_path() /
-             ("daylight_scratch_" + std::to_string(getpid()) + "_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() { std::filesystem::remove(path); }
+  explicit ScratchFile(const std::string& content) : path(write("file", content)) {}
   const std::filesystem::path path;
 };
 

@@ -49,7 +49,7 @@ struct CauseFindings {
   std::optional<ShownCandidate> simplest;
   bool seen_again = false;  ///< on the simplest
   const FindingRecord* worst = nullptr;
-  const WorstRecord* found = nullptr;  ///< a pair that is said to be worse
+  const WorstRecord* found = nullptr;  ///< a pair that a search found, if it is worse
 
   /// The finding that stands for the others.
   const FindingRecord& first() const { return simplest ? *simplest->of : *worst; }

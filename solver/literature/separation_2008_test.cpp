@@ -328,16 +328,6 @@ TEST(Separation2008, SquareRootFreeTestIsTheTest) {
     for (double y : {0.1, 0.5, 0.6}) EXPECT_EQ(below_by_squares(x * x, y * y, 1), x + y < 1) << x << ' ' << y;
 }
 
-// Parallel segments 1e-9 apart: the printed difference of squares is 0.
-TEST(Separation2008, PrintedDistanceOfParallelAxesCancels) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 0, 2}, b{{1e-9, 0, 0.5}, {0, 0, 1}, 0, 2};
-  const auto verdict = [&](Faults faults) {
-    return separation_2008(a, b, CircleWay::minimise, CriticalWay::normalised, {faults, 60, 0}).verdict;
-  };
-  EXPECT_EQ(verdict({}), Verdict::disjoint);
-  EXPECT_EQ(verdict(Fault::cancelling_distance), Verdict::intersecting);
-}
-
 TEST(RealRoots, OfAProductOfLinearFactors) {
   // x (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient.
   const auto roots = real_roots(std::array<double, 7>{0, -2, 1, -1, 1, 1, 0}, 1e-6);

@@ -21,10 +21,6 @@ class Draw : public Numbers {
  public:
   Draw() : Numbers(2017) {}
   double next() { return either_sign(); }
-  Vector3 vector() {
-    const double x = next(), y = next(), z = next();
-    return {x, y, z};
-  }
   double length() { return 1.5 + next(); }
 };
 

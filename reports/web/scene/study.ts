@@ -193,7 +193,7 @@ export function frameOf(study: Study): SceneFrame {
   };
 }
 
-/** The model that stands for a cylinder, where it is a solid of its own (scenes/model_hierarchy.cpp). */
+/** The model that stands for a cylinder, where it is a solid of its own (scenes/near/model_hierarchy.cpp). */
 export function standIn(s: Solid, model: Model): Capsule | null {
   const { center, axis } = s;
   switch (model) {

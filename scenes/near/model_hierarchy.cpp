@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/near/model_hierarchy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+Proximity proximity_of(Verdict verdict) noexcept {
+  return verdict == Verdict::disjoint       ? Proximity::apart
+         : verdict == Verdict::intersecting ? Proximity::within
+                                            : Proximity::unclear;
+}
+
+/// What within() says of two balls, without the call, which costs more than the answer.
+bool balls_apart(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  const Vector3 way = b.center - a.center;
+  const double far = a.rounding + b.rounding + clearance;
+  return way.x() * way.x() + way.y() * way.y() + way.z() * way.z() > far * far;
+}
+
+/// A model around solids says nothing where it is met, one inside them nothing where it is not.
+Proximity only(Proximity said, Verdict verdict) noexcept {
+  return proximity_of(verdict) == said ? said : Proximity::unclear;
+}
+
+Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
+  const Distance d = distance(a.solid, b.solid);
+  if (d.verdict == Verdict::invalid) return Proximity::unclear;
+  if (d.value - d.error > clearance) return Proximity::apart;
+  return d.value + d.error <= clearance ? Proximity::within : Proximity::unclear;
+}
+
+}  // namespace
+
+ProxyModels make_models(const Cylinder& c) noexcept {
+  const double margin = model_margin * (c.radius + c.height + c.rounding);
+  const double inside = std::min(c.radius, c.height / 2);
+  const auto model = [&](double height, double rounding) {
+    return prepare({c.center, c.axis, 0, height, rounding});
+  };
+  return {prepare(c),
+          model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
+          model(c.height, c.radius + c.rounding + margin),
+          model(c.height - 2 * inside, inside + c.rounding - margin)};
+}
+
+std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
+  std::vector<ProxyModels> models;
+  models.reserve(placed.size());
+  for (const Cylinder& c : placed) models.push_back(make_models(c));
+  return models;
+}
+
+Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
+  // The clearance is a rounding too.
+  const double wide = clearance * (1 + model_margin), narrow = clearance * (1 - model_margin);
+  switch (level) {
+    case Level::sphere:
+      return balls_apart(a.ball, b.ball, wide) ? Proximity::apart : Proximity::unclear;
+    case Level::outer:
+      return only(Proximity::apart, cyl::within(a.outer, b.outer, wide));
+    case Level::inner:
+      return only(Proximity::within, cyl::within(a.inner, b.inner, narrow));
+    case Level::cylinder:
+      return proximity_of(cyl::within(a.solid, b.solid, clearance));
+    case Level::distance:
+      return compare_distance(a, b, clearance);
+    case Level::certified:
+      break;
+  }
+  return proximity_of(decide_within(a.solid, b.solid, clearance).verdict);
+}
+
+bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
+  switch (level) {
+    case Level::inner:
+      return proximity(level, a, b, clearance) == Proximity::within;
+    case Level::cylinder:
+      return cyl::within(a.solid, b.solid, clearance) != Verdict::disjoint;
+    case Level::distance:
+      return !(distance(a.solid, b.solid).value > clearance);
+    default:
+      return proximity(level, a, b, clearance) != Proximity::apart;
+  }
+}
+
+bool within(const Cascade& cascade, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
+  if (cascade.first[0] && proximity(Level::sphere, a, b, clearance) == Proximity::apart) return false;
+  if (cascade.first[1] && proximity(Level::outer, a, b, clearance) == Proximity::apart) return false;
+  if (cascade.first[2] && proximity(Level::inner, a, b, clearance) == Proximity::within) return true;
+  return accepted(cascade.last, a, b, clearance);
+}
+
+}  // namespace cyl

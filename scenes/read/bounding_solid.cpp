@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/read/bounding_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+struct Ball {
+  Vector3 center{0, 0, 0};
+  double radius = 0;
+};
+
+using Points = std::span<const Vector3>;
+using Support = std::vector<Vector3>;
+
+/// The middle of the sphere through points, in the plane or line that they span: with q_i from the first of
+/// them to the others, sum_j (q_i q_j) x_j = q_i q_i / 2.
+Vector3 middle_of(const Support& points) {
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+  const auto count = static_cast<Eigen::Index>(points.size()) - 1;
+  if (count == 0) return points[0];
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> q(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) q.col(i) = points[static_cast<std::size_t>(i) + 1] - points[0];
+  const Square products = q.transpose() * q;
+  return points[0] + q * products.ldlt().solve(0.5 * products.diagonal());
+}
+
+const Vector3& farthest(Points points, const Vector3& from) {
+  const Vector3* best = points.data();
+  double most = -1;
+  for (const Vector3& p : points) {
+    const double square = (p - from).squaredNorm();
+    if (square > most) {
+      most = square;
+      best = &p;
+    }
+  }
+  return *best;
+}
+
+/// The smallest ball around at most five points, with those that it rests on. Of the balls through some of
+/// them, made so wide that they hold all, it is the least.
+std::pair<Ball, Support> ball_around_few(const Support& few) {
+  std::pair<Ball, Support> best;
+  best.first.radius = INFINITY;
+  for (unsigned set = 1; set < 1u << few.size(); ++set) {
+    Support chosen;
+    for (std::size_t i = 0; i < few.size(); ++i)
+      if ((set >> i & 1) != 0) chosen.push_back(few[i]);
+    if (chosen.size() > 4) continue;
+    const Vector3 center = middle_of(chosen);
+    const double radius = (farthest(few, center) - center).norm();
+    if (radius < best.first.radius) best = {{center, radius}, std::move(chosen)};
+  }
+  return best;
+}
+
+/// The ball grows over the point that is farthest out until none is: some ten rounds.
+constexpr std::size_t rounds_cap = 100;
+/// Relative to the radius: what is as little outside as this is met by making the ball wider.
+constexpr double outside_tol = 1e-13;
+
+Ball smallest_ball(Points points) {
+  Support rest{points[0]};
+  Ball ball{points[0], 0};
+  for (std::size_t round = 0; round < rounds_cap; ++round) {
+    const Vector3 out = farthest(points, ball.center);
+    if (!((out - ball.center).norm() > ball.radius * (1 + outside_tol))) break;
+    rest.push_back(out);
+    std::tie(ball, rest) = ball_around_few(rest);
+  }
+  ball.radius = (farthest(points, ball.center) - ball.center).norm();
+  return ball;
+}
+
+/// How much wider than need be a capsule is tried: wider ones may be shorter.
+constexpr std::array widths{1.0, 1.0625, 1.125, 1.25, 1.5};
+
+/// The least cylinder or capsule along a unit axis, around the smallest circle of the points' shadow.
+Cylinder around_axis(Points points, const Vector3& axis) {
+  std::vector<Vector3> shadow(points.begin(), points.end());
+  for (Vector3& p : shadow) p -= p.dot(axis) * axis;
+  const Ball circle = smallest_ball(shadow);
+  double low = INFINITY, high = -INFINITY;
+  for (const Vector3& p : points) {
+    low = std::min(low, p.dot(axis));
+    high = std::max(high, p.dot(axis));
+  }
+  const Vector3 foot = circle.center - circle.center.dot(axis) * axis;
+  Cylinder best{foot + (low + high) / 2 * axis, axis, circle.radius, high - low, 0};
+  for (const double width : widths) {
+    const double radius = width * circle.radius;
+    double first = INFINITY, last = -INFINITY;  // the segment's ends
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double reach = std::sqrt(std::max(0.0, radius * radius - (shadow[i] - foot).squaredNorm()));
+      first = std::min(first, points[i].dot(axis) + reach);
+      last = std::max(last, points[i].dot(axis) - reach);
+    }
+    const Cylinder capsule{foot + (first + last) / 2 * axis, axis, 0, std::max(0.0, last - first), radius};
+    if (volume_of(capsule) < volume_of(best)) best = capsule;
+  }
+  return best;
+}
+
+/// A step of an axis, in rad, from which it is refined and below which it is not, and the share of volume
+/// that a step must save: the axes of a box stay what they are.
+constexpr double first_step = 0.4, last_step = 1e-3, worth = 0.999;
+
+Cylinder along_the_best_axis(Points points) {
+  Cylinder best = around_axis(points, {0, 0, 1});
+  const auto better = [&](const Vector3& axis, double share) {
+    const Cylinder tried = around_axis(points, axis.normalized());
+    if (!(volume_of(tried) < share * volume_of(best))) return false;
+    best = tried;
+    return true;
+  };
+  for (const int odd :
+       {1, 2, 3})  // coordinates that are not 0: axes, then diagonals of faces, then of the cube
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = 0; z <= 1; ++z)
+          if (std::abs(x) + std::abs(y) + z == odd) better(Vector3(x, y, z), worth);
+  for (double step = first_step; step > last_step;) {
+    const Vector3 axis = best.axis, across = axis.unitOrthogonal(), other = axis.cross(across);
+    const bool moved = better(axis + step * across, worth) || better(axis - step * across, worth) ||
+                       better(axis + step * other, worth) || better(axis - step * other, worth);
+    if (!moved) step /= 2;
+  }
+  return best;
+}
+
+/// Of many points those that are farthest out in some direction, to seek an axis with.
+constexpr std::size_t shell_cap = 400;
+
+std::vector<Vector3> shell_of(Points points) {
+  if (points.size() <= shell_cap) return {points.begin(), points.end()};
+  std::vector<Vector3> shell;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      for (int z = 0; z <= 3; ++z) {
+        const Vector3 *first = points.data(), *last = first;
+        const Vector3 direction(x, y, z);
+        double low = first->dot(direction), high = low;
+        for (const Vector3& p : points) {
+          const double at = p.dot(direction);
+          if (at < low) low = at, first = &p;
+          if (at > high) high = at, last = &p;
+        }
+        shell.push_back(*first);
+        shell.push_back(*last);
+      }
+    }
+  }
+  const auto before = [](const Vector3& a, const Vector3& b) {
+    return std::ranges::lexicographical_compare(a, b);
+  };
+  std::ranges::sort(shell, before);
+  shell.erase(std::unique(shell.begin(), shell.end()), shell.end());
+  return shell;
+}
+
+void grow(Cylinder& solid, double by) {
+  if (solid.radius > 0 || solid.rounding == 0) {
+    solid.radius += by;
+    solid.height += 2 * by;
+  } else {
+    solid.rounding += by;
+  }
+}
+
+}  // namespace
+
+double volume_of(const Cylinder& c) noexcept {
+  const double wide = c.radius + c.rounding;
+  return std::numbers::pi * wide * wide * c.height +
+         4 * std::numbers::pi / 3 * c.rounding * c.rounding * c.rounding;
+}
+
+std::array<Vector3, 8> corners_of(const Vector3& size) {
+  std::array<Vector3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i)
+    corners[i] = 0.5 * Vector3((i & 1) != 0 ? size.x() : -size.x(), (i & 2) != 0 ? size.y() : -size.y(),
+                               (i & 4) != 0 ? size.z() : -size.z());
+  return corners;
+}
+
+Cylinder bounding_solid(Points points, const Pose& pose) {
+  if (points.empty()) throw std::runtime_error("no points");
+  if (!std::ranges::all_of(points, [](const Vector3& p) { return p.allFinite(); }))
+    throw std::runtime_error("a point is not finite");
+  const Ball ball = smallest_ball(points);
+  Cylinder solid = around_axis(points, along_the_best_axis(shell_of(points)).axis);
+  if (ball.radius == 0 || 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3) < volume_of(solid))
+    solid = {ball.center, {0, 0, 1}, 0, 0, ball.radius};
+  // As far as its points are computed to be from it, it grows, and by what moving and computing may err.
+  double out = 0, reach = 0;
+  for (const Vector3& p : points) {
+    const Vector3 way = p - solid.center;
+    const double along = std::fabs(way.dot(solid.axis)),
+                 across = (way - way.dot(solid.axis) * solid.axis).norm();
+    const double beyond = std::max(0.0, along - solid.height / 2);
+    out = std::max(out, solid.rounding > 0 ? std::hypot(across, beyond) - solid.rounding
+                                           : std::max(across - solid.radius, beyond));
+    reach = std::max(reach, p.norm());
+  }
+  const double lengths = pose.translation().norm() + solid.center.norm() + reach;
+  grow(solid, out + bound_error * lengths + bound_underflow_error);
+  solid.center = pose * solid.center;
+  solid.axis = pose.linear() * solid.axis;
+  if (const Defect defect = find_defect(solid); defect != Defect::none)
+    throw std::runtime_error(std::string("its bound has no doubles: ") + to_string(defect));
+  return solid;
+}
+
+Body bounded_body(std::string name, std::size_t link, std::string shape, Points points, const Pose& pose) {
+  Body body{std::move(name), link, bounding_solid(points, pose), 1, 1, std::nullopt};
+  Vector3 low = points[0], high = points[0];
+  for (const Vector3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  body.box = BoxShape{std::move(shape), pose * Eigen::Translation3d(low + (high - low) / 2), high - low};
+  return body;
+}
+
+}  // namespace cyl

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/read/scene_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "base/json.hpp"
+
+namespace cyl {
+namespace {
+
+using Named = std::pair<std::string, Cylinder>;
+
+/// The last may be missing.
+constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
+                                                  "az", "radius", "height", "rounding"};
+
+Vector3 vector_of(const nlohmann::json& list) {
+  if (!list.is_array() || list.size() != 3) throw std::runtime_error("a vector has 3 numbers");
+  return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+/// Throws std::runtime_error where a number that is not 0 is less than any double.
+struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
+  bool number_float(double x, const std::string& text) {
+    if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
+      throw std::runtime_error(text + " underflows a double");
+    return true;
+  }
+};
+
+Named parse_json_line(const std::string& text) {
+  const auto object = parse_json(text);
+  UnderflowCheck check;
+  nlohmann::json::sax_parse(text, &check);
+  if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
+  if (object.contains("a") && object.contains("b"))
+    throw std::runtime_error(
+        "this is a pair, but a line of a scene is one solid: center, axis, radius, height; `daylight check` "
+        "answers pairs");
+  Named named;
+  for (const auto& [key, value] : object.items()) {
+    if (key == "name")
+      named.first = value.get<std::string>();
+    else if (key != "center" && key != "axis" && key != "radius" && key != "height" && key != "rounding")
+      throw std::runtime_error("'" + key + "' is none of center, axis, radius, height, rounding, name");
+  }
+  named.second = {vector_of(object.at("center")), vector_of(object.at("axis")),
+                  object.at("radius").get<double>(), object.at("height").get<double>(),
+                  object.value("rounding", 0.0)};
+  return named;
+}
+
+std::vector<std::string> fields_of(const std::string& text) {
+  std::vector<std::string> fields(1);
+  for (const char c : text) {
+    if (c == ',')
+      fields.emplace_back();
+    else if (c != '\r')
+      fields.back() += c;
+  }
+  for (std::string& field : fields) {
+    field.erase(0, field.find_first_not_of(" \t"));
+    field.erase(field.find_last_not_of(" \t") + 1);
+  }
+  return fields;
+}
+
+class CsvLines {
+ public:
+  Named operator()(const std::string& text) {
+    const std::vector<std::string> fields = fields_of(text);
+    if (fields.size() != width_)
+      throw std::runtime_error(std::to_string(fields.size()) + " fields, not " + std::to_string(width_));
+    std::array<double, columns.size()> x{};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (at_[i] == width_) continue;
+      const std::string& field = fields[at_[i]];
+      const char* end = field.data() + field.size();
+      const auto [rest, error] = std::from_chars(field.data(), end, x[i]);
+      if (error != std::errc() || rest != end)
+        throw std::runtime_error(std::string(columns[i]) + " is '" + field + "', no number");
+    }
+    return {name_ < width_ ? fields[name_] : "", {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], x[8]}};
+  }
+  void head(const std::string& text) {
+    const std::vector<std::string> fields = fields_of(text);
+    width_ = fields.size();
+    const auto find = [&](std::string_view name) {
+      return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
+    };
+    name_ = find("name");
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if ((at_[i] = find(columns[i])) == width_ && i + 1 < columns.size())
+        throw std::runtime_error("no column '" + std::string(columns[i]) + "'");
+  }
+
+ private:
+  std::array<std::size_t, columns.size()> at_{};
+  std::size_t name_ = 0, width_ = 0;
+};
+
+Scene read_lines(const std::string& file, bool csv) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error(file + ": cannot be opened");
+  std::vector<Named> cylinders;
+  CsvLines lines;
+  std::string text;
+  bool headed = !csv;
+  for (std::size_t number = 1; std::getline(in, text); ++number) {
+    if (text.find_first_not_of(" \t\r") == text.npos) continue;
+    try {
+      if (!headed) {
+        lines.head(text);
+        headed = true;
+        continue;
+      }
+      cylinders.push_back(csv ? lines(text) : parse_json_line(text));
+      if (const Defect defect = find_defect(cylinders.back().second); defect != Defect::none)
+        throw std::runtime_error(to_string(defect));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(file + ": line " + std::to_string(number) + ": " + error.what());
+    }
+  }
+  if (in.bad()) throw std::runtime_error(file + ": cannot be read");
+  return still_scene(std::move(cylinders));
+}
+
+}  // namespace
+
+Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders) {
+  Scene scene;
+  for (auto& [name, solid] : cylinders) {
+    const std::size_t i = scene.links.size();
+    scene.links.emplace_back();
+    scene.links.back().shapes = 1;
+    scene.bodies.push_back({name.empty() ? std::to_string(i + 1) : std::move(name), i, solid, 1, 1});
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& file, const std::string& srdf) {
+  const std::filesystem::path path(file);
+  const std::string ending = path.extension().string();
+  const auto read = [&] {
+    if (ending == ".jsonl") return read_lines(file, false);
+    if (ending == ".csv") return read_lines(file, true);
+#ifdef DAYLIGHT_WITH_URDFDOM
+    if (ending == ".urdf") return read_urdf(file);
+#else
+    if (ending == ".urdf")
+      throw std::runtime_error(file +
+                               ": this build reads no URDF, for urdfdom was not there (liburdfdom-dev)");
+#endif
+    if (ending == ".xml") return read_mjcf(file);
+    throw std::runtime_error(file + ": not a scene: expected .jsonl, .csv, .urdf or .xml");
+  };
+  Scene scene = read();
+  if (!srdf.empty())
+    read_srdf(srdf, scene);
+  else if (const auto beside = std::filesystem::path(path).replace_extension(".srdf");
+           ending == ".urdf" && std::filesystem::exists(beside))
+    read_srdf(beside.string(), scene);
+  return scene;
+}
+
+}  // namespace cyl

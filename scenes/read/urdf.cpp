@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <tinyxml.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "corpus/pairs/solid_kind.hpp"
+#include "scenes/read/bounding_solid.hpp"
+#include "scenes/read/mesh_files.hpp"
+#include "scenes/read/number_list.hpp"
+#include "scenes/read/scene_files.hpp"
+
+namespace cyl {
+namespace {
+
+/// Gathers what the parser would print.
+class Messages final : public console_bridge::OutputHandler {
+ public:
+  Messages() { console_bridge::useOutputHandler(this); }
+  ~Messages() override { console_bridge::restorePreviousOutputHandler(); }
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) all_ += (all_.empty() ? "" : "; ") + text;
+  }
+  const std::string& all() const { return all_; }
+
+ private:
+  std::string all_;
+};
+
+std::string attribute(const TiXmlElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value ? value : "";
+}
+
+void load(TiXmlDocument& document, const std::string& file) {
+  if (!document.LoadFile(file))
+    throw std::runtime_error(file + ": line " + std::to_string(document.ErrorRow()) + ": " +
+                             document.ErrorDesc());
+}
+
+void remove_all(TiXmlElement& parent, const char* name) {
+  while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
+}
+
+/// A collision shape that is kept: what urdfdom does not know, or drops where it cannot read it, passes as a
+/// sphere or cylinder.
+struct KeptShape {
+  std::string kind, numbers, file;  ///< numbers: the size of a box, the scale of a mesh
+};
+using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
+
+/// urdfdom knows no joint of three turns and refuses the robot for it, or for a type of joint that somebody
+/// made up: they pass as floating ones, which are held too.
+void pass_joints(TiXmlElement& robot) {
+  constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
+  for (TiXmlElement* joint = robot.FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint"))
+    if (std::ranges::find(known, attribute(*joint, "type")) == known.end())
+      joint->SetAttribute("type", "floating");
+}
+
+/// Newer readers turn an origin by a quaternion; ours would leave it unturned.
+void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
+  if (element.Attribute("quat_xyzw"))
+    throw std::runtime_error(
+        fmt::format("{}: line {}: an origin by quat_xyzw is not read: give it as rpy", file, element.Row()));
+  for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    if (std::string_view(child->Value()) != "inertial") refuse_quaternions(*child, file);
+}
+
+/// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
+/// matter of ours: what is not needed is taken out, and a shape that nobody here knows is noted.
+KeptShapes keep_shapes(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+  constexpr std::array known{"cylinder", "sphere", "capsule", "box", "mesh"};
+  KeptShapes kept;
+  for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
+  for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    remove_all(*link, "visual");
+    const std::string name = attribute(*link, "name");
+    for (TiXmlElement *next, *collision = link->FirstChildElement("collision"); collision; collision = next) {
+      next = collision->NextSiblingElement("collision");
+      ++shapes[name];
+      TiXmlElement* geometry = collision->FirstChildElement("geometry");
+      TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
+      const std::string kind = shape ? shape->Value() : "nothing";
+      if (std::ranges::find(known, kind) == known.end()) {
+        scene.left_out.push_back({kind, name});
+        link->RemoveChild(collision);
+        continue;
+      }
+      kept[name].push_back(
+          {kind, attribute(*shape, kind == "box" ? "size" : "scale"), attribute(*shape, "filename")});
+      if (kind == "capsule") shape->SetValue("cylinder");
+      if (kind != "box" && kind != "mesh") continue;
+      shape->SetValue("sphere");
+      shape->SetAttribute("radius", "1");
+    }
+  }
+  return kept;
+}
+
+Vector3 urdf_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Pose urdf_pose(const urdf::Pose& p) {
+  const urdf::Rotation& q = p.rotation;
+  return Pose(Eigen::Translation3d(urdf_vector(p.position)) * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+}
+
+void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
+  switch (joint.type) {
+    case urdf::Joint::CONTINUOUS:
+      link.motion = Motion::turn;
+      link.endless = true;
+      link.low = -std::numbers::pi;
+      link.high = std::numbers::pi;
+      break;
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::PRISMATIC:
+      link.motion = joint.type == urdf::Joint::REVOLUTE ? Motion::turn : Motion::slide;
+      link.low = joint.limits->lower;
+      link.high = joint.limits->upper;
+      if (link.low > link.high) {
+        std::swap(link.low, link.high);
+        scene.notes.push_back("The limits of joint " + joint.name + " are the wrong way round: exchanged.");
+      }
+      break;
+    case urdf::Joint::FLOATING:
+    case urdf::Joint::PLANAR:
+      scene.notes.push_back("Joint " + joint.name +
+                            " is neither a hinge nor a slide: it stays in the place that the file gives.");
+      link.held = true;
+      return;
+    default:
+      return;
+  }
+  const double length = urdf_vector(joint.axis).stableNorm();
+  if (!(length > 0) || std::isinf(length)) throw std::runtime_error("joint " + joint.name + " has no axis");
+  link.axis = urdf_vector(joint.axis) / length;
+}
+
+/// The solid of a cylinder, a sphere or a capsule, whose length is that of its cylindrical part.
+Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule) {
+  Cylinder solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
+  if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) solid.rounding = sphere->radius;
+  if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    solid.height = cylinder->length;
+    (capsule ? solid.rounding : solid.radius) = cylinder->radius;
+  }
+  return solid;
+}
+
+/// Relative to the radius of the cylinder: how far its spheres may be from its ends, and differ from it in
+/// radius. It is what a file's decimals leave between equals.
+constexpr double decimals_tol = 1e-9;
+
+/// The sphere that ends a cylinder there: of those that nearly do the nearest.
+std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinder& wall, const Vector3& end) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Cylinder& s = bodies[k].solid;
+    const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
+    if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= decimals_tol * wall.radius &&
+        std::fabs(s.rounding - wall.radius) <= decimals_tol * wall.radius && (!best || off(k) < off(*best)))
+      best = k;
+  }
+  return best;
+}
+
+/// URDF writes a capsule as a cylinder and a sphere at each end. If they fit within the file's decimals, they
+/// are one body: a capsule so wide that it holds all three.
+void fold_capsules(Scene& scene, std::size_t first) {
+  auto& bodies = scene.bodies;
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    const Cylinder wall = bodies[i].solid;
+    if (bodies[i].box || kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
+    const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach,
+                  high = wall.center + reach;
+    const std::span<const Body> own = std::span(bodies).subspan(first);
+    const auto at_low = sphere_at(own, wall, low), at_high = sphere_at(own, wall, high);
+    if (!at_low || !at_high || at_low == at_high) continue;
+    double wide = wall.radius, least = wall.radius;  // how far the shapes reach at most, and at least
+    for (const auto& [k, end] : {std::pair(*at_low, low), std::pair(*at_high, high)}) {
+      const Cylinder& sphere = own[k].solid;
+      const double off = (sphere.center - end).norm();
+      wide = std::max(wide, sphere.rounding + off);
+      least = std::min(least, sphere.rounding - off);
+    }
+    bodies[i].solid.radius = 0;
+    bodies[i].solid.rounding = wide;
+    bodies[i].excess = wide - least;
+    ++scene.folded;
+    for (const std::size_t k : {std::max(*at_low, *at_high), std::min(*at_low, *at_high)}) {
+      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(first + k));
+      if (first + k < i) --i;
+    }
+  }
+}
+
+/// The corners of a box, the vertices of a mesh. Throws std::runtime_error why there are none.
+std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) {
+  std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
+  if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
+  if (x.size() != 3) throw std::runtime_error("'" + shape.numbers + "' is not 3 numbers");
+  const Vector3 by(x[0], x[1], x[2]);
+  if (shape.kind == "box") {
+    const auto corners = corners_of(by);
+    return {corners.begin(), corners.end()};
+  }
+  const std::string found = find_mesh(shape.file, file);
+  if (found.empty()) throw std::runtime_error(shape.file + " is not there");
+  std::vector<Vector3> points;
+  try {
+    points = read_mesh(found);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(shape.file + ": " + error.what());
+  }
+  for (Vector3& p : points) p = p.cwiseProduct(by);
+  return points;
+}
+
+/// A shape as a body, with its bound where it is a box or mesh; nothing, and a note why, where there is none.
+std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const KeptShape& shape,
+                            const std::string& file, Body body) {
+  const Pose pose = urdf_pose(collision.origin);
+  if (shape.kind != "box" && shape.kind != "mesh") {
+    body.solid = solid_of(*collision.geometry, pose, shape.kind == "capsule");
+    return body;
+  }
+  try {
+    return bounded_body(body.name, body.link, shape.kind, points_of(shape, file), pose);
+  } catch (const std::runtime_error& error) {
+    const std::string& link = scene.links[body.link].name;
+    scene.left_out.push_back({shape.kind, link});
+    scene.notes.push_back(fmt::format("A {} of {} cannot be read: {}.", shape.kind, link, error.what()));
+    return std::nullopt;
+  }
+}
+
+void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes,
+                const std::string& file) {
+  const std::size_t first = scene.bodies.size();
+  if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped one and we cannot tell which
+    for (const KeptShape& shape : shapes) scene.left_out.push_back({shape.kind, link.name});
+    return;
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto& collision = link.collision_array[i];
+    std::string name = link.name;
+    if (!collision->name.empty())
+      name += "/" + collision->name;
+    else if (shapes.size() > 1)
+      name += "/" + std::to_string(i + 1);
+    const std::optional<Body> body = body_of(scene, *collision, shapes[i], file, {name, index, {}, 1, 1});
+    if (!body) continue;
+    if (const Defect defect = find_defect(body->solid); defect != Defect::none)
+      throw std::runtime_error("shape " + name + ": " + to_string(defect));
+    scene.bodies.push_back(*body);
+  }
+  fold_capsules(scene, first);
+  const bool alone = scene.bodies.size() == first + 1;
+  if (alone && std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
+    scene.bodies[first].name = link.name;
+}
+
+class UrdfBuilder {
+ public:
+  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const KeptShapes& kept,
+              const std::string& file)
+      : scene_(scene), shapes_(shapes), kept_(kept), file_(file) {}
+
+  void add(const urdf::Link& link, std::optional<std::size_t> parent) {
+    const std::size_t index = scene_.links.size();
+    Link own;
+    own.name = link.name;
+    own.parent = parent;
+    if (const auto shapes = shapes_.find(link.name); shapes != shapes_.end()) own.shapes = shapes->second;
+    if (const auto& joint = link.parent_joint) {
+      own.joint = joint->name;
+      joint_index_[joint->name] = index;
+      own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
+      set_motion(own, *joint, scene_);
+      if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
+      // What slides or floats on the world is no part of it: all that stands there may be hit.
+      own.stands = (own.held || own.motion == Motion::slide) && is_world(*parent);
+    }
+    scene_.links.push_back(std::move(own));
+    const auto kept = kept_.find(link.name);
+    add_bodies(scene_, index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second, file_);
+    for (const auto& child : link.child_links) add(*child, index);
+  }
+
+  void follow() {
+    for (const auto& [index, mimic] : mimics_) {
+      const auto leader = joint_index_.find(mimic->joint_name);
+      if (leader == joint_index_.end())
+        throw std::runtime_error("joint " + scene_.links[index].joint + " mimics '" + mimic->joint_name +
+                                 "', which is none");
+      scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
+      if (scene_.links[leader->second].motion == Motion::fixed && !scene_.links[leader->second].held) {
+        scene_.links[index].held = true;
+        scene_.notes.push_back("Joint " + scene_.links[index].joint + " mimics the fixed joint " +
+                               mimic->joint_name +
+                               ": it is held at its offset, but MoveIt ignores the mimic and moves it.");
+      }
+    }
+    turn_leaders_round(scene_);
+  }
+
+ private:
+  /// Whether a link is the root, or fixed to it.
+  bool is_world(std::size_t link) const {
+    const Link& l = scene_.links[link];
+    return !l.parent || (l.motion == Motion::fixed && !l.held && is_world(*l.parent));
+  }
+
+  Scene& scene_;
+  const std::map<std::string, std::size_t>& shapes_;
+  const KeptShapes& kept_;
+  const std::string& file_;
+  std::map<std::string, std::size_t> joint_index_;
+  std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
+};
+
+}  // namespace
+
+Scene read_urdf(const std::string& file) {
+  TiXmlDocument document;
+  load(document, file);
+  TiXmlElement* robot = document.FirstChildElement("robot");
+  if (!robot) throw std::runtime_error(file + ": no <robot>");
+  Scene scene;
+  scene.name = attribute(*robot, "name");
+  std::map<std::string, std::size_t> shapes;
+  pass_joints(*robot);
+  const KeptShapes kept = keep_shapes(*robot, scene, shapes);
+  refuse_quaternions(*robot, file);
+  TiXmlPrinter text;
+  document.Accept(&text);
+
+  Messages messages;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
+  if (!model) throw std::runtime_error(file + ": " + messages.all());
+  if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
+  UrdfBuilder builder(scene, shapes, kept, file);
+  try {
+    // urdfdom sees to it that all links but one are carried; in a loop none hangs on that one.
+    if (model->joints_.size() + 1 != model->links_.size())
+      throw std::runtime_error("two joints carry the same link");
+    builder.add(*model->getRoot(), std::nullopt);
+    if (scene.links.size() != model->links_.size())
+      throw std::runtime_error("links carry each other in a loop");
+    builder.follow();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+  return scene;
+}
+
+}  // namespace cyl

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/study/joint_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// How far the bodies can come towards each other, derived. Of the joints between them, in their order from a
+// to b, let those before any place s of the path move a, the others b: seen from the link at s. Let x be a
+// point of b, M1 .. Mn the motions of b's joints from s outward, q their values in the middle of the box, q'
+// others in it. One joint after the other goes from q to q', the outermost first; what the i-th adds to the
+// place of x is
+//
+//   M1(q') .. M[i-1](q') (Mi(q') - Mi(q)) M[i+1](q) .. Mn(q) x,
+//
+// whose last factors put x where it is in the middle of the box. There let the i-th joint turn about the unit
+// axis w, by d at most; let y be x seen from the axis, square to it. (R(d) - I) y = 2 sin(d/2) w x R(d/2) y,
+// no longer than min(d, 2) |y|. Along a direction n it is 2 sin(d/2) (n x w).R(d/2) y, no more than min(d, 2)
+// (|(n x w).y| + d/2 |y|); and since the joints further in, which have turned by f together, turn it too,
+// f |y| more. A joint that slides by d adds d min(1, |n.w| + f).
+//
+// A solid is its axis' segment, grown by a disk square to it and by a ball. How far it reaches along n, its
+// support, is that of the end of the segment that is foremost, and of disk and ball. The ball's never
+// changes. The disk's is r |n - (n.u) u|, u the solid's axis, and changes by r |u' - u| at most, min(d, 2) r
+// |u x w|; or its points are looked at, whose y are r longer at most than that of the end, and whose (n x
+// w).y greater by r |v - (v.u) u| at most, v = n x w. Where an end lies behind the foremost by h, h of what
+// it comes forward does not count.
+//
+// So sums over a's joints, for both ends, bound how much farther a reaches towards b, and b towards a alike;
+// anywhere in the box the bodies' gap along n, turned with the link at s, is at least that in the middle,
+// less both. Any s is right; the one that gives least is taken.
+//
+// Rounding. A joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into: k
+// links put a point of the path, whose parts are L long together, within 32 k u L of where it is. Two bodies:
+// 64 k u L; how far an end lies behind, as much twice. Reach and moment of each of m joints add as much
+// twice, times min(d, 2) and 2: 256 k m u L; their own rounding is less than 64 u of sums that are no more
+// than 2 m L; the gap that was proved in the middle was added to a rounding, u L. Together less than 512 (k +
+// 1) (m + 1) u L.
+
+namespace cyl {
+namespace {
+
+double length_of_solid(const Cylinder& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
+
+bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
+
+/// The links from the one given to the root.
+std::vector<std::size_t> ancestors(const Scene& scene, std::size_t link) {
+  std::vector<std::size_t> chain{link};
+  while (scene.links[chain.back()].parent) chain.push_back(*scene.links[chain.back()].parent);
+  return chain;
+}
+
+}  // namespace
+
+JointPath::JointPath(const Scene& scene, std::size_t a, std::size_t b) : scene_(scene) {
+  std::vector<std::size_t> of_a = ancestors(scene, scene.bodies[a].link),
+                           of_b = ancestors(scene, scene.bodies[b].link);
+  while (!of_a.empty() && !of_b.empty() && of_a.back() == of_b.back()) {
+    of_a.pop_back();
+    of_b.pop_back();
+  }
+  own_.links.emplace_back();
+  of_.push_back(scene.links.size());
+  add_chain(of_b);
+  own_.bodies = {scene.bodies[a], scene.bodies[b]};
+  own_.bodies[1].link = own_.links.size() - 1;
+  std::vector<Move> of_b_moves = std::move(moves_);
+  moves_.clear();
+  add_chain(of_a);
+  own_.bodies[0].link = of_a.empty() ? 0 : own_.links.size() - 1;
+  std::reverse(moves_.begin(), moves_.end());
+  moves_.insert(moves_.end(), of_b_moves.begin(), of_b_moves.end());
+
+  double length = length_of_solid(scene.bodies[a].solid) + length_of_solid(scene.bodies[b].solid);
+  const JointBox all = limits();
+  for (std::size_t i = 1; i < own_.links.size(); ++i) {
+    length += own_.links[i].origin.translation().norm();
+    if (own_.links[i].motion != Motion::slide) continue;
+    const Value value = value_of(of_[i], all);
+    length += std::fabs(value.middle) + value.half;
+  }
+  const auto count = [](std::size_t n) { return static_cast<double>(n + 1); };
+  slack_ = motion_error * count(own_.links.size()) * count(moves_.size()) * length;
+  values_.assign(own_.links.size(), 0);
+}
+
+/// Appends links, the last of them on link 0.
+void JointPath::add_chain(const std::vector<std::size_t>& links) {
+  for (std::size_t i = links.size(); i-- > 0;) {
+    Link link = scene_.links[links[i]];
+    link.parent = i + 1 == links.size() ? 0 : own_.links.size() - 1;
+    held_ |= !drawn_in_full(scene_, links[i]);
+    if (link.motion != Motion::fixed) {
+      std::size_t leader = links[i];
+      while (scene_.links[leader].follow) leader = scene_.links[leader].follow->link;
+      const Link& free = scene_.links[leader];
+      if (moves_itself(free) && free.low < free.high && std::ranges::find(free_, leader) == free_.end())
+        free_.push_back(leader);
+      Move& move = moves_.emplace_back();
+      move.link = own_.links.size();
+      move.turns = link.motion == Motion::turn;
+    }
+    own_.links.push_back(std::move(link));
+    of_.push_back(links[i]);
+  }
+}
+
+JointBox JointPath::limits() const {
+  JointBox box;
+  for (const std::size_t link : free_) box.push_back({scene_.links[link].low, scene_.links[link].high});
+  return box;
+}
+
+JointPath::Value JointPath::value_of(std::size_t link, const JointBox& box) const {
+  const Link& l = scene_.links[link];
+  if (l.motion == Motion::fixed) return {};
+  Value value;
+  double greatest = 0;
+  if (l.follow) {
+    value = value_of(l.follow->link, box);
+    value.middle = l.follow->multiplier * value.middle + l.follow->offset;
+    value.half *= std::fabs(l.follow->multiplier);
+    greatest = std::fabs(value.middle) + 2 * std::fabs(l.follow->offset) + value.half;
+  } else if (const auto found = std::ranges::find(free_, link); found != free_.end()) {
+    value.variable = static_cast<std::size_t>(found - free_.begin());
+    const Range& range = box[value.variable];
+    value.middle = range.low + (range.high - range.low) / 2;
+    value.half = std::max(range.high - value.middle, value.middle - range.low);
+    greatest = std::max(std::fabs(range.low), std::fabs(range.high));
+  } else {
+    value.middle = l.low;
+  }
+  value.half += range_error * greatest;
+  return value;
+}
+
+const Pair& JointPath::place_middle(const JointBox& box) {
+  for (Move& move : moves_) {
+    const Value value = value_of(of_[move.link], box);
+    values_[move.link] = value.middle;
+    move.half = value.half;
+    move.variable = value.variable;
+  }
+  const std::vector<Pose> poses = pose_links(own_, values_);
+  place(own_, poses, solids_);
+  placed_ = {solids_[0], solids_[1]};
+  a_ = side_of(placed_.a);
+  b_ = side_of(placed_.b);
+  for (Move& move : moves_) {
+    move.at = poses[move.link].translation();
+    move.axis = poses[move.link].linear() * own_.links[move.link].axis;
+    move.a = see(move, a_);
+    move.b = see(move, b_);
+  }
+  return placed_;
+}
+
+JointPath::Side JointPath::side_of(const Cylinder& solid) {
+  const Vector3 unit = solid.axis.normalized(), half = solid.height / 2 * unit;
+  return {unit, {solid.center - half, solid.center + half}, solid.radius};
+}
+
+JointPath::Seen JointPath::see(const Move& move, const Side& side) {
+  const auto from_axis = [&](const Vector3& x) { return (x - move.at).cross(move.axis).norm(); };
+  return {{from_axis(side.ends[0]), from_axis(side.ends[1])},
+          side.radius * side.unit.cross(move.axis).norm()};
+}
+
+JointPath::Step JointPath::step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n,
+                                   double turned) {
+  if (!move.turns) {
+    const double by = move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned);
+    return {{by, by}, 0};
+  }
+  const Vector3 v = n.cross(move.axis);
+  const double chord = std::min(move.half, 2.0), bend = move.half / 2 + turned, r = side.radius;
+  const auto end = [&](std::size_t i) {
+    const double moment = std::fabs(v.dot(side.ends[i] - move.at));
+    return chord * std::min(seen.reach[i], moment + bend * seen.reach[i]);
+  };
+  const double beside = (v - v.dot(side.unit) * side.unit).norm();
+  return {{end(0), end(1)}, chord * std::min({seen.tilt, r, r * (beside + bend)})};
+}
+
+double JointPath::advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts) {
+  const Side& side = of_b ? b_ : a_;
+  const double ahead = (of_b ? -1 : 1) * n.dot(side.ends[0] - side.ends[1]);
+  std::array<double, 2> sums{std::min(0.0, ahead), std::min(0.0, -ahead)};
+  double disks = 0, turned = 0;
+  const std::size_t count = of_b ? moves_.size() - s : s;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Move& move = moves_[of_b ? s + k : s - 1 - k];
+    steps_[k] = step_of(move, side, of_b ? move.b : move.a, n, turned);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += steps_[k].ends[i];
+    disks += steps_[k].disk;
+    if (move.turns) turned += move.half;
+  }
+  const std::size_t most = sums[1] > sums[0];
+  for (std::size_t k = 0; k < count; ++k)
+    parts[of_b ? s + k : s - 1 - k] = steps_[k].ends[most] + steps_[k].disk;
+  return sums[most] + disks;
+}
+
+Travel JointPath::travel(const Vector3& direction) {
+  const std::size_t count = moves_.size();
+  std::vector<double> best(count), parts(count);
+  steps_.resize(count);
+  double least = 0;
+  for (std::size_t s = 0; s <= count; ++s) {
+    const double sum = advance(false, s, direction, parts) + advance(true, s, direction, parts);
+    if (s > 0 && !(sum < least)) continue;
+    least = sum;
+    best = parts;
+  }
+  Travel travel{least + slack_, std::vector<double>(free_.size(), 0.0)};
+  for (std::size_t i = 0; i < count; ++i)
+    if (!free_.empty()) travel.shares[moves_[i].variable] += best[i];
+  return travel;
+}
+
+}  // namespace cyl

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/study/motion_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <set>
+
+#include "base/stopwatch.hpp"
+#include "oracles/referee/referee.hpp"
+#include "scenes/study/joint_path.hpp"
+#include "scenes/study/scene_study.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Configurations drawn to find the bodies near each other before any proof is tried, those of them from
+/// which a search goes on, and its rounds: a few ms a pair.
+constexpr std::size_t drawn_cap = 200, descents_cap = 4, descent_rounds_cap = 24;
+/// Of the distance seen beyond the clearance: how much a bound should reach, where it comes cheap.
+constexpr double wanted_share = 0.5;
+/// Boxes spent on a better bound, where a pair is proved with fewer.
+constexpr std::size_t better_boxes_cap = 500;
+
+struct Cell {
+  JointBox box;
+  double bound = -std::numeric_limits<double>::infinity();  ///< proved: they are farther apart all over it
+  double share = 1;                                         ///< of the joints' space
+  std::size_t widest = 0;                                   ///< the joint along which to cut it
+  std::size_t number = 0;
+};
+
+struct LaterOf {
+  bool operator()(const Cell& x, const Cell& y) const {
+    return x.bound != y.bound ? x.bound > y.bound : x.number > y.number;
+  }
+};
+
+class Prover {
+ public:
+  Prover(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question)
+      : scene_(scene), q_(question), path_(scene, a, b), limits_(path_.limits()) {
+    proof_.a = a;
+    proof_.b = b;
+    proof_.between = path_.free_joints();
+    proof_.least = std::numeric_limits<double>::infinity();
+  }
+
+  MotionProof run() {
+    search();
+    if (proof_.verdict == MotionVerdict::open) divide();
+    return std::move(proof_);
+  }
+
+ private:
+  using Point = std::vector<double>;  ///< a value for each free joint of the path
+
+  // Looks at one configuration; true once it refutes the pair, placed as everybody places it.
+  bool look(const Distance& d, const JointBox& box) {
+    const bool nearer = d.value < proof_.least;
+    if (!nearer && (d.value - d.error > q_.clearance || proof_.verdict == MotionVerdict::within))
+      return false;
+    std::vector<double> joints = joints_in_middle(box);
+    if (nearer) {
+      proof_.least = d.value;
+      proof_.joints = joints;
+    }
+    if (d.value - d.error > q_.clearance) return false;
+    const std::vector<Cylinder> placed = place(scene_, joints);
+    Pair pair{placed[proof_.a], placed[proof_.b]};
+    if (referee_within(pair, q_.clearance) != true) return false;
+    proof_.least = d.value;
+    proof_.joints = std::move(joints);
+    proof_.verdict = MotionVerdict::within;
+    if (d.value - d.error > 0) return false;
+    // Of a solid that reaches beyond the shapes that it stands for, only what it holds of them counts.
+    pair.a.rounding -= scene_.bodies[proof_.a].excess;
+    pair.b.rounding -= scene_.bodies[proof_.b].excess;
+    if (referee_within(pair, 0) != true) return false;
+    proof_.verdict = MotionVerdict::refuted;
+    return true;
+  }
+
+  std::vector<double> joints_in_middle(const JointBox& box) const {
+    std::vector<double> joints = joints_at(scene_);
+    for (std::size_t i = 0; i < box.size(); ++i)
+      joints[path_.free_joints()[i]] = box[i].low + (box[i].high - box[i].low) / 2;
+    let_follow(scene_, joints);
+    return joints;
+  }
+
+  double distance_at(const Point& point) {
+    JointBox box;
+    for (const double x : point) box.push_back({x, x});
+    const Pair& placed = path_.place_middle(box);
+    const Distance d = distance(placed.a, placed.b);
+    refuted_ |= look(d, box);
+    return d.value;
+  }
+
+  // Draws, then goes downhill joint by joint from the nearest of what was drawn.
+  void search() {
+    std::vector<std::pair<double, Point>> drawn;
+    for (std::size_t k = 0; k < (limits_.empty() ? 1 : drawn_cap) && !refuted_; ++k) {
+      const std::vector<double> joints = draw_joints(scene_, q_.seed, k);
+      Point point;
+      for (const std::size_t link : path_.free_joints()) point.push_back(joints[link]);
+      const double d = distance_at(point);
+      drawn.emplace_back(d, std::move(point));
+    }
+    std::ranges::stable_sort(drawn, {}, &std::pair<double, Point>::first);
+    for (std::size_t k = 0; k < std::min(descents_cap, drawn.size()) && !refuted_; ++k) descend(drawn[k]);
+  }
+
+  void descend(std::pair<double, Point>& from) {
+    auto& [least, point] = from;
+    double part = 0.25;
+    for (std::size_t round = 0; round < descent_rounds_cap && !refuted_; ++round) {
+      bool better = false;
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        for (const double sign : {-1.0, 1.0}) {
+          const double before = point[i], step = sign * part * (limits_[i].high - limits_[i].low);
+          point[i] = std::clamp(before + step, limits_[i].low, limits_[i].high);
+          const double d = distance_at(point);
+          if (refuted_) return;
+          if (d < least) {
+            least = d;
+            better = true;
+          } else {
+            point[i] = before;
+          }
+        }
+      }
+      if (!better) part /= 2;
+    }
+  }
+
+  // The bound of a cell: the referee proves the direction of the distance in the middle to separate the
+  // bodies, one of them grown by all of that distance; what of it no travel uses up is left everywhere. True
+  // if the bodies come within the clearance.
+  bool examine(Cell& cell) {
+    ++proof_.boxes;
+    cell.number = proof_.boxes;
+    const Pair& placed = path_.place_middle(cell.box);
+    const Distance d = distance(placed.a, placed.b);
+    refuted_ = look(d, cell.box);
+    if (proof_.verdict <= MotionVerdict::within) return true;
+    const Travel travel = path_.travel(d.direction);
+    cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
+    const double gap = d.value - 2 * d.error,
+                 excess = scene_.bodies[proof_.a].excess + scene_.bodies[proof_.b].excess,
+                 bound = gap - travel.length - excess;
+    if (!(bound > cell.bound) || !(bound > q_.clearance)) return false;
+    Pair wider = placed;
+    wider.b.rounding += gap;
+    MethodAnswer witness;
+    witness.status = Status::answered;
+    witness.verdict = Verdict::disjoint;
+    witness.set_direction(d.direction);
+    if (check_witness(wider, witness) == Verdict::disjoint) cell.bound = bound;
+    return false;
+  }
+
+  void divide() {
+    Cell all;
+    all.box = limits_;
+    if (examine(all)) return go_nearer();
+    cells_.push(std::move(all));
+    std::size_t enough = q_.box_cap;
+    for (;;) {
+      const bool proved = cells_.top().bound > q_.clearance;
+      if (proved && proof_.verdict == MotionVerdict::open) {
+        proof_.verdict = MotionVerdict::never;
+        enough = std::min(q_.box_cap, std::max(2 * proof_.boxes, better_boxes_cap));
+      }
+      if (proved && cells_.top().bound >= q_.clearance + wanted_share * (proof_.least - q_.clearance)) break;
+      if (proof_.boxes + 2 > enough || !cut()) break;
+      if (proof_.verdict <= MotionVerdict::within) return go_nearer();
+    }
+    proof_.held = path_.held();
+    if (proof_.held) proof_.verdict = MotionVerdict::open;
+    if (proof_.verdict != MotionVerdict::never) {
+      proof_.open_share = proof_.held ? 1 : share_left();
+      return;
+    }
+    proof_.bound = cells_.top().bound;
+    gainsay(proof_, proof_.least);
+  }
+
+  // From where the bodies come within the clearance: they may overlap beside it.
+  void go_nearer() {
+    std::pair<double, Point> from{proof_.least, {}};
+    for (const std::size_t link : path_.free_joints()) from.second.push_back(proof_.joints[link]);
+    descend(from);
+  }
+
+  // Cuts the cell of which least is proved along the joint that adds most to its travel; false where no
+  // joint moves.
+  bool cut() {
+    const Cell cell = cells_.top();
+    if (cell.box.empty()) return false;
+    const Range& range = cell.box[cell.widest];
+    const double middle = range.low + (range.high - range.low) / 2;
+    if (!(range.low < middle && middle < range.high)) return false;
+    cells_.pop();
+    for (const bool upper : {false, true}) {
+      Cell part = cell;
+      part.share /= 2;
+      (upper ? part.box[cell.widest].low : part.box[cell.widest].high) = middle;
+      if (examine(part)) return true;
+      cells_.push(std::move(part));
+    }
+    return true;
+  }
+
+  double share_left() {
+    double share = 0;
+    for (; !cells_.empty() && !(cells_.top().bound > q_.clearance); cells_.pop()) share += cells_.top().share;
+    return share;
+  }
+
+  const Scene& scene_;
+  const MotionQuestion& q_;
+  JointPath path_;
+  JointBox limits_;
+  MotionProof proof_;
+  bool refuted_ = false;
+  std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
+};
+
+/// An SRDF speaks of contact: of bodies that come within the clearance it is asked whether they ever touch.
+MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, MotionQuestion question) {
+  MotionProof proof = prove_motion(scene, a, b, question);
+  if (proof.verdict != MotionVerdict::within && !proof.bounded) return proof;
+  question.clearance = 0;
+  MotionProof contact = prove_motion(scene, a, b, question);
+  if (contact.verdict != MotionVerdict::never) return contact;
+  proof.verdict = MotionVerdict::within;
+  proof.bounded = false;
+  proof.open_share = 0;
+  proof.bound = contact.bound;
+  gainsay(proof, proof.least);
+  return proof;
+}
+
+ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question,
+                               const BodyPairs& seen) {
+  const auto& [one, other, reason] = scene.exemptions[exemption];
+  ExemptionProof proof;
+  proof.exemption = exemption;
+  proof.not_looked_at = has_unknown_shapes(scene, one) || has_unknown_shapes(scene, other);
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      if (scene.bodies[a].link == one && scene.bodies[b].link == other && a != b)
+        proof.bodies.push_back(prove_contact(scene, std::min(a, b), std::max(a, b), question));
+  for (const BodyPair& pair : seen)
+    for (MotionProof& bodies : proof.bodies)
+      if (bodies.a == pair.a && bodies.b == pair.b) gainsay(bodies, pair.seen);
+  return proof;
+}
+
+void conclude(ExemptionProof& proof) {
+  const auto any = [&](MotionVerdict verdict) {
+    return std::ranges::find(proof.bodies, verdict, &MotionProof::verdict) != proof.bodies.end();
+  };
+  if (any(MotionVerdict::refuted))
+    proof.verdict = MotionVerdict::refuted;
+  else if (!proof.not_looked_at && !any(MotionVerdict::open))
+    proof.verdict = any(MotionVerdict::within) ? MotionVerdict::within : MotionVerdict::never;
+}
+
+}  // namespace
+
+MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
+  MotionProof proof = Prover(scene, a, b, question).run();
+  // At touch, what is not confirmed of the shapes themselves is only of a solid that holds them.
+  const bool holds = scene.bodies[a].box || scene.bodies[b].box;
+  proof.bounded = proof.verdict == MotionVerdict::refuted
+                      ? holds
+                      : proof.verdict == MotionVerdict::within && (holds || question.clearance == 0);
+  if (proof.bounded) {
+    proof.verdict = MotionVerdict::open;
+    proof.open_share = 1;
+  }
+  return proof;
+}
+
+bool has_unknown_shapes(const Scene& scene, std::size_t link) {
+  return std::ranges::find(scene.left_out, scene.links[link].name, &LeftOut::link) != scene.left_out.end();
+}
+
+MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
+                          const BodyPairs& others) {
+  const double began = processor_ns();
+  MotionStudy study;
+  for (const BodyPair& pair : pairs) {
+    study.pairs.push_back(prove_motion(scene, pair.a, pair.b, question));
+    gainsay(study.pairs.back(), pair.seen);
+  }
+  std::set<std::pair<std::size_t, std::size_t>> exempt;
+  for (std::size_t i = 0; i < scene.exemptions.size(); ++i) {
+    if (scene.exemptions[i].reason != "Never") continue;
+    study.exemptions.push_back(prove_exemption(scene, i, question, pairs));
+    for (const MotionProof& proof : study.exemptions.back().bodies) exempt.emplace(proof.a, proof.b);
+  }
+  for (const BodyPair& pair : others)
+    if (!exempt.contains({pair.a, pair.b}))
+      study.others.push_back(prove_motion(scene, pair.a, pair.b, question));
+  study.ms = 1e-6 * (processor_ns() - began);
+  study.against = question.against;
+  std::vector<MotionProof*> all;
+  const auto add = [&](std::vector<MotionProof>& proofs) {
+    for (MotionProof& proof : proofs) all.push_back(&proof);
+  };
+  add(study.pairs);
+  add(study.others);
+  for (ExemptionProof& e : study.exemptions) add(e.bodies);
+  gainsay(scene, all, question.seed + 1, question.against);
+  study.contradicted = static_cast<std::size_t>(std::ranges::count(all, true, &MotionProof::contradicted));
+  std::ranges::for_each(study.exemptions, conclude);
+  return study;
+}
+
+void gainsay(MotionProof& proof, double seen) {
+  if (!(proof.bound > 0 && seen < proof.bound)) return;
+  proof.verdict = MotionVerdict::open;
+  proof.bound = 0;
+  proof.open_share = 1;
+  proof.contradicted = true;
+}
+
+void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,
+             std::size_t configurations) {
+  std::vector<Cylinder> placed;
+  std::vector<Prepared> prepared(scene.bodies.size());
+  for (std::size_t k = 0; k < configurations; ++k) {
+    place(scene, pose_links(scene, draw_joints(scene, seed, k)), placed);
+    std::ranges::transform(placed, prepared.begin(), prepare);
+    for (MotionProof* proof : proofs)
+      if (proof->bound > 0) gainsay(*proof, distance(prepared[proof->a], prepared[proof->b]).value);
+  }
+}
+
+}  // namespace cyl

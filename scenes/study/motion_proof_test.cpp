@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/study/motion_proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "scenes/read/scene_files.hpp"
+#include "scenes/study/joint_path.hpp"
+#include "scenes/study/scene_study.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
+
+std::vector<std::pair<std::size_t, std::size_t>> checked_pairs(const Scene& scene) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const PairRule rule(scene, false);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (rule.reason(scene.bodies[j], scene.bodies[i]) == PairRule::Reason::checked)
+        pairs.emplace_back(j, i);
+  return pairs;
+}
+
+/// The gap along a direction, as the referee's f has it but for rounding.
+double gap_along(const Pair& pair, const Vector3& n) {
+  const auto reach = [&](const Cylinder& c) {
+    const Vector3 axis = c.axis.normalized();
+    const double straight = n.dot(axis);
+    return std::fabs(straight) * c.height / 2 + c.radius * (n - straight * axis).norm() + c.rounding;
+  };
+  return n.dot(pair.b.center - pair.a.center) - reach(pair.a) - reach(pair.b);
+}
+
+// An arm of 1 that turns at the height of a post, whose wall it passes at 0.2 where it points to it.
+Scene sweeper(double low, double high) {
+  Scene scene =
+      still_scene({{"post", {{1.6, 0, 0}, {0, 0, 1}, 0.3, 2}}, {"arm", {{0.5, 0, 0}, {1, 0, 0}, 0, 1, 0.1}}});
+  Link& arm = scene.links[1];
+  arm.joint = "turn";
+  arm.motion = Motion::turn;
+  arm.low = low;
+  arm.high = high;
+  return scene;
+}
+
+TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
+  MotionQuestion q;
+  const MotionProof free = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(free.verdict, MotionVerdict::never);
+  EXPECT_NEAR(free.least, 0.2, 1e-3);
+  EXPECT_LT(free.bound, 0.2);
+  EXPECT_GE(free.bound, 0.09);
+  EXPECT_EQ(free.between, (std::vector<std::size_t>{1}));
+  q.clearance = 0.199;
+  const MotionProof near = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(near.verdict, MotionVerdict::never);
+  EXPECT_GT(near.bound, 0.199);
+  q.clearance = 0.201;
+  const MotionProof met = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(met.verdict, MotionVerdict::within);
+  EXPECT_LE(met.least, 0.201);
+  EXPECT_EQ(prove_motion(sweeper(0.3, 6), 0, 1, q).verdict, MotionVerdict::never) << "it never points there";
+}
+
+// The arm of above goes three times as far as its leader, which is on no path between the two, and back.
+Scene geared(double low, double high) {
+  Scene scene = sweeper(0, 0);
+  Link leader;
+  leader.joint = "lead";
+  leader.motion = Motion::turn;
+  leader.low = low;
+  leader.high = high;
+  scene.links.push_back(leader);
+  scene.links[1].follow = Follow{2, -3, 0.3};
+  return scene;
+}
+
+TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
+  MotionQuestion q;
+  q.clearance = 0.21;
+  const MotionProof past = prove_motion(geared(-1, 0.05), 0, 1, q), met = prove_motion(geared(0, 1), 0, 1, q);
+  EXPECT_EQ(past.verdict, MotionVerdict::never) << "from 0.15 on";
+  ASSERT_EQ(met.verdict, MotionVerdict::within);
+  EXPECT_NEAR(met.joints[1], 0.3 - 3 * met.joints[2], 1e-15);
+  EXPECT_EQ(met.between, (std::vector<std::size_t>{2}));
+  const Scene scene = geared(-1, 1);
+  JointPath path(scene, 0, 1);
+  path.place_middle({{0.25, 0.35}});
+  EXPECT_GT(path.travel({0, 1, 0}).length, std::sin(0.75) - std::sin(0.6)) << "0.15 rad on, at a length of 1";
+}
+
+// What is found where the proof is not: the whole of what is not proved has a share.
+TEST(MotionProof, TellsWhatIsLeftOpen) {
+  MotionQuestion q;
+  q.clearance = 0.2 * (1 - 1e-12);
+  q.box_cap = 40;
+  const MotionProof open = prove_motion(sweeper(-1, 2), 0, 1, q);
+  EXPECT_EQ(open.verdict, MotionVerdict::open);
+  EXPECT_GT(open.open_share, 0);
+  EXPECT_LT(open.open_share, 0.1);
+  EXPECT_LE(open.boxes, 40u);
+  Scene held = sweeper(0.3, 6);
+  held.links[0].held = true;
+  EXPECT_EQ(prove_motion(held, 0, 1, q).verdict, MotionVerdict::open);
+}
+
+// The bound itself, in boxes of all sizes: nowhere in a box are the bodies nearer than it says, and they come
+// almost as near. A signed distance is the greatest gap along any direction.
+TEST(JointPath, NothingComesNearerThanItsTravel) {
+  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+    const Scene scene = read_scene(folder + file);
+    const auto pairs = checked_pairs(scene);
+    double most_used = 0;
+    for (std::uint64_t k = 0; k < 1000; ++k) {
+      RandomStream stream("travel", 1, k);
+      const auto& [a, b] = pairs[stream.below(pairs.size())];
+      JointPath path(scene, a, b);
+      if (path.free_joints().empty()) continue;
+      JointBox box = path.limits();
+      const double part = std::ldexp(1, -stream.integer(0, 12));
+      for (Range& range : box) {
+        const double width = part * stream.unit() * (range.high - range.low);
+        range.low += stream.unit() * (range.high - range.low - width);
+        range.high = range.low + width;
+      }
+      const Pair middle = path.place_middle(box);
+      Vector3 n = distance(middle.a, middle.b).direction;
+      if (stream.coin()) n = stream.unit_vector();
+      const double travel = path.travel(n).length, before = gap_along(middle, n);
+      for (int i = 0; i < 10; ++i) {
+        JointBox other = box;
+        for (Range& range : other) {
+          const double at = stream.unit();
+          range.low = range.high = at < 0.2   ? range.low
+                                   : at > 0.8 ? range.high
+                                              : stream.between(range.low, range.high);
+        }
+        const Pair moved = path.place_middle(other);
+        const Distance d = distance(moved.a, moved.b);
+        if (d.value <= 0) continue;
+        const double used = before - (d.value + d.error);
+        ASSERT_LE(used, travel) << file << ": " << scene.bodies[a].name << " - " << scene.bodies[b].name;
+        most_used = std::max(most_used, used / travel);
+      }
+    }
+    EXPECT_GT(most_used, 0.8) << file;
+  }
+}
+
+TEST(MotionProof, NoConfigurationGainsaysIt) {
+  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+    const Scene scene = read_scene(folder + file);
+    MotionQuestion q;
+    q.clearance = 0.01;
+    q.box_cap = 300;
+    std::vector<MotionProof> never;
+    std::vector<MotionProof*> all;
+    for (const auto& [a, b] : checked_pairs(scene)) {
+      MotionProof proof = prove_motion(scene, a, b, q);
+      const std::vector<Cylinder> placed = place(scene, proof.joints);
+      EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-12);
+      EXPECT_EQ(proof.verdict <= MotionVerdict::within || proof.bounded,
+                referee_within({placed[a], placed[b]}, q.clearance) == true);
+      EXPECT_EQ(proof.verdict == MotionVerdict::refuted,
+                !proof.bounded && referee_within({placed[a], placed[b]}, 0) == true);
+      EXPECT_EQ(proof.verdict == MotionVerdict::open, proof.open_share > 0);
+      if (proof.verdict != MotionVerdict::never) continue;
+      EXPECT_GT(proof.bound, q.clearance);
+      EXPECT_LE(proof.bound, proof.least);
+      never.push_back(std::move(proof));
+    }
+    EXPECT_GT(never.size(), 0u) << file;
+    for (MotionProof& proof : never) all.push_back(&proof);
+    gainsay(scene, all, 7, 2000);
+    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 0) << file;
+    never[0].bound = never[0].least * 1.5 + 0.01;
+    gainsay(scene, all, 7, 2000);
+    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 1)
+        << file << ": a false bound is seen";
+    EXPECT_EQ(never[0].verdict, MotionVerdict::open);
+  }
+}
+
+// No "never" outlives a draw that denies it, wherever that was made. No reader lets limits be the wrong way
+// round: proofs then take the joint for fixed, and draws do not.
+TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
+  Scene scene = sweeper(std::numbers::pi, -std::numbers::pi);
+  SceneOptions q;
+  q.prove = true;
+  const auto proved = [&] { return *study_scene(scene, q).motions; };
+  q.configurations = 1;
+  EXPECT_EQ(proved().pairs[0].verdict, MotionVerdict::never);
+  q.against = 300;
+  EXPECT_EQ(proved().pairs[0].verdict, MotionVerdict::open) << "others were drawn";
+  q.against = 0;
+  q.configurations = 300;
+  scene.exemptions = {{0, 1, "Never"}};
+  q.all_pairs = true;
+  const MotionStudy denied = proved();
+  EXPECT_EQ(denied.pairs[0].verdict, MotionVerdict::open);
+  EXPECT_EQ(denied.exemptions[0].verdict, MotionVerdict::open);
+  EXPECT_TRUE(denied.pairs[0].contradicted);
+  EXPECT_EQ(denied.contradicted, 2u);
+}
+
+// What comes near is only the bound around a box or mesh: that refutes nothing.
+TEST(MotionProof, ABoundOfABoxRefutesNothing) {
+  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/porter.urdf");
+  std::size_t bounded = 0, refuted = 0;
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
+      MotionQuestion question;
+      question.box_cap = 50;
+      const MotionProof proof = prove_motion(scene, a, b, question);
+      const bool holds = scene.bodies[a].box || scene.bodies[b].box;
+      EXPECT_FALSE(holds && proof.verdict <= MotionVerdict::within) << a << " " << b;
+      EXPECT_TRUE(!proof.bounded || (holds && proof.verdict == MotionVerdict::open)) << a << " " << b;
+      bounded += proof.bounded;
+      refuted += proof.verdict == MotionVerdict::refuted;
+    }
+  }
+  EXPECT_GT(bounded, 3u);
+  EXPECT_GT(refuted, 0u);
+}
+
+}  // namespace
+}  // namespace cyl

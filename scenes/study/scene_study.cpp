@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/study/scene_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/statistics.hpp"
+#include "base/stopwatch.hpp"
+#include "base/usage_error.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Configurations that are timed, and pairs in all of them: their models fit into a processor's nearer
+/// memory, and a round is over before others get their turn.
+constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
+constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
+
+class Study {
+ public:
+  Study(const Scene& scene, const SceneOptions& question) : scene_(scene), q_(question) {
+    result_.bodies = scene.bodies.size();
+    result_.drawn = moves(scene) && q_.at.empty();
+    result_.configurations = result_.drawn ? q_.configurations : 1;
+    for (const double rounding : tried_roundings(scene)) result_.roundings.emplace_back().rounding = rounding;
+    const PairRule rule(scene, q_.all_pairs, q_.each_link);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
+        ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
+        if (reason != PairRule::Reason::checked) continue;
+        PairStudy pair;
+        pair.a = j;
+        pair.b = i;
+        result_.pairs.push_back(pair);
+      }
+    }
+  }
+
+  SceneStudy run() {
+    for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
+    for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
+    if (result_.drawn) go_on();
+    for (RoundingCost& r : result_.roundings) allow(r);
+    for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
+    if (q_.verify) verify();
+    if (q_.prove) prove();
+    measure();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<double> joints(std::size_t configuration) const { return joints_of(scene_, q_, configuration); }
+
+  void observe(std::size_t configuration) {
+    placed_ = place(scene_, joints(configuration));
+    models_ = models_of(placed_);
+    for (PairStudy& pair : result_.pairs) observe(pair, configuration);
+  }
+
+  // A model that fails after all loses the pair to the next, which is asked again.
+  void go_on() {
+    const auto unsure = [&](const PairStudy& pair) {
+      return is_statistical(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
+    };
+    for (std::size_t k = result_.configurations; k < q_.most; ++k) {
+      if (std::ranges::none_of(result_.pairs, unsure)) return;
+      placed_ = place(scene_, joints(k));
+      models_ = models_of(placed_);
+      for (PairStudy& pair : result_.pairs) {
+        if (!unsure(pair)) continue;
+        observe(pair, k);
+        if (!suffices(pair, pair.cascade.last, q_.tolerated)) pair.cascade = recommend(pair, q_.tolerated);
+      }
+    }
+  }
+
+  void observe(PairStudy& pair, std::size_t configuration) {
+    const ProxyModels &a = models_[pair.a], &b = models_[pair.b];
+    std::optional<bool> truth;
+    std::size_t set = 0;
+    bool decided = false;
+    for (const Level level : enum_values<Level>) {
+      const Proximity seen = proximity(level, a, b, q_.clearance);
+      if (seen == Proximity::unclear) continue;
+      if (index_of(level) < 3) set |= std::size_t{1} << index_of(level);
+      if (!std::exchange(decided, true)) ++pair.decided[index_of(level)];
+      if (level == Level::certified) truth = seen == Proximity::within;
+    }
+    ++pair.outcomes[set];
+    if (!truth) {
+      ++result_.asked_referee;
+      truth = referee_within({placed_[pair.a], placed_[pair.b]}, q_.clearance);
+      if (!truth) ++result_.undecided;
+    }
+    const bool is_within = truth.value_or(true);
+    const double d = distance(a.solid, b.solid).value;
+    const bool counted = configuration < result_.configurations;
+    for (RoundingCost& r : result_.roundings)
+      r.all_rounded += counted && !is_within && d <= q_.clearance + 2 * r.rounding;
+    for (const Level level : enum_values<Level>)
+      score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
+    pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
+    pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
+    ++pair.samples;
+    pair.within += is_within;
+    const auto miss = [&](double value) { return std::fabs(value - q_.clearance); };
+    if (!result_.closest || miss(d) < miss(result_.closest->distance))
+      result_.closest =
+          ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
+    if (counted) truths_.push_back(is_within);
+  }
+
+  void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
+    if (said == is_within) return;
+    ++s.wrong;
+    const double by = is_within ? q_.clearance - d : d - q_.clearance;
+    Extreme& worst = is_within ? s.missed : s.alarm;
+    if (by > worst.length) worst = {by, configuration};
+  }
+
+  void check_cascades(std::size_t configuration) {
+    models_ = models_of(place(scene_, joints(configuration)));
+    for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
+      PairStudy& pair = result_.pairs[i];
+      const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
+      const bool is_within = truths_[configuration * result_.pairs.size() + i];
+      pair.cascade_wrong += said != is_within;
+      for (std::size_t k = 0; k < allowed_.size(); ++k)
+        result_.roundings[k].alarms +=
+            is_within != (allowed_[k][i] == pair.cascade
+                              ? said
+                              : within(allowed_[k][i], models_[pair.a], models_[pair.b], q_.clearance));
+    }
+  }
+
+  void allow(RoundingCost& r) {
+    auto& cascades = allowed_.emplace_back();
+    const double tolerated = std::max(q_.tolerated, 2 * r.rounding);
+    for (const PairStudy& pair : result_.pairs) {
+      const bool same = std::ranges::all_of(enum_values<Level>, [&](Level level) {
+        return suffices(pair, level, tolerated) == suffices(pair, level, q_.tolerated);
+      });
+      cascades.push_back(same ? pair.cascade : recommend(pair, tolerated));
+      r.cheaper += cascades.back() != pair.cascade;
+    }
+  }
+
+  // Not with the truths found above: everything anew, by the referee alone.
+  void verify() {
+    Verification& v = result_.verification.emplace();
+    const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
+    const std::size_t stride = std::max<std::size_t>(1, (all + verified_cap - 1) / verified_cap);
+    for (std::size_t k = 0; k < result_.configurations; ++k) {
+      placed_ = place(scene_, joints(k));
+      for (std::size_t i = 0; i < pairs; ++i) {
+        if ((k * pairs + i) % stride != 0) continue;
+        const PairStudy& pair = result_.pairs[i];
+        const Pair solids{placed_[pair.a], placed_[pair.b]};
+        v.add(solids, q_.clearance, q_.tolerated,
+              within(pair.cascade, make_models(solids.a), make_models(solids.b), q_.clearance));
+      }
+    }
+  }
+
+  void prove() {
+    BodyPairs pairs, others;
+    for (const PairStudy& pair : result_.pairs) {
+      pairs.push_back({pair.a, pair.b});
+      if (q_.at.empty()) pairs.back().seen = pair.least;  // else it may be outside of the joints' limits
+    }
+    for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
+      for (std::size_t a = 0; a < b; ++a) {
+        const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
+        if (one != other && !carries_directly(scene_, one, other) &&
+            std::ranges::none_of(pairs, [&](const BodyPair& p) { return p.a == a && p.b == b; }))
+          others.push_back({a, b});
+      }
+    }
+    result_.motions =
+        prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed, q_.against}, others);
+  }
+
+  void measure() {
+    const std::size_t pairs = std::max<std::size_t>(1, result_.pairs.size());
+    const std::size_t calls = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
+    const std::size_t count = std::min(calls, result_.configurations);
+    std::vector<std::vector<double>> drawn;
+    std::vector<std::vector<Cylinder>> placed;
+    std::vector<std::vector<ProxyModels>> models;
+    for (std::size_t k = 0; k < count; ++k) {
+      drawn.push_back(joints(k));
+      placed.push_back(place(scene_, drawn.back()));
+      models.push_back(models_of(placed.back()));
+    }
+    const auto time = [&](const auto& once) {
+      return series_cost(
+                 [&](std::span<const std::size_t> order) {
+                   double sum = 0;
+                   for (const std::size_t call : order) sum += once(call % count);
+                   keep(sum);
+                 },
+                 calls, timed_least)
+          .ns;
+    };
+    std::vector<Cylinder> into;
+    result_.kinematics_ns = time([&](std::size_t k) {
+      place(scene_, pose_links(scene_, drawn[k]), into);
+      return into.empty() ? 0 : into.back().center.x();
+    });
+    std::vector<ProxyModels> made(scene_.bodies.size());
+    result_.models_ns = time([&](std::size_t k) {
+      for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i]);
+      return made.empty() ? 0 : made.back().ball.rounding;
+    });
+    const auto ask_all = [&](const auto& ask) {
+      if (result_.pairs.empty()) return 0.0;
+      return time([&](std::size_t k) {
+        int hits = 0;
+        for (std::size_t i = 0; i < result_.pairs.size(); ++i)
+          hits += ask(i, models[k][result_.pairs[i].a], models[k][result_.pairs[i].b]);
+        return hits;
+      });
+    };
+    const auto ask_cascades = [&](const std::vector<Cascade>& cascades) {
+      return ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
+        return within(cascades[pair], a, b, q_.clearance);
+      });
+    };
+    measure_cascades(ask_cascades);
+    for (const Level level : enum_values<Level>)
+      result_.alone_ns[index_of(level)] =
+          ask_all([&, level](std::size_t, const ProxyModels& a, const ProxyModels& b) {
+            return accepted(level, a, b, q_.clearance);
+          });
+  }
+
+  // The recommended ones from a list like the others', because beside other data they cost more; and by turns
+  // with each, because a machine is not as fast at every time.
+  void measure_cascades(const auto& time_of) {
+    std::vector<Cascade> recommended;
+    for (const PairStudy& pair : result_.pairs) recommended.push_back(pair.cascade);
+    result_.cascade_ns = time_of(recommended);
+    for (std::size_t k = 0; k < allowed_.size(); ++k) {
+      result_.roundings[k].ns = result_.cascade_ns;
+      if (result_.roundings[k].cheaper == 0) continue;
+      std::array<double, 5> ratios{};
+      for (double& ratio : ratios) ratio = time_of(allowed_[k]) / time_of(recommended);
+      std::sort(ratios.begin(), ratios.end());
+      result_.roundings[k].ns *= ratios[ratios.size() / 2];
+    }
+  }
+
+  const Scene& scene_;
+  const SceneOptions& q_;
+  SceneStudy result_;
+  std::vector<Cylinder> placed_;
+  std::vector<ProxyModels> models_;
+  std::vector<bool> truths_;                   ///< by configuration, then pair
+  std::vector<std::vector<Cascade>> allowed_;  ///< by rounding, then pair
+};
+
+/// What a cascade costs on the samples, by weights.
+double weight_of(const Cascade& cascade, const PairStudy& pair) {
+  double sum = 0;
+  for (std::size_t set = 0; set < pair.outcomes.size(); ++set) {
+    double once = 0;
+    bool decided = false;
+    for (std::size_t i = 0; i < cascade.first.size() && !decided; ++i) {
+      if (!cascade.first[i]) continue;
+      once += level_weight[i];
+      decided = (set >> i & 1) != 0;
+    }
+    if (!decided) once += level_weight[index_of(cascade.last)];
+    sum += once * static_cast<double>(pair.outcomes[set]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration) {
+  if (moves(scene) && question.at.empty()) return draw_joints(scene, question.seed, configuration);
+  return joints_at(scene, question.at);
+}
+
+Total total_of(const SceneStudy& study, Level level, double tolerated) {
+  Total t;
+  for (const PairStudy& pair : study.pairs) {
+    const Score& score = pair.alone[index_of(level)];
+    t.decided += pair.decided[index_of(level)];
+    t.suffices += suffices(pair, level, tolerated);
+    t.wrong += score.wrong;
+    t.wrong_pairs += score.wrong > 0;
+    t.alarm = std::max(t.alarm, score.alarm.length);
+    t.missed = std::max(t.missed, score.missed.length);
+  }
+  return t;
+}
+
+std::vector<double> tried_roundings(const Scene& scene) {
+  constexpr std::size_t count = 5;
+  std::vector<double> thickness, tried;
+  for (const Body& body : scene.bodies) {
+    const Cylinder& c = body.solid;
+    thickness.push_back(std::min(c.radius, c.height / 2) + c.rounding);
+  }
+  if (thickness.empty()) return tried;
+  const auto median = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+  std::nth_element(thickness.begin(), median, thickness.end());
+  if (!(*median > 0)) return tried;
+  // Read as decimals, so that 0.002 is what everybody writes so.
+  for (int power = static_cast<int>(std::floor(std::log10(*median))); tried.size() < count; --power)
+    for (const int digit : {5, 2, 1})
+      if (const double x = std::strtod(fmt::format("{}e{}", digit, power).c_str(), nullptr);
+          x <= *median / 2 && tried.size() < count)
+        tried.push_back(x);
+  std::reverse(tried.begin(), tried.end());
+  return tried;
+}
+
+bool suffices(const PairStudy& pair, Level level, double tolerated) {
+  const Score& s = pair.alone[index_of(level)];
+  return s.wrong == 0 || (s.missed.length == 0 && s.alarm.length > 0 && s.alarm.length <= tolerated);
+}
+
+bool is_statistical(const PairStudy& pair) {
+  return pair.cascade.last == Level::sphere || pair.cascade.last == Level::outer;
+}
+
+Level needed(const PairStudy& pair, double tolerated) {
+  for (const Level level : {Level::sphere, Level::outer, Level::cylinder, Level::distance})
+    if (suffices(pair, level, tolerated)) return level;
+  return Level::certified;
+}
+
+Cascade recommend(const PairStudy& pair, double tolerated) {
+  Cascade best;
+  best.last = Level::certified;
+  for (const Level last : {Level::sphere, Level::outer, Level::cylinder, Level::distance, Level::certified}) {
+    if (last != Level::certified && !suffices(pair, last, tolerated)) continue;
+    for (unsigned set = 0; set < 8; ++set) {
+      const Cascade cascade{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, last};
+      if (weight_of(cascade, pair) < weight_of(best, pair)) best = cascade;
+    }
+  }
+  return best;
+}
+
+SceneStudy study_scene(const Scene& scene, const SceneOptions& question) {
+  if (scene.bodies.size() > study_cap)
+    throw UsageError("more than " + std::to_string(study_cap) + " cylinders");
+  return Study(scene, question).run();
+}
+
+}  // namespace cyl

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Studies which models a scene needs: which model answers each pair, at what cost, and how often a
+// cheaper model alone is wrong. It uses sampled configurations, and checks the answers against
+// proofs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/near/model_hierarchy.hpp"
+#include "scenes/near/verification.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/study/motion_proof.hpp"
+
+namespace cyl {
+
+struct SceneOptions {
+  std::string file;      ///< the file of the scene, for the report
+  double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
+  double tolerated = 0;  ///< false alarms of pairs at most this much beyond the clearance are harmless
+  std::size_t configurations = 1000;  ///< drawn; one if nothing moves or `at` is not empty
+  /// If the cheapest model was never wrong for a pair, more configurations are drawn. They end when, at 95 %,
+  /// it is wrong in at most this share of all, or at the limit.
+  double rate = 1;
+  std::size_t most = 100'000;
+  std::uint64_t seed = 1;
+  bool all_pairs = false;
+  bool each_link = false;     ///< each link is a rigid body of its own, even if fixed joints join it
+  bool verify = false;        ///< puts every recommended answer before the referee, up to verified_cap
+  bool prove = false;         ///< over all motions, whether the pairs come within the clearance
+  bool prove_others = false;  ///< also pairs that are not checked and not adjacent, for an SRDF
+  std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
+  std::size_t against = 0;                         ///< configurations in which the proofs are checked
+  std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
+};
+
+/// The most answers that --verify puts before the referee, evenly spread: about 10 s.
+inline constexpr std::size_t verified_cap = 100'000;
+
+/// The sample that an accepted model is most wrong about.
+struct Extreme {
+  double length = 0;  ///< from the clearance
+  std::size_t configuration = 0;
+};
+/// An accepted model on the samples of a pair.
+struct Score {
+  std::size_t wrong = 0;  ///< of the samples
+  Extreme alarm;          ///< the farthest pair beyond the clearance that it calls within
+  Extreme missed;         ///< the deepest pair below the clearance that it calls apart
+};
+
+/// One pair over all configurations.
+struct PairStudy {
+  std::size_t a = 0, b = 0;        ///< bodies
+  std::size_t samples = 0;         ///< the study's configurations, and what was drawn beyond them
+  std::size_t within = 0;          ///< samples that are within the clearance
+  double least = 0, greatest = 0;  ///< distance
+  std::array<Score, level_count> alone{};
+  std::array<std::size_t, level_count> decided{};  ///< samples that a level is the first to decide
+  std::array<std::size_t, 8> outcomes{};  ///< samples by the set of {sphere, outer, inner} that decide them
+  Cascade cascade;
+  std::size_t cascade_wrong = 0;  ///< samples that the cascade answers wrong: false alarms that are tolerated
+};
+
+/// The sample whose distance is nearest to the clearance: how exact an answer must be.
+struct ClosestCall {
+  std::size_t a = 0, b = 0, configuration = 0;
+  double distance = 0;
+  double size = 0;  ///< radii and heights of the pair together
+};
+
+/// The costs and savings if every solid is rounded by this much. Any model is then enough that answers as if
+/// each solid were between itself and itself grown by this rounding. False alarms come up to two roundings
+/// beyond the clearance.
+struct RoundingCost {
+  double rounding = 0;
+  std::size_t cheaper = 0;      ///< pairs that another cascade then answers
+  std::size_t alarms = 0;       ///< false alarms of these cascades, over all pairs
+  std::size_t all_rounded = 0;  ///< false alarms if every solid is grown by this much
+  double ns = 0;                ///< of one configuration
+};
+
+struct SceneStudy {
+  std::size_t bodies = 0, configurations = 0;
+  bool drawn = false;                            ///< more than one configuration, so rates have bounds
+  std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
+  std::vector<PairStudy> pairs;
+  std::size_t asked_referee = 0;  ///< samples that no level decides
+  std::size_t undecided = 0;      ///< samples without a proof of the referee; they count as within
+  std::optional<ClosestCall> closest;
+  std::vector<RoundingCost> roundings;  ///< ascending
+  // For one configuration, in ns.
+  double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
+  std::array<double, level_count> alone_ns{};
+  std::optional<Verification> verification;
+  std::optional<MotionStudy> motions;  ///< its pairs are those above
+};
+
+/// Throws UsageError if `at` names no joint, or if the scene has more than study_cap bodies.
+SceneStudy study_scene(const Scene& scene, const SceneOptions& question);
+/// All pairs of so many bodies are asked about one by one.
+inline constexpr std::size_t study_cap = 1000;
+
+/// Returns whether the samples describe the pair itself. They do not if one body is a bound of a box or mesh
+/// and comes within the clearance.
+bool is_known(const Scene& scene, const PairStudy& pair);
+
+/// Returns the links whose joints are held here, move in truth and lie between the two.
+std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair);
+
+/// Returns the joints that are held and stand between the bodies of a checked pair: of how such a pair moves
+/// nothing is known.
+std::vector<std::string> joints_held_between(const Scene& scene, const SceneStudy& study);
+
+/// A model over all pairs.
+struct Total {
+  std::size_t decided = 0, suffices = 0, wrong = 0, wrong_pairs = 0;
+  double alarm = 0, missed = 0;
+};
+Total total_of(const SceneStudy& study, Level level, double tolerated);
+
+/// Returns the lengths that are tried as roundings, which are 1, 2 or 5 times a power of ten. They are the
+/// five greatest that are at most half of the median thickness of the solids. The thickness is the radius or
+/// half the height, plus the rounding.
+std::vector<double> tried_roundings(const Scene& scene);
+
+/// Returns the joints of one of the study's configurations.
+std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);
+
+/// Returns whether an accepted model answers all samples right, but for false alarms that are tolerated.
+bool suffices(const PairStudy& pair, Level level, double tolerated);
+
+/// Returns whether what is recommended is known from samples alone, not from what the model is: of a ball or
+/// a capsule that it raises no false alarm.
+bool is_statistical(const PairStudy& pair);
+
+/// Returns the simplest model that answers all samples of a pair right: sphere, capsule, cylinder, distance,
+/// proof. `recommend` finds the cheapest.
+Level needed(const PairStudy& pair, double tolerated);
+
+/// Returns the cheapest model that answers all samples of a pair right (but for tolerated alarms), and before
+/// it those that save more than they cost, by `level_weight`.
+Cascade recommend(const PairStudy& pair, double tolerated);
+
+/// ns of each level, measured on random pairs of rods with overlapping balls, half of them capsules, at touch
+/// and at a clearance. Only the ratios matter. They are constant, so that a seed gives the same cascade on
+/// every machine.
+inline constexpr std::array<double, level_count> level_weight{2.8, 14, 14, 24, 270, 87};
+
+}  // namespace cyl
