@@ -376,7 +376,7 @@ void add_campaign(Program& program) {
                  "run, or folder of runs; families with more findings there get more pairs");
   command
       .option("--shard I/N", arguments->shard,
-              "do every N-th batch, starting at batch I < N (see daylight merge)")
+              "run only part I of N, with I from 0 to N-1; daylight merge joins the parts")
       .needs("--seed")
       .needs("--out");
   command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
@@ -388,8 +388,9 @@ void add_campaign(Program& program) {
       .not_empty("the folder of a run is expected");
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.section("Self-check");
-  command.flag("--self-check,--alarm", arguments->self_check,
-               "plant known faults and fail if one is missed (default: from 5 minutes or 3,000,000 pairs)");
+  command.flag(
+      "--self-check,--alarm", arguments->self_check,
+      "plant known faults and fail if one is missed (default: in runs of 5 minutes or 3,000,000 pairs)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");

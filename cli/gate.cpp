@@ -251,7 +251,7 @@ int gate(const GateArguments& arguments) {
 void add_gate(Program& program) {
   Command command = program.command(
       "Guard", "gate",
-      "Tests methods on every case and law and on random pairs, with one exit code for a merge");
+      "Tests methods on all cases, laws and random pairs; the exit code says whether to merge");
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
   command.number("--pairs N", arguments->pairs, "random pairs to draw besides the cases", 1)
@@ -285,7 +285,9 @@ void add_gate(Program& program) {
           "JSON of an earlier gate; reruns its pairs and fails only if a failure is new or has more pairs")
       .excludes("--pairs")
       .excludes("--seed");
-  command.option("--suppressions FILE", arguments->suppressions, "known causes, which do not fail")
+  command
+      .option("--suppressions FILE", arguments->suppressions,
+              "file of known causes; their failures do not change the exit code")
       .default_text("suppressions.jsonl");
   command.section("Limits");
   command.flag("--first-failure", arguments->first_failure,
@@ -294,7 +296,8 @@ void add_gate(Program& program) {
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.section("Pairs");
-  command.option("--reproduce NAME", arguments->reproduce, "rerun one random pair, by its printed name");
+  command.option("--reproduce NAME", arguments->reproduce,
+                 "rerun one random pair, by the name in the \"origin\" line of its failure");
   command.section("Output");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(

@@ -80,7 +80,7 @@ void add_guest_options(Command& command, GuestOptions& options) {
 
 void add_run_guests_option(Command& command, GuestOptions& options) {
   command.flag("--run-guests", options.of_runs,
-               "start the run's plug-ins and commands, even if they are new to this machine");
+               "start the plug-ins and commands that a run names, even if they are new here");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

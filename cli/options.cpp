@@ -24,8 +24,8 @@ constexpr const char* exit_codes =
     "Exit codes:\n"
     "  0   nothing is wrong\n"
     "  1   daylight itself failed, for example because it could not write a file\n"
-    "  2   a method is provably wrong beyond its claim, crashed or hung\n"
-    "  3   nothing is wrong, but something is undecided or was not asked\n"
+    "  2   a method gave a provably wrong answer beyond its claim, crashed or hung\n"
+    "  3   nothing is wrong, but some pairs are undecided or were not tested\n"
     "  64  wrong usage, such as an unknown option or a missing file\n"
     "  65  bad input, such as a line that is not a pair\n"
     "A claim is the tolerance that a method states. docs/exit-codes.md has the codes of each command.";

@@ -161,7 +161,9 @@ void add_triage(Program& program) {
   command.section("Limits");
   command.number("--jobs N", arguments->jobs, "processes; the causes do not depend on it", 1, 1024);
   command.section("Input");
-  command.option("--suppressions FILE", arguments->suppressions, "known causes, which do not fail")
+  command
+      .option("--suppressions FILE", arguments->suppressions,
+              "file of known causes; their findings do not change the exit code")
       .default_text("suppressions.jsonl");
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();

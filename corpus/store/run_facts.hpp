@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The meaning of the entries, rows and families of a stored run: the words that campaigns write and reports
-// read.
+// The names in a stored run: keys of its configuration, rows and families. Campaigns write them, reports read
+// them.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,10 @@
 
 namespace cyl {
 
-/// Rows of the tally, and findings, that do not belong to a method: the truths that cases state, and the
-/// referee.
+/// Names that stand in place of a method's: for the truths that cases state, and for the referee.
 inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
-/// How often each arithmetic gave the verdict, decided or not, and the time of the pairs that it got, in the
-/// order of Stage.
+/// One row a Stage, in its order: how many pairs ended there, decided or not, and the time that they took.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
 /// Returns whether a row belongs to a method and is not one of the rows above.
 constexpr bool is_method_row(std::string_view name) {
@@ -28,8 +26,8 @@ constexpr bool is_method_row(std::string_view name) {
          std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
 }
 
-/// Values of "status" in a run's configuration. A killed run stays `running`. A run with a fault of the
-/// harness has `failed: ` and the cause.
+/// Values of "status" in a run's configuration. A killed run stays `running`. A run that an
+/// error of daylight ended has `failed: ` and the message.
 inline constexpr const char *status_planned = "planned", *status_running = "running",
                             *status_stopped = "stopped", *status_complete = "complete",
                             *status_failed = "failed: ";
@@ -44,16 +42,17 @@ std::string format_shard(const Shard& shard);
 
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";
-/// The family whose pairs are climbed, and the pairs of one climb.
+/// The family whose pairs are found by climbing towards the largest error, and the pairs of one climb.
 inline constexpr const char* climbed_name = "climbed";
 inline constexpr std::uint64_t climb_size = 256;
-/// Returns how many of `pairs` pairs of a family were drawn independently of each other, at least: the pairs
-/// of one climb are not.
+/// Returns a lower bound on the number of independent draws among `pairs` pairs of a family. The pairs of one
+/// climb depend on each other.
 std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs);
 
 /// Returns each fault that was not found, in words; empty if all were.
 std::string describe_failed_checks(std::span<const SelfCheckRecord> checks);
-/// Returns "self-check: 7 planted faults found, ..", or which were not; empty if none was planted.
+/// Returns "self-check: 7 planted faults found, ..", or the faults that were missed; empty if none was
+/// planted.
 std::string format_self_checks(std::span<const SelfCheckRecord> checks);
 
 }  // namespace cyl

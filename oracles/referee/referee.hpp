@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The referee: proves a verdict. Not a vote and not a method. It shares the words of solver/cylinder.hpp with
-// the solver and none of its arithmetic.
+// The referee proves a verdict. It takes no vote and is not a method. It uses the types of
+// solver/cylinder.hpp, but none of the solver's arithmetic.
 #pragma once
 
 #include <array>
@@ -14,26 +14,27 @@
 
 namespace cyl {
 
-/// Bits of the widest search. Reaching it is `undecided`.
+/// Bits of the widest search. A pair that needs more is `undecided`.
 inline constexpr int precision_cap = 4096;
 
 /// Proves the verdict of a pair: first by the offered witnesses, else by its own search.
 /// 1. Deterministic. Throws nothing.
 /// 2. An invalid pair gives `invalid`.
-/// 3. `undecided` only at the cap on precision. Then the pair is a tangency without a rational direction that
-///    algebra could try, or its gap or depth is too small for that many bits.
-/// 4. The certificate is a direction, a point or `near`. For a witness in hulls, it is the rational point
-///    that the witness stands for.
+/// 3. `undecided` only at the cap on precision. Then the pair touches in a direction that is not rational, or
+///    its gap or depth is too small for that many bits.
+/// 4. CertificateKind lists the forms of the certificate. If a witness in hulls proves the verdict, the
+///    certificate is the rational point of both hulls that is nearest to it.
 /// 5. With a cap below 128 bits, only double is used, also for witnesses.
 /// Cost:
-/// * below 1 us with a witness, and about that without; 20 us with a witness in hulls
+/// * about 1 us, with or without a witness; 20 us with a witness in hulls
 /// * 0.1 ms if double is not enough, below 1 ms for exact ties, rounded or not
-/// * 1 to 2 ms for rounded solids within rounding of touching, at most 17 ms on 330,000
+/// * 1 to 2 ms for rounded solids whose gap is as small as a floating-point error; at most 17 ms in 330,000
+///   pairs
 /// * 0.4 ms in the mean if components of axes or lengths are hundreds of decades apart. 1 in 240 of these
 ///   takes more than 20 ms, the slowest 31 ms.
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
-/// Returns the verdict of judge(), proved as well. Leaves out the certificate if a cheaper proof has none:
+/// Returns the same proved verdict as judge(). Leaves out the certificate if a cheaper proof has none:
 /// 1. a proof in long double,
 /// 2. a witness in hulls for flat solids, whose common points are rarely doubles,
 /// 3. algebra at a simple point or in a simple direction, which comes before the wide search.
@@ -47,7 +48,8 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered = {}
 inline constexpr double gap_width_tol = 1e-12;
 inline constexpr double depth_width_tol = 1e-9;
 
-/// Cells after which an enclosure is returned at its current width. One cell costs about 0.3 us.
+/// The search bounds at most this many cells of directions, then returns the enclosure as it is. One cell
+/// costs about 0.3 us.
 inline constexpr std::size_t cell_cap = 40000;
 
 /// Returns a certified enclosure of the signed distance, about as narrow as the tolerances above. It is wider
@@ -55,13 +57,13 @@ inline constexpr std::size_t cell_cap = 40000;
 /// 2. if the cap on cells ends the search. That happens for many equal depths, such as rods along each other.
 /// Touching gives [0, 0]. Cost: 4 us apart, 10 to 50 us overlapping, up to 40 ms at the cap.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth);
-/// The same at a width of the caller's choice, relative to the pair's size. If one guess shows that the
-/// distance is below that width, one end is 0, and the cost is a few us.
+/// The same at a width of the caller's choice, relative to the pair's size. If a first estimate shows
+/// that the distance is below that width, one end is 0, and the cost is a few us.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
 /// The enclosure, and the unit direction from a to b at which it was found. There f is minus the lower end,
 /// within rounding. For rounded solids, f and the end are those of the cores. Exceptions:
-/// 1. The verdict may have cut the lower end off at 0.
+/// 1. If the verdict excludes negative distances, the lower end is at least 0.
 /// 2. Nearer to touching than the width, the enclosure may differ from that of enclose_distance().
 /// 3. If several directions attain the distance, it is one of them.
 struct AttainedDistance {
@@ -73,7 +75,7 @@ struct AttainedDistance {
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width);
 
 /// Returns the verdict that a witness proves: `disjoint`, `intersecting`, or `undecided` if it proves
-/// nothing. A point whose hulls have no common point proves nothing.
+/// nothing. A witness in hulls proves nothing if its two hulls have no common point.
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer);
 
 }  // namespace cyl

@@ -2,8 +2,8 @@
 // The merge gate. It replays every known case, checks every law, and compares the method with
 // the referee on samples of every stratum and every cell of close contacts. It reports how much
 // that proves. The same seed and number of pairs give the same failures in the same order on
-// any machine, except for hangs. If a limit of time cuts the gate, it reports what was not
-// asked.
+// any machine, except for hangs. If the time limit stops the gate early, the report lists
+// the part that was not tested.
 #pragma once
 
 #include <chrono>
@@ -20,17 +20,17 @@
 
 namespace cyl {
 
-/// The default number of pairs. Our own methods then take about 40 s on two cores, as long as people wait for
-/// a merge. Each stratum gets 2,336 pairs, which bounds its error rate by 1.3e-3. Each cell of close contacts
-/// gets 681 or more, half of them gaps.
+/// The default number of pairs. Our own methods then take about 40 s on two cores, which is how long people
+/// wait for a merge. Each stratum gets 2,336 pairs, which bounds its error rate by 1.3e-3. Each cell of close
+/// contacts gets at least 681 pairs, half of them gaps.
 inline constexpr std::uint64_t gate_pairs = 500'000;
 
-/// How much is drawn, in rounds: up to 64 pairs under all laws, 4 pairs of each stratum, or one round of
-/// close contacts.
+/// The number of pairs, in rounds. A round of laws has up to 64 pairs. A round of strata has 4 pairs of each
+/// stratum, and a round of close contacts has close_round pairs.
 struct GateAmount {
   std::optional<std::uint64_t> cases_under_laws;  ///< all, if not given
   std::uint64_t law_rounds = 0, sample_rounds = 0;
-  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 in the reports of earlier gates
+  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 if an older report does not have it
   std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
 };
 
@@ -44,13 +44,14 @@ struct GateOptions {
   /// The amount of an earlier gate instead, so that both use the same pairs.
   std::optional<GateAmount> amount = {};
   std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< the start of `cap`
   /// Returns whether the gate was stopped. Then, too, nothing more is asked.
   std::function<bool()> stopped = [] { return false; };
-  /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
+  /// Stops after the round with the first failure beyond a claim, and neither reruns nor simplifies it.
   bool first_failure = false;
-  bool as_found = false;  ///< failures are neither run again nor made simpler once all is asked
-  /// The caps on one call and on the hangs in one batch are shorter than a campaign's, for a gate is to end.
+  bool as_found = false;  ///< the gate neither reruns nor simplifies failures at its end
+  /// The caps on one call and on the hangs in one batch are shorter than a campaign's, because people wait
+  /// for a gate.
   Caps caps{
       .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
 };
@@ -65,11 +66,11 @@ struct GateProgress {
 
 /// Returns whether the gate was stopped or the cap on time, if there is one, is over.
 bool out_of_time(const GateOptions& options);
-/// Returns why: "since the time was over".
+/// Returns the reason why pairs were not tested, such as "since the time was over".
 const char* why_not(const GateOptions& options);
 
-/// Runs the gate on methods. Counts determine which pairs are asked; only a limit of time depends on a clock.
-/// Throws std::system_error if the system refuses a process or memory.
+/// Runs the gate on methods. The pairs depend on the seed and the counts alone, unless the time limit stops
+/// the gate. Throws std::system_error if the system refuses a process or memory.
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                     const GateOptions& options,
                     const std::function<void(const GateProgress&)>& on_progress = {});

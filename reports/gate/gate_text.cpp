@@ -263,16 +263,17 @@ std::string close_in_words(const GateMethod& method) {
     worst = std::max(worst, bound_of(c));
   }
   std::vector<std::string> facts;
-  facts.push_back(fmt::format("They fill {}: position of the axes x small angle x decade of margin.",
-                              plural(full.size(), "cell")));
-  facts.push_back(fmt::format("Each cell has at least {} and {}.", plural(least_gaps, "gap"),
+  facts.push_back(fmt::format("They cover {} of axis position, small angle and decade of margin.",
+                              plural(full.size(), "combination")));
+  facts.push_back(fmt::format("Each combination has at least {} and {}.", plural(least_gaps, "gap"),
                               plural(least_overlaps, "overlap")));
-  facts.push_back(fmt::format(
-      "The error rate is {} in each cell, for gaps and for overlaps, at 95 % confidence.", rate(worst)));
+  facts.push_back(
+      fmt::format("The error rate is {} in each combination, for gaps and for overlaps, at 95 % confidence.",
+                  rate(worst)));
   if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
   if (!rare.empty()) facts.push_back("Few pairs: " + named(rare, true) + '.');
   if (!empty.empty()) facts.push_back("No decided pair: " + named(empty, false) + '.');
-  return wrapped("", fmt::format("{} is {} close contacts that it claims.", name,
+  return wrapped("", fmt::format("{} is {} close contacts whose margin exceeds its claim.", name,
                                  success(decided, wrong, none_beyond))) +
          as_lines(facts);
 }
@@ -320,23 +321,26 @@ std::string strata_in_words(const GateMethod& method) {
   std::vector<std::string> facts;
   if (cells > 0) {
     // The decade d holds margins above 10^(-d-1), up to 10^-d.
-    facts.push_back(fmt::format(
-        "They fill {}: {} {} {} of margin from {} to {}.", plural(cells, "cell"),
-        plural(features.size(), "contact feature"), cells == features.size() * decades.size() ? "x" : "in",
-        plural(decades.size(), "decade"), power(*decades.begin()), power(*decades.rbegin() + 1)));
-    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", plural(wrong_cells, "cell")));
-    facts.push_back(fmt::format("Each cell has {}.", least == most
-                                                         ? plural(least, "pair")
-                                                         : grouped(least) + " to " + plural(most, "pair")));
-    facts.push_back(fmt::format("The error rate is {} overall and {} in each cell, at 95 % confidence.",
-                                rate(error_rate_bound(all, wrong)), rate(worst)));
+    facts.push_back(fmt::format("They cover {} of {} and {} of margin from {} to {}.",
+                                plural(cells, "combination"), plural(features.size(), "contact feature"),
+                                plural(decades.size(), "decade"), power(*decades.begin()),
+                                power(*decades.rbegin() + 1)));
+    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", plural(wrong_cells, "combination")));
+    facts.push_back(
+        fmt::format("Each combination has {}.",
+                    least == most ? plural(least, "pair") : grouped(least) + " to " + plural(most, "pair")));
+    facts.push_back(
+        fmt::format("The error rate is {} overall and {} in each combination, at 95 % confidence.",
+                    rate(error_rate_bound(all, wrong)), rate(worst)));
   }
   if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
   if (!empty.empty()) facts.push_back(fmt::format("No decided pair: {}.", empty));
   const std::string first =
-      cells > 0 ? fmt::format("{} is {} independent random pairs that it claims.", name,
-                              success(all, wrong, "right on all"))
-                : fmt::format("Nothing is proved of {}: it decided no random pair that it claims.", name);
+      cells > 0
+          ? fmt::format("{} is {} independent random pairs whose margin exceeds its claim.", name,
+                        success(all, wrong, "right on all"))
+          : fmt::format("Nothing is proved of {}: it decided no random pair whose margin exceeds its claim.",
+                        name);
   return wrapped("", first) + as_lines(facts);
 }
 

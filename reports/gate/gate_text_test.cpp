@@ -105,25 +105,28 @@ TEST(GateText, TableIfItHelps) {
 
 TEST(GateText, StatesWhatIsProvedOneFactALine) {
   const GateReport report = example_report();
-  EXPECT_EQ(proved_in_words(report.methods[0]),
-            "intersect is right on all 57,732 independent random pairs that it claims.\n"
-            "  They fill 24 cells: 2 contact features x 12 decades of margin from 1 to 1e-12.\n"
-            "  Each cell has 2,400 to 2,411 pairs.\n"
-            "  The error rate is <= 5.2e-05 overall and <= 1.3e-03 in each cell, at 95 % confidence.\n"
-            "intersect is never wrong beyond its claim on 117,251 close contacts that it claims.\n"
-            "  They fill 143 cells: position of the axes x small angle x decade of margin.\n"
-            "  Each cell has at least 409 gaps and 408 overlaps.\n"
-            "  The error rate is <= 7.4e-03 in each cell, for gaps and for overlaps, at 95 % confidence.\n"
-            "  Few pairs: generic > 1e-03 1e-02 (<= 2.5e-01).\n");
+  EXPECT_EQ(
+      proved_in_words(report.methods[0]),
+      "intersect is right on all 57,732 independent random pairs whose margin exceeds its claim.\n"
+      "  They cover 24 combinations of 2 contact features and 12 decades of margin from 1 to 1e-12.\n"
+      "  Each combination has 2,400 to 2,411 pairs.\n"
+      "  The error rate is <= 5.2e-05 overall and <= 1.3e-03 in each combination, at 95 % confidence.\n"
+      "intersect is never wrong beyond its claim on 117,251 close contacts whose margin exceeds its claim.\n"
+      "  They cover 143 combinations of axis position, small angle and decade of margin.\n"
+      "  Each combination has at least 409 gaps and 408 overlaps.\n"
+      "  The error rate is <= 7.4e-03 in each combination, for gaps and for overlaps, at 95 % confidence.\n"
+      "  Few pairs: generic > 1e-03 1e-02 (<= 2.5e-01).\n");
   GateMethod other = report.methods[1];
   other.name = "fake";
   const std::string fake = proved_in_words(other);
-  EXPECT_TRUE(
-      has(fake, "fake is wrong beyond its claim on 7 of 250 independent random pairs that it claims.\n"))
+  EXPECT_TRUE(has(fake,
+                  "fake is wrong beyond its claim on 7 of 250 independent random pairs whose margin exceeds "
+                  "its claim.\n"))
       << fake;
   EXPECT_TRUE(has(fake, "  Its errors lie in 1 cell.\n")) << fake;
   EXPECT_TRUE(has(fake, "  No decided pair: side-side 1e-02.\n")) << fake;
-  EXPECT_TRUE(has(fake, "fake is wrong beyond its claim on 3 of 4,370 close contacts that it claims.\n"))
+  EXPECT_TRUE(has(
+      fake, "fake is wrong beyond its claim on 3 of 4,370 close contacts whose margin exceeds its claim.\n"))
       << fake;
   EXPECT_TRUE(has(fake, "  It is undecided on 48 more.\n")) << fake;
   EXPECT_TRUE(has(fake, "  No decided pair: generic > 1e-03 1e-01.\n")) << fake;
@@ -135,7 +138,8 @@ TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {
   for (CloseGateCell& c : m.close_cells) c.undecided = c.gaps, c.gaps = c.overlaps = 0;
   EXPECT_TRUE(has(proved_in_words(m), "\nintersect is undecided on all close contacts.\n"))
       << proved_in_words(m);
-  const std::string nothing = "Nothing is proved of intersect: it decided no random pair that it claims.\n";
+  const std::string nothing =
+      "Nothing is proved of intersect: it decided no random pair whose margin exceeds its claim.\n";
   EXPECT_TRUE(has(proved_in_words(m), nothing)) << proved_in_words(m);
   EXPECT_TRUE(has(proved_in_words(m), "\n  It is undecided on 57,732 more.\n")) << proved_in_words(m);
   m.cells.clear();
@@ -149,10 +153,10 @@ TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
   m.cells[0] = {{ContactFeature::side_side, 3}, true, 300, 0, 100};
   m.close_cells.clear();
   EXPECT_EQ(proved_in_words(m),
-            "intersect is right on all 300 independent random pairs that it claims.\n"
-            "  They fill 1 cell: 1 contact feature x 1 decade of margin from 1e-03 to 1e-04.\n"
-            "  Each cell has 300 pairs.\n"
-            "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each cell, at 95 % confidence.\n"
+            "intersect is right on all 300 independent random pairs whose margin exceeds its claim.\n"
+            "  They cover 1 combination of 1 contact feature and 1 decade of margin from 1e-03 to 1e-04.\n"
+            "  Each combination has 300 pairs.\n"
+            "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each combination, at 95 % confidence.\n"
             "  It is undecided on 100 more.\n");
   GateReport report = example_report();
   report.methods = {m};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The findings of a run by their cause, and how many of all findings each cause stands for.
+// Groups the findings of a run by cause, and estimates how many of all findings each cause has.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct TriageRecords {
   std::vector<WorstRecord> worsts;    ///< by bucket
 };
 
-/// Whether x is the worse of two findings: a refuted verdict before all else, then the larger proved margin.
+/// Returns whether x is worse than y. A refuted verdict is worse than any other finding. Else the larger
+/// proved margin is worse.
 bool is_worse(const FindingRecord& x, const FindingRecord& y);
 /// The proved margin of a finding, or -1 if there is none.
 double least_margin(const FindingRecord& finding);
@@ -43,11 +44,11 @@ struct ShownCandidate {
 struct CauseFindings {
   std::vector<const FindingRecord*> findings;  ///< by id
   std::set<Mechanism> mechanisms;
-  std::map<std::string, std::size_t> labels;
-  std::set<std::string> merged;
+  std::map<std::string, std::size_t> labels;  ///< further labels, with the number of their findings
+  std::set<std::string> merged;               ///< keys of the simplified pairs
   std::vector<ShownCandidate> candidates;
   std::optional<ShownCandidate> simplest;
-  bool seen_again = false;  ///< on the simplest
+  bool seen_again = false;  ///< a rerun of the simplest pair fails again
   const FindingRecord* worst = nullptr;
   const WorstRecord* found = nullptr;  ///< a pair that a search found, if it is worse
 
@@ -58,19 +59,20 @@ struct CauseFindings {
   }
 };
 
-/// Groups the findings that have a cause. The candidates of each group are its simplified findings that are
-/// legal, and its findings as they were found.
+/// Groups the findings that have a cause. The candidates of each cause are its simplified pairs that are
+/// legal (is_legal()), and its pairs as they were found.
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records);
 
-/// Returns how many findings a bucket stands for. Findings that are not stored are only counted by group
-/// (method, kind, severity, family). The buckets share the count of a group in proportion to its stored
-/// findings. The remainder goes to the larger parts first.
+/// The findings of a bucket, stored or not.
 struct BucketCount {
   std::uint64_t findings = 0;
   std::map<std::string, std::uint64_t> by_method;
 
-  std::uint64_t most() const;  ///< of a method: pairs, since it has one finding a pair
+  std::uint64_t most() const;  ///< the largest count of a method: a number of pairs, with one finding a pair
 };
+/// Returns the count of each bucket. The store counts findings that it did not keep by FindingGroup. The
+/// buckets share that count in proportion to their kept findings. The larger parts get the
+/// remainder first.
 std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records);
 
 }  // namespace cyl
