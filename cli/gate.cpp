@@ -250,8 +250,7 @@ int gate(const GateArguments& arguments) {
 
 void add_gate(Program& program) {
   Command command = program.command(
-      "Guard", "gate",
-      "Tests methods on all cases, laws and random pairs; the exit code says whether to merge");
+      "Guard", "gate", "Tests methods before a merge: on all known cases, all laws, and random pairs");
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
   command.number("--pairs N", arguments->pairs, "random pairs to draw besides the cases", 1)

@@ -123,7 +123,7 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
                   "fake is wrong beyond its claim on 7 of 250 independent random pairs whose margin exceeds "
                   "its claim.\n"))
       << fake;
-  EXPECT_TRUE(has(fake, "  Its errors lie in 1 cell.\n")) << fake;
+  EXPECT_TRUE(has(fake, "  Its errors lie in 1 combination.\n")) << fake;
   EXPECT_TRUE(has(fake, "  No decided pair: side-side 1e-02.\n")) << fake;
   EXPECT_TRUE(has(
       fake, "fake is wrong beyond its claim on 3 of 4,370 close contacts whose margin exceeds its claim.\n"))
