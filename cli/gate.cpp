@@ -63,9 +63,9 @@ void print_laws() {
 }
 
 /// Returns what failed as lines of a case file, to be kept beside the other cases.
-std::string case_lines(const GateReport& report) {
+std::string case_lines(const JudgedGate& gate) {
   std::string lines;
-  for (const GateFailure& failure : report.failures) {
+  for (const JudgedFailure& failure : gate.failures) {
     if (!is_error(failure)) continue;
     Case c;
     c.pair = failure.simplest;
@@ -92,7 +92,7 @@ int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Me
 }
 
 /// Returns the options of `replay` that have it ask the same methods, and hold them to the laws that failed.
-std::string replay_options(const GateReport& report, std::span<const std::unique_ptr<Method>> methods,
+std::string replay_options(const JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                            std::span<const Guest> guests) {
   std::string options = " --methods ", comma;
   for (const auto& method : methods) {
@@ -101,7 +101,7 @@ std::string replay_options(const GateReport& report, std::span<const std::unique
   }
   for (const Guest& guest : guests) options += ' ' + options_for(guest);
   std::set<int> laws;
-  for (const GateFailure& f : report.failures)
+  for (const JudgedFailure& f : gate.failures)
     if (fails_gate(f) && !shows_in_answer(*f.law)) laws.insert(f.law->number);
   if (!laws.empty()) options += fmt::format(" --laws {}", fmt::join(laws, ","));
   return options;
@@ -139,32 +139,34 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
   return places;
 }
 
-/// Completes the report: what is known, what is missing against the base, how the guests are brought.
-void complete(GateReport& report, Known& known, std::span<const std::unique_ptr<Method>> methods,
-              std::span<const Guest> guests, std::span<const Case> cases,
-              const std::map<std::string, SourceLine>& places) {
-  mark_known(report, known.base);
-  note_gaps(report, known.base);
-  mark_suppressed(report, methods, known.suppressions, today());
+/// Judges a report: what is known, what is missing against the base, how to add and show the guests.
+JudgedGate judge(GateReport report, Known& known, std::span<const std::unique_ptr<Method>> methods,
+                 std::span<const Guest> guests, std::span<const Case> cases,
+                 const std::map<std::string, SourceLine>& places) {
+  JudgedGate gate = judged(std::move(report));
+  mark_known(gate, known.base);
+  note_gaps(gate, known.base);
+  mark_suppressed(gate, methods, known.suppressions, today());
   for (const Guest& guest : guests)
-    for (GateFailure& failure : report.failures) {
+    for (JudgedFailure& failure : gate.failures) {
       if (failure.method != guest.name) continue;
       failure.options = options_for(guest);
       if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
     }
-  if (known.suppressions.empty()) return;
+  if (known.suppressions.empty()) return gate;
   std::set<std::string> stored = causes_of(all_methods(), cases);
-  for (const GateFailure& f : report.failures)
+  for (const JudgedFailure& f : gate.failures)
     if (is_from_case(f)) stored.insert(f.bucket);
   known.remarks = remarks_on(known.suppressions, today(), stored, known.stale);
+  return gate;
 }
 
-void write_files(const GateArguments& arguments, const GateReport& report) {
-  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
+void write_files(const GateArguments& arguments, const JudgedGate& gate) {
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(gate));
   if (!arguments.sarif.empty())
-    write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
-  if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
-  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
+    write_file(arguments.sarif, gate_sarif(gate, build_info().version, !arguments.against.empty()));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(gate));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(gate));
 }
 
 GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
@@ -225,25 +227,23 @@ int gate(const GateArguments& arguments) {
   options.first_failure = arguments.first_failure;
   const StopSignals signals;
   options.stopped = StopSignals::asked;
-  std::vector<std::string> not_asked;
   GateReport report = run_with_progress(methods, cases, options);
-  const SelfTest test = test_itself(options, not_asked);
-  report.not_asked.insert(report.not_asked.end(), not_asked.begin(), not_asked.end());
-  complete(report, known, methods, guests, cases, places);
-  if (arguments.github) fmt::print("{}", gate_github(report));
+  const SelfTest test = test_itself(options, report.not_asked);
+  const JudgedGate judged = judge(std::move(report), known, methods, guests, cases, places);
+  if (arguments.github) fmt::print("{}", gate_github(judged));
   fmt::print("self-check with planted faults: {}",
              test.cut   ? "not run\n"
              : test.ran ? test.text
                         : "not run, because daylight-mutants is not beside this executable\n");
-  fmt::print("{}", gate_text(report));
+  fmt::print("{}", gate_text(judged));
   for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
-  write_files(arguments, report);
-  if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
+  write_files(arguments, judged);
+  if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
-               replay_options(report, methods, guests));
+               replay_options(judged, methods, guests));
   if (!test.passed)
     throw std::runtime_error("the self-check failed: the gate did not detect a planted fault");
-  return known.stale > 0 ? exit_findings : exit_code(report);
+  return known.stale > 0 ? exit_findings : exit_code(judged);
 }
 
 }  // namespace

@@ -37,18 +37,19 @@ bool shows_in_answer(const Law& law) { return law.number == answer_law || law.nu
 
 bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
 
-bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
-
-int exit_code(const GateReport& report) {
-  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return exit_findings;
+bool leaves_doubt(const GateReport& report) {
   const auto unsampled = [](const GatePhaseReport& p) {
     return (p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0;
   };
-  const bool undecided = report.undecided_truths > 0 || !report.not_asked.empty() ||
-                         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
-                         std::any_of(report.methods.begin(), report.methods.end(),
-                                     [](const GateMethod& m) { return abstains(m.counts); });
-  return undecided ? exit_undecided : exit_pass;
+  return report.undecided_truths > 0 || !report.not_asked.empty() ||
+         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
+         std::any_of(report.methods.begin(), report.methods.end(),
+                     [](const GateMethod& m) { return abstains(m.counts); });
+}
+
+int exit_code(const GateReport& report) {
+  if (std::any_of(report.failures.begin(), report.failures.end(), is_error)) return exit_findings;
+  return leaves_doubt(report) ? exit_undecided : exit_pass;
 }
 
 }  // namespace cyl

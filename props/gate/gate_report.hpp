@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result of a merge gate, and whether it passes.
+// The result of a merge gate. reports/gate/judged_gate.hpp adds what is already known.
 #pragma once
 
 #include <array>
@@ -43,12 +43,6 @@ constexpr auto words_of(GatePhase) noexcept {
                     "simplification"};
 }
 
-/// A place in a text.
-struct SourceLine {
-  std::string file;
-  unsigned line = 1;  ///< from 1
-};
-
 /// One way in which one method fails: all pairs of one law and one bucket (method, kind of failure, contact
 /// feature and extreme coordinate), in the order found.
 struct GateFailure {
@@ -70,13 +64,9 @@ struct GateFailure {
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
-           failed_again = 0;     ///< of the first pair; if fewer than reruns, the failure is not
-                                 ///< deterministic
-  std::string reproduce;         ///< RapidCheck's string if RapidCheck found the pair, else empty
-  std::string options;           ///< options that add a guest, else empty
-  std::optional<SourceLine> at;  ///< for a guest: its source line, if one was given
-  bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
-  std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
+           failed_again = 0;  ///< of the first pair; if fewer than reruns, the failure is not
+                              ///< deterministic
+  std::string reproduce;      ///< RapidCheck's string if RapidCheck found the pair, else empty
 };
 
 /// Independent random pairs of one stratum, and how many were wrong.
@@ -143,11 +133,10 @@ struct GateReport {
 bool shows_in_answer(const Law& law);
 /// Returns whether the method broke more than its own claim allows.
 bool is_error(const GateFailure& failure);
-/// Returns whether that is not excused either.
-bool fails_gate(const GateFailure& failure);
-
-/// Returns 2 if a failure fails the gate, reproducible or not. Else returns 3 if a truth is not proved, a
-/// method decided less than half of its pairs, or something was not asked. Else returns 0.
+/// Returns whether a truth is not proved, a method decided less than half of its pairs, or something was not
+/// asked.
+bool leaves_doubt(const GateReport& report);
+/// Returns 2 if there is an error, reproducible or not. Else returns 3 if the report leaves doubt, or 0.
 int exit_code(const GateReport& report);
 
 /// Returns whether a method gives no verdict on more than half of its pairs. Such a method does not pass the

@@ -42,7 +42,7 @@ std::string from_here(const std::string& file) {
 }
 
 /// Returns the origin; a case of ours that somebody else's method fails on by its path from our folder.
-std::string origin_of(const GateFailure& failure) {
+std::string origin_of(const JudgedFailure& failure) {
   const fs::path ours = fs::path(in_source_tree("corpus")).parent_path();
   if (failure.options.empty() || ours.empty() || !is_from_case(failure)) return one_line(failure.origin);
   const std::string prefix = ours.string() + '/';
@@ -50,7 +50,7 @@ std::string origin_of(const GateFailure& failure) {
                                                      : failure.origin);
 }
 
-std::optional<SourceLine> place_of(const GateFailure& failure) {
+std::optional<SourceLine> place_of(const JudgedFailure& failure) {
   std::optional<SourceLine> place = failure.at;
   if (failure.options.empty()) {
     place = {failure.law->file, static_cast<unsigned>(failure.law->line)};
@@ -62,7 +62,7 @@ std::optional<SourceLine> place_of(const GateFailure& failure) {
 }
 
 /// "fails 10 of 10 times", or "fails 3 of 10 times, not deterministically". Empty if it was not run again.
-std::string again_in_words(const GateFailure& failure) {
+std::string again_in_words(const JudgedFailure& failure) {
   if (failure.reruns == 0) return {};
   return fmt::format("fails {} of {} times{}", failure.failed_again, failure.reruns,
                      failure.failed_again < failure.reruns ? ", not deterministically" : "");
@@ -74,16 +74,16 @@ SourceLine source_line(std::string_view text) {
   return place_in(text).value_or(SourceLine{std::string(text)});
 }
 
-bool is_from_case(const GateFailure& failure) {
+bool is_from_case(const JudgedFailure& failure) {
   return failure.phase == GatePhase::corpus || failure.phase == GatePhase::corpus_laws;
 }
 
-std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
+std::vector<Alike> alike_failures(const JudgedGate& gate, bool failing) {
   std::vector<Alike> all;
-  for (const GateFailure& f : report.failures) {
+  for (const JudgedFailure& f : gate.failures) {
     if (fails_gate(f) != failing) continue;
     const auto at = std::find_if(all.begin(), all.end(), [&](const Alike& alike) {
-      const GateFailure& g = *alike.front();
+      const JudgedFailure& g = *alike.front();
       if (g.method != f.method || g.known != f.known) return false;
       if (g.failed || f.failed)
         return g.failed == f.failed && g.reason == f.reason && g.severity == f.severity;
@@ -101,7 +101,7 @@ std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
 
 std::string law_title(const Law& law) { return fmt::format("law {} {}", law.number, law.name); }
 
-FailureView view_of(const GateFailure& f) {
+FailureView view_of(const JudgedFailure& f) {
   FailureView view{.method = one_line(f.method),
                    .law = law_title(*f.law),
                    .what = one_line(f.what),
@@ -124,7 +124,7 @@ FailureView view_of(const GateFailure& f) {
 FailureView view_of(const Alike& alike) {
   FailureView view = view_of(*alike.front());
   std::uint64_t count = 0;
-  for (const GateFailure* f : alike) count += f->count;
+  for (const JudgedFailure* f : alike) count += f->count;
   view.pairs = pairs_in_words(count);
   return view;
 }

@@ -8,19 +8,19 @@
 #include <string_view>
 #include <vector>
 
-#include "props/gate/gate_report.hpp"
+#include "reports/gate/judged_gate.hpp"
 
 namespace cyl {
 
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
-bool is_from_case(const GateFailure& failure);
+bool is_from_case(const JudgedFailure& failure);
 
 /// Failures of one method, law and kind, in different buckets, which are shown together. Failures of the
 /// method itself with one kind and reason are shown together for all laws. Then the first of them is on a
 /// pair that no law had changed, if there is one.
-using Alike = std::vector<const GateFailure*>;
+using Alike = std::vector<const JudgedFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
-std::vector<Alike> alike_failures(const GateReport& report, bool failing);
+std::vector<Alike> alike_failures(const JudgedGate& gate, bool failing);
 
 /// Returns the place that "FILE:LINE", or FILE alone, names.
 SourceLine source_line(std::string_view text);
@@ -40,7 +40,7 @@ struct FailureView {
   /// in its tree. The file is valid UTF-8, relative to the current folder if it lies below it.
   std::optional<SourceLine> place;
 };
-FailureView view_of(const GateFailure& failure);
+FailureView view_of(const JudgedFailure& failure);
 FailureView view_of(const Alike& alike);  ///< the first of them, with the pairs of all
 
 std::string law_title(const Law& law);        ///< "law 10 growth"

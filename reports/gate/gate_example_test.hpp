@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
-#include "props/gate/gate.hpp"
+#include "reports/gate/judged_gate.hpp"
 #include "reports/schemas/schema_check_test.hpp"
 
 namespace cyl {
@@ -18,8 +19,8 @@ namespace cyl {
 inline const std::string hostile =
     "<a b='c'>\"]]>&amp;%0A,::error::\r\n\x1b[2J\x01\xe2\x80\xae\xff\xc3(\xef\xbf\xbf";
 
-inline GateFailure example_failure(const std::string& method, int law, Severity severity) {
-  GateFailure f;
+inline JudgedFailure example_failure(const std::string& method, int law, Severity severity) {
+  JudgedFailure f;
   f.method = method;
   f.law = &law_numbered(law);
   f.what = "said disjoint";
@@ -39,7 +40,7 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
 /// A report on two methods. The method intersect breaks law 1 beyond its claim on a random pair, law 2 not
 /// deterministically, and law 3 within its claim. The method fake breaks law 30 on a case, with hostile
 /// words. One cell of fake is wrong, one is empty.
-inline GateReport example_report() {
+inline JudgedGate example_gate() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();
   report.phases = {{GatePhase::corpus, 0, 12, std::chrono::milliseconds(250)},
@@ -59,6 +60,7 @@ inline GateReport example_report() {
                        .counts = {},
                        .cells = {},
                        .close_cells = {},
+                       .rounded = {},
                        .remark = {}};
   intersect.counts.asked = 1234567;
   intersect.counts.said[static_cast<std::size_t>(Verdict::undecided)] = 77;
@@ -68,6 +70,7 @@ inline GateReport example_report() {
                   .counts = {},
                   .cells = {},
                   .close_cells = {},
+                  .rounded = {},
                   .remark = "answers intersecting to every pair" + hostile};
   for (const ContactFeature feature : {ContactFeature::side_side, ContactFeature::side_rim}) {
     for (int decade = 0; decade < 13; ++decade) {
@@ -86,26 +89,27 @@ inline GateReport example_report() {
   fake.cells[2].pairs = 0;
   report.methods = {intersect, fake};
 
-  report.failures = {example_failure("intersect", 1, Severity::contract),
-                     example_failure("intersect", 2, Severity::contract),
-                     example_failure("intersect", 3, Severity::resolution),
-                     example_failure(fake.name, 30, Severity::contract)};
-  report.failures[0].reproduce = "BchAwNXYlR2c";
-  report.failures[1].failed_again = 3;
-  GateFailure& of_case = report.failures[3];
+  JudgedGate gate = judged(std::move(report));
+  gate.failures = {example_failure("intersect", 1, Severity::contract),
+                   example_failure("intersect", 2, Severity::contract),
+                   example_failure("intersect", 3, Severity::resolution),
+                   example_failure(fake.name, 30, Severity::contract)};
+  gate.failures[0].reproduce = "BchAwNXYlR2c";
+  gate.failures[1].failed_again = 3;
+  JudgedFailure& of_case = gate.failures[3];
   of_case.phase = GatePhase::corpus;
   of_case.origin = "corpus/cases/found.jsonl:2 fuzz" + hostile;
   of_case.what = hostile;
   of_case.found.a.height = std::numeric_limits<double>::quiet_NaN();
-  return report;
+  return gate;
 }
 
 /// Cut: two lines of what was not asked, the second hostile.
-inline GateReport cut_report() {
-  GateReport report = example_report();
-  report.failures.clear();
-  report.not_asked = {"sample of all strata: 9 of 840 rounds, since the time was over", "fake" + hostile};
-  return report;
+inline JudgedGate cut_gate() {
+  JudgedGate gate = example_gate();
+  gate.failures.clear();
+  gate.not_asked = {"sample of all strata: 9 of 840 rounds, since the time was over", "fake" + hostile};
+  return gate;
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -40,14 +40,14 @@ std::string annotation(const Alike& alike) {
 
 }  // namespace
 
-std::string gate_github(const GateReport& report) {
-  const std::vector<Alike> failing = alike_failures(report, true);
+std::string gate_github(const JudgedGate& gate) {
+  const std::vector<Alike> failing = alike_failures(gate, true);
   std::string text;
   for (std::size_t i = 0; i < std::min(annotations_cap, failing.size()); ++i) text += annotation(failing[i]);
   if (failing.size() > annotations_cap)
     text += fmt::format("::notice title=daylight gate::{} more that fail the gate are not shown here\n",
                         grouped(failing.size() - annotations_cap));
-  for (const std::string& line : report.not_asked)
+  for (const std::string& line : gate.not_asked)
     text += fmt::format("::warning title=daylight gate, not asked::{}\n", message(one_line(line)));
   return text;
 }

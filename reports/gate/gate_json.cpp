@@ -67,7 +67,7 @@ json method(const GateMethod& m) {
           {"remark", m.remark}};
 }
 
-json failure(const GateFailure& f) {
+json failure(const JudgedFailure& f) {
   return {{"method", f.method},
           {"law", f.law->number},
           {"name", f.law->name},
@@ -98,11 +98,11 @@ constexpr std::pair<GatePhase, std::uint64_t GateAmount::*> drawing_phases[]{
 
 }  // namespace
 
-std::string gate_json(const GateReport& report) {
+std::string gate_json(const JudgedGate& gate) {
   json methods = json::array(), failures = json::array(), phases = json::array();
-  for (const GateMethod& m : report.methods) methods.push_back(method(m));
-  for (const GateFailure& f : report.failures) failures.push_back(failure(f));
-  for (const GatePhaseReport& p : report.phases) {
+  for (const GateMethod& m : gate.report.methods) methods.push_back(method(m));
+  for (const JudgedFailure& f : gate.failures) failures.push_back(failure(f));
+  for (const GatePhaseReport& p : gate.report.phases) {
     phases.push_back({{"phase", to_string(p.phase)},
                       {"rounds", p.rounds},
                       {"pairs", p.pairs},
@@ -111,18 +111,18 @@ std::string gate_json(const GateReport& report) {
   }
   json laws = json::array(), cases = json::array();
   for (const Law& law : all_laws()) laws.push_back(law.number);
-  for (const std::uint64_t digest : report.cases) cases.push_back(hex(digest));
-  const json all = {{"seed", report.seed},
-                    {"pairs", report.pairs},
-                    {"cap_milliseconds", report.cap ? json(report.cap->count()) : json()},
-                    {"not_asked", report.not_asked},
+  for (const std::uint64_t digest : gate.report.cases) cases.push_back(hex(digest));
+  const json all = {{"seed", gate.report.seed},
+                    {"pairs", gate.report.pairs},
+                    {"cap_milliseconds", gate.report.cap ? json(gate.report.cap->count()) : json()},
+                    {"not_asked", gate.not_asked},
                     {"laws", std::move(laws)},
                     {"cases", std::move(cases)},
                     {"methods", std::move(methods)},
                     {"failures", std::move(failures)},
                     {"phases", std::move(phases)},
-                    {"undecided_truths", report.undecided_truths},
-                    {"drawn", report.drawn}};
+                    {"undecided_truths", gate.report.undecided_truths},
+                    {"drawn", gate.report.drawn}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
@@ -171,8 +171,8 @@ GateBase read_base(const std::string& file) {
   return base;
 }
 
-void mark_known(GateReport& report, const GateBase& base) {
-  for (GateFailure& f : report.failures) {
+void mark_known(JudgedGate& gate, const GateBase& base) {
+  for (JudgedFailure& f : gate.failures) {
     if (f.bucket.empty()) continue;
     if (const auto before = base.within.find(f.bucket); !is_error(f) && before != base.within.end())
       f.in_base = before->second;
@@ -183,12 +183,10 @@ void mark_known(GateReport& report, const GateBase& base) {
   }
 }
 
-void note_gaps(GateReport& report, const GateBase& base) {
-  const auto miss = [&](const std::string& what) {
-    report.not_asked.push_back(what + ", which the base has");
-  };
+void note_gaps(JudgedGate& gate, const GateBase& base) {
+  const auto miss = [&](const std::string& what) { gate.not_asked.push_back(what + ", which the base has"); };
   for (const std::string& name : base.methods)
-    if (std::none_of(report.methods.begin(), report.methods.end(),
+    if (std::none_of(gate.report.methods.begin(), gate.report.methods.end(),
                      [&](const GateMethod& m) { return m.name == name; }))
       miss("method " + name);
   for (const int number : base.laws)
@@ -196,11 +194,11 @@ void note_gaps(GateReport& report, const GateBase& base) {
                      [&](const Law& law) { return law.number == number; }))
       miss(fmt::format("law {}", number));
   std::set<std::string> asked;
-  for (const std::uint64_t digest : report.cases) asked.insert(hex(digest));
+  for (const std::uint64_t digest : gate.report.cases) asked.insert(hex(digest));
   const auto missing = std::count_if(base.cases.begin(), base.cases.end(),
                                      [&](const std::string& digest) { return !asked.contains(digest); });
   if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.cases.size()));
-  for (const GatePhaseReport& phase : report.phases) {
+  for (const GatePhaseReport& phase : gate.report.phases) {
     const auto found = base.digests.find(phase.phase);
     if (found == base.digests.end()) continue;
     const auto rounds =

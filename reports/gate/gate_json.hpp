@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "props/gate/gate.hpp"
+#include "reports/gate/judged_gate.hpp"
 
 namespace cyl {
 
 /// Returns every field of the report under its own name. Pairs are written as in the case files. Numbers that
 /// JSON does not have are the strings "nan", "inf", "-inf".
-std::string gate_json(const GateReport& report);
+std::string gate_json(const JudgedGate& gate);
 
 /// The base that a gate is compared with.
 struct GateBase {
@@ -34,11 +35,11 @@ GateBase read_base(const std::string& file);
 
 /// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the
 /// report's.
-void note_gaps(GateReport& report, const GateBase& base);
+void note_gaps(JudgedGate& gate, const GateBase& base);
 
 /// Marks the failures whose bucket is in the base as known. It does not mark a bucket that has more pairs
 /// now, unless chance or a slower machine explains it: a hang, or a failure that is not deterministic. A
 /// failure within the claim is only marked as old or new.
-void mark_known(GateReport& report, const GateBase& base);
+void mark_known(JudgedGate& gate, const GateBase& base);
 
 }  // namespace cyl

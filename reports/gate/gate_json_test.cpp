@@ -14,7 +14,7 @@ namespace {
 using json = nlohmann::json;
 
 TEST(GateJson, IsTheWholeReport) {
-  const json all = parse_json(gate_json(example_report()));
+  const json all = parse_json(gate_json(example_gate()));
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(all["undecided_truths"], 3);
   EXPECT_EQ(all["phases"][3], json({{"phase", "sample of all strata"},
@@ -25,7 +25,7 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(all["pairs"], 350'000);
   EXPECT_EQ(all["laws"].size(), all_laws().size());
   EXPECT_EQ(all["not_asked"], json::array());
-  EXPECT_EQ(parse_json(gate_json(cut_report()))["not_asked"].size(), 2u);
+  EXPECT_EQ(parse_json(gate_json(cut_gate()))["not_asked"].size(), 2u);
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
   EXPECT_EQ(method["claim"]["relative"], 1e-13);
@@ -50,19 +50,19 @@ TEST(GateJson, IsTheWholeReport) {
 }
 
 TEST(GateJson, PairsAreReadBackToTheBit) {
-  const GateReport report = example_report();
-  const json found = parse_json(gate_json(report))["failures"][0]["found"];
+  const JudgedGate gate = example_gate();
+  const json found = parse_json(gate_json(gate))["failures"][0]["found"];
   const CaseLine line = parse_case(found.dump(), 1);
   ASSERT_TRUE(line.value) << line.error;
-  EXPECT_EQ(format_pair(line.value->pair), format_pair(report.failures[0].found));
+  EXPECT_EQ(format_pair(line.value->pair), format_pair(gate.failures[0].found));
   EXPECT_TRUE(std::signbit(line.value->pair.b.center[1]));
 }
 
 TEST(GateJson, TheBaseComesBack) {
-  const ScratchFile file(gate_json(example_report()));
+  const ScratchFile file(gate_json(example_gate()));
   const GateBase base = read_base(file.path);
-  EXPECT_EQ(base.seed, example_report().seed);
-  EXPECT_EQ(base.pairs, example_report().pairs);
+  EXPECT_EQ(base.seed, example_gate().report.seed);
+  EXPECT_EQ(base.pairs, example_gate().report.pairs);
   EXPECT_EQ(base.methods.size(), 2u);
   EXPECT_EQ(base.cases, (std::vector<std::string>{"0000000000000011", "0000000000000012"}));
   EXPECT_EQ(base.amount.cases_under_laws, 7u) << "not all of 12";
@@ -75,13 +75,12 @@ TEST(GateJson, TheBaseComesBack) {
 }
 
 TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
-  const auto known = [](const GateFailure& failure, const GateBase& base) {
-    GateReport report;
-    report.failures = {failure};
-    mark_known(report, base);
-    return report.failures[0].known;
+  const auto known = [](const JudgedFailure& failure, const GateBase& base) {
+    JudgedGate gate{{}, {failure}, {}};
+    mark_known(gate, base);
+    return gate.failures[0].known;
   };
-  GateFailure f = example_failure("fake", 31, Severity::contract);
+  JudgedFailure f = example_failure("fake", 31, Severity::contract);
   GateBase base;
   EXPECT_FALSE(known(f, base));
   base.buckets[f.bucket] = f.count;
@@ -99,39 +98,39 @@ TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
 }
 
 TEST(GateJson, WithinAClaimNothingIsExcusedButSaidToBeOld) {
-  const ScratchFile file(gate_json(example_report()));
+  const ScratchFile file(gate_json(example_gate()));
   const GateBase base = read_base(file.path);
   EXPECT_EQ(base.within.size(), 1u);
-  GateReport report = example_report();
-  mark_known(report, base);
-  EXPECT_EQ(report.failures[2].in_base, 1234u);
-  EXPECT_FALSE(report.failures[2].known);
-  report.failures[2].severity = Severity::contract;
-  report.failures[2].in_base = 0;
-  mark_known(report, base);
-  EXPECT_FALSE(report.failures[2].known) << "beyond the claim now";
-  EXPECT_EQ(report.failures[2].in_base, 0u);
+  JudgedGate gate = example_gate();
+  mark_known(gate, base);
+  EXPECT_EQ(gate.failures[2].in_base, 1234u);
+  EXPECT_FALSE(gate.failures[2].known);
+  gate.failures[2].severity = Severity::contract;
+  gate.failures[2].in_base = 0;
+  mark_known(gate, base);
+  EXPECT_FALSE(gate.failures[2].known) << "beyond the claim now";
+  EXPECT_EQ(gate.failures[2].in_base, 0u);
 }
 
 TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
-  const GateReport report = example_report();
-  const ScratchFile file(gate_json(report));
-  const auto gaps = [&](const GateReport& now, const std::string& file_of_base) {
-    GateReport reported = now;
+  const JudgedGate gate = example_gate();
+  const ScratchFile file(gate_json(gate));
+  const auto gaps = [&](const JudgedGate& now, const std::string& file_of_base) {
+    JudgedGate reported = now;
     note_gaps(reported, read_base(file_of_base));
     return reported.not_asked;
   };
-  GateReport now = report;
-  now.cases = {18, 17, 19};
+  JudgedGate now = gate;
+  now.report.cases = {18, 17, 19};
   // As it is written, which bytes that are no UTF-8 do not survive.
-  now.methods[1].name = parse_json(gate_json(report))["methods"][1]["name"];
+  now.report.methods[1].name = parse_json(gate_json(gate))["methods"][1]["name"];
   EXPECT_EQ(gaps(now, file.path), std::vector<std::string>{}) << "more cases, in another order";
-  GateReport other = now;
-  other.cases = {17, 19, 20};
-  other.methods[0].name = "another";
-  other.phases[3].digest = 1;
-  other.phases[5].digest = 1;
-  const ScratchFile lawless(replaced(gate_json(report), "\"laws\": [\n", "\"laws\": [\n  999,\n"));
+  JudgedGate other = now;
+  other.report.cases = {17, 19, 20};
+  other.report.methods[0].name = "another";
+  other.report.phases[3].digest = 1;
+  other.report.phases[5].digest = 1;
+  const ScratchFile lawless(replaced(gate_json(gate), "\"laws\": [\n", "\"laws\": [\n  999,\n"));
   EXPECT_EQ(gaps(other, lawless.path),
             (std::vector<std::string>{"method intersect, which the base has", "law 999, which the base has",
                                       "1 of 2 cases, which the base has",
@@ -140,7 +139,7 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
 }
 
 TEST(GateJson, BadBasesAreRefusedByName) {
-  const std::string good = gate_json(example_report());
+  const std::string good = gate_json(example_gate());
   for (const std::string& bad :
        {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
         std::string("{\"failures\":7}"), std::string("{\"failures\":[{}]}"),

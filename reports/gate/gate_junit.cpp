@@ -53,28 +53,28 @@ void add_totals(pugi::xml_node node, const std::string& name, const Counts& coun
   node.append_attribute("errors") = counts.errors;
 }
 
-pugi::xml_node add_properties(pugi::xml_node suite, const GateReport& report) {
+pugi::xml_node add_properties(pugi::xml_node suite, const JudgedGate& gate) {
   pugi::xml_node properties = suite.append_child("properties");
-  add(properties, "property", {{"name", "seed"}, {"value", std::to_string(report.seed)}});
-  add(properties, "property", {{"name", "pairs"}, {"value", std::to_string(report.pairs)}});
+  add(properties, "property", {{"name", "seed"}, {"value", std::to_string(gate.report.seed)}});
+  add(properties, "property", {{"name", "pairs"}, {"value", std::to_string(gate.report.pairs)}});
   return properties;
 }
 
 struct TestCase {
   std::string name;
-  std::vector<const GateFailure*> failures;
+  std::vector<const JudgedFailure*> failures;
 };
 
 /// A test for each law, and after them one for each kept case on which the method failed.
-std::vector<TestCase> tests_of(const GateMethod& method, const GateReport& report) {
+std::vector<TestCase> tests_of(const GateMethod& method, const JudgedGate& gate) {
   std::vector<TestCase> tests;
   for (const Law& law : all_laws()) tests.push_back({law_title(law), {}});
-  const auto fail = [&](const std::string& name, const GateFailure& f) {
+  const auto fail = [&](const std::string& name, const JudgedFailure& f) {
     auto test = std::find_if(tests.begin(), tests.end(), [&](const TestCase& t) { return t.name == name; });
     if (test == tests.end()) test = tests.insert(test, {name, {}});
     test->failures.push_back(&f);
   };
-  for (const GateFailure& f : report.failures) {
+  for (const JudgedFailure& f : gate.failures) {
     if (f.method != method.name || !fails_gate(f)) continue;
     fail(law_title(*f.law), f);
     if (is_from_case(f)) fail("case " + view_of(f).origin, f);
@@ -82,15 +82,15 @@ std::vector<TestCase> tests_of(const GateMethod& method, const GateReport& repor
   return tests;
 }
 
-Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateReport& report) {
-  const std::vector<TestCase> tests = tests_of(method, report);
+Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedGate& gate) {
+  const std::vector<TestCase> tests = tests_of(method, gate);
   const std::string name = one_line(method.name);
   const auto failed =
       std::count_if(tests.begin(), tests.end(), [](const TestCase& t) { return !t.failures.empty(); });
   const Counts counts{tests.size(), static_cast<std::size_t>(failed), 0};
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, name, counts);
-  add(add_properties(suite, report), "property", {{"name", "version"}, {"value", one_line(method.version)}});
+  add(add_properties(suite, gate), "property", {{"name", "version"}, {"value", one_line(method.version)}});
   for (const TestCase& test : tests) {
     pugi::xml_node node = add(suite, "testcase", {{"classname", name}, {"name", one_line(test.name)}});
     if (!test.failures.empty() && test.failures.front()->at) {
@@ -98,7 +98,7 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateRep
       node.append_attribute("file") = xml(one_line(place.file)).c_str();
       node.append_attribute("line") = place.line;
     }
-    for (const GateFailure* f : test.failures) {
+    for (const JudgedFailure* f : test.failures) {
       const FailureView view = view_of(*f);
       add(node, "failure",
           {{"type", to_string(f->severity)}, {"message", fmt::format("{}: {}", view.law, view.what)}})
@@ -106,7 +106,7 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateRep
     }
   }
   std::string beside;
-  for (const GateFailure& f : report.failures)
+  for (const JudgedFailure& f : gate.failures)
     if (f.method == method.name && !fails_gate(f))
       beside += fmt::format("{}, {}: {}\n", f.known ? "known" : to_string(f.severity), law_title(*f.law),
                             details(view_of(f)));
@@ -116,11 +116,11 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateRep
 }
 
 /// A suite of the gate itself: a test that is in error for each line of what was not asked.
-void add_not_asked(pugi::xml_node suites, const GateReport& report, const Counts& counts) {
+void add_not_asked(pugi::xml_node suites, const JudgedGate& gate, const Counts& counts) {
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, "daylight gate", counts);
-  add_properties(suite, report);
-  for (const std::string& line : report.not_asked) {
+  add_properties(suite, gate);
+  for (const std::string& line : gate.not_asked) {
     const std::string what = one_line(line);
     add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", "asked: " + what}}), "error",
         {{"type", "not asked"}, {"message", "not asked: " + what}});
@@ -129,25 +129,25 @@ void add_not_asked(pugi::xml_node suites, const GateReport& report, const Counts
 
 }  // namespace
 
-std::string gate_junit(const GateReport& report) {
+std::string gate_junit(const JudgedGate& gate) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node suites = document.append_child("testsuites");
   Counts all;
-  for (const GateMethod& method : report.methods) {
-    const Counts counts = add_method(suites, method, report);
+  for (const GateMethod& method : gate.report.methods) {
+    const Counts counts = add_method(suites, method, gate);
     all.tests += counts.tests;
     all.failures += counts.failures;
   }
-  if (const std::size_t n = report.not_asked.size(); n > 0) {
-    add_not_asked(suites, report, {n, 0, n});
+  if (const std::size_t n = gate.not_asked.size(); n > 0) {
+    add_not_asked(suites, gate, {n, 0, n});
     all.tests += n;
     all.errors = n;
   }
   std::chrono::milliseconds time{0};
-  for (const GatePhaseReport& phase : report.phases) time += phase.time;
+  for (const GatePhaseReport& phase : gate.report.phases) time += phase.time;
   add_totals(suites, "daylight gate", all);
   suites.append_attribute("time") = fmt::format("{}.{:03}", time.count() / 1000, time.count() % 1000).c_str();
   std::ostringstream text;

@@ -13,10 +13,10 @@ bool valid(const std::string& document) {
 
 TEST(GateJunit, KeepsToItsSchema) {
   if (!succeeds("xmllint --version")) SKIP_WITHOUT("libxml2-utils");
-  const std::string document = gate_junit(example_report());
+  const std::string document = gate_junit(example_gate());
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_junit({})));
-  EXPECT_TRUE(valid(gate_junit(cut_report())));
+  EXPECT_TRUE(valid(gate_junit(cut_gate())));
   EXPECT_FALSE(valid(replaced(document, "<testcase ", "<testcase colour=\"red\" ")));
   EXPECT_FALSE(valid(replaced(document, " failures=", " mistakes=")));
   EXPECT_FALSE(valid(replaced(document, "&lt;a b=", "<a b=")));
@@ -24,7 +24,7 @@ TEST(GateJunit, KeepsToItsSchema) {
 }
 
 TEST(GateJunit, OneTestALawAndOneACaseThatFailed) {
-  const std::string document = gate_junit(example_report());
+  const std::string document = gate_junit(example_gate());
   const std::size_t laws = all_laws().size();
   EXPECT_EQ(occurrences(document, "<testsuite "), 2u);
   EXPECT_EQ(occurrences(document, "<testcase "), 2 * laws + 1);
@@ -35,22 +35,22 @@ TEST(GateJunit, OneTestALawAndOneACaseThatFailed) {
 }
 
 TEST(GateJunit, OfAGuestNoFileOfOurs) {
-  GateReport report = example_report();
-  GateFailure& f = report.failures[3];
+  JudgedGate gate = example_gate();
+  JudgedFailure& f = gate.failures[3];
   f.origin = DAYLIGHT_SOURCE_DIR "/corpus/cases/found.jsonl:2 fuzz";
   f.options = "--plugin mine=./libmine.so";
-  EXPECT_EQ(gate_junit(report).find(" file="), std::string::npos);
-  EXPECT_NE(gate_junit(report).find("name=\"case daylight's corpus/cases/found.jsonl:2 fuzz\""),
+  EXPECT_EQ(gate_junit(gate).find(" file="), std::string::npos);
+  EXPECT_NE(gate_junit(gate).find("name=\"case daylight's corpus/cases/found.jsonl:2 fuzz\""),
             std::string::npos);
   f.at = SourceLine{"src/mine.cpp", 10};
-  const std::string document = gate_junit(report);
+  const std::string document = gate_junit(gate);
   EXPECT_EQ(occurrences(document, " file=\"src/mine.cpp\" line=\"10\""), 2u) << "its law and its case";
   if (!succeeds("xmllint --version")) SKIP_WITHOUT("libxml2-utils");
   EXPECT_TRUE(valid(document)) << document;
 }
 
 TEST(GateJunit, WhatWasNotAskedIsAnError) {
-  const std::string document = gate_junit(cut_report());
+  const std::string document = gate_junit(cut_gate());
   EXPECT_EQ(occurrences(document, "<testsuite "), 3u);
   EXPECT_EQ(occurrences(document, "<error "), 2u);
   EXPECT_EQ(occurrences(document, "errors=\"2\""), 2u) << "of the suite and of all";
@@ -58,13 +58,13 @@ TEST(GateJunit, WhatWasNotAskedIsAnError) {
 }
 
 TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {
-  GateReport report = example_report();
-  const std::string before = gate_junit(report);
+  JudgedGate gate = example_gate();
+  const std::string before = gate_junit(gate);
   const std::size_t out = before.find("<system-out>");
   ASSERT_NE(out, std::string::npos);
   EXPECT_NE(before.find("resolution, law 3 ", out), std::string::npos);
-  for (GateFailure& f : report.failures) f.known = true;
-  const std::string after = gate_junit(report);
+  for (JudgedFailure& f : gate.failures) f.known = true;
+  const std::string after = gate_junit(gate);
   EXPECT_EQ(occurrences(after, "<failure "), 0u);
   EXPECT_NE(after.find("known, law 1 "), std::string::npos);
 }

@@ -48,7 +48,7 @@ json location(const SourceLine& place) {
   return {{"physicalLocation", {{"artifactLocation", artifact}, {"region", {{"startLine", place.line}}}}}};
 }
 
-json result(const GateFailure& f, bool compared) {
+json result(const JudgedFailure& f, bool compared) {
   const FailureView view = view_of(f);
   std::string message = fmt::format("{} breaks {}: {}. {}, the first: {}.", view.method, view.law, view.what,
                                     view.pairs, view.origin);
@@ -68,22 +68,23 @@ json result(const GateFailure& f, bool compared) {
 
 }  // namespace
 
-std::string gate_sarif(const GateReport& report, std::string_view version, bool compared) {
+std::string gate_sarif(const JudgedGate& gate, std::string_view version, bool compared) {
   json rules = json::array(), results = json::array(), versions = json::object();
   for (const Law& law : all_laws()) rules.push_back(rule(law));
-  for (const GateFailure& f : report.failures) results.push_back(result(f, compared));
-  for (const GateMethod& m : report.methods) versions[valid_utf8(m.name)] = m.version;
+  for (const JudgedFailure& f : gate.failures) results.push_back(result(f, compared));
+  for (const GateMethod& m : gate.report.methods) versions[valid_utf8(m.name)] = m.version;
   const json driver = {{"name", "daylight"}, {"version", version}, {"rules", std::move(rules)}};
   json notifications = json::array();
-  for (const std::string& line : report.not_asked)
+  for (const std::string& line : gate.not_asked)
     notifications.push_back({{"level", "error"}, {"message", text("Not asked: " + one_line(line))}});
-  const json invocation = {{"executionSuccessful", report.not_asked.empty()},
+  const json invocation = {{"executionSuccessful", gate.not_asked.empty()},
                            {"toolExecutionNotifications", std::move(notifications)}};
   const json run = {
       {"tool", {{"driver", driver}}},
       {"invocations", json::array({invocation})},
       {"results", std::move(results)},
-      {"properties", {{"seed", report.seed}, {"pairs", report.pairs}, {"versions", std::move(versions)}}}};
+      {"properties",
+       {{"seed", gate.report.seed}, {"pairs", gate.report.pairs}, {"versions", std::move(versions)}}}};
   const json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},
                     {"runs", json::array({run})}};

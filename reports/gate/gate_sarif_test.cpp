@@ -13,10 +13,10 @@ bool valid(const std::string& document) { return keeps_to("sarif.json", document
 
 TEST(GateSarif, KeepsToItsSchema) {
   if (schema_python().empty()) SKIP_WITHOUT("python3-jsonschema");
-  const std::string document = gate_sarif(example_report(), "0.1.0", true);
+  const std::string document = gate_sarif(example_gate(), "0.1.0", true);
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_sarif({}, "0.1.0", false)));
-  EXPECT_TRUE(valid(gate_sarif(cut_report(), "0.1.0", false)));
+  EXPECT_TRUE(valid(gate_sarif(cut_gate(), "0.1.0", false)));
   const json good = parse_json(document);
   for (
       const char* planted :
@@ -29,7 +29,7 @@ TEST(GateSarif, KeepsToItsSchema) {
 }
 
 TEST(GateSarif, ARuleALawAndAResultAFailure) {
-  const json run = parse_json(gate_sarif(example_report(), "0.1.0", false))["runs"][0];
+  const json run = parse_json(gate_sarif(example_gate(), "0.1.0", false))["runs"][0];
   const json& rules = run["tool"]["driver"]["rules"];
   ASSERT_EQ(rules.size(), all_laws().size());
   EXPECT_EQ(rules[0]["id"], "law-1");
@@ -46,11 +46,11 @@ TEST(GateSarif, ARuleALawAndAResultAFailure) {
 }
 
 TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
-  const auto invocation = [](const GateReport& report) {
-    return parse_json(gate_sarif(report, "0.1.0", false))["runs"][0]["invocations"][0];
+  const auto invocation = [](const JudgedGate& gate) {
+    return parse_json(gate_sarif(gate, "0.1.0", false))["runs"][0]["invocations"][0];
   };
-  EXPECT_EQ(invocation(example_report())["executionSuccessful"], true);
-  const json cut = invocation(cut_report());
+  EXPECT_EQ(invocation(example_gate())["executionSuccessful"], true);
+  const json cut = invocation(cut_gate());
   EXPECT_EQ(cut["executionSuccessful"], false);
   ASSERT_EQ(cut["toolExecutionNotifications"].size(), 2u);
   EXPECT_EQ(cut["toolExecutionNotifications"][0]["message"]["text"],
@@ -58,7 +58,7 @@ TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
-  const json results = parse_json(gate_sarif(example_report(), "0.1.0", false))["runs"][0]["results"];
+  const json results = parse_json(gate_sarif(example_gate(), "0.1.0", false))["runs"][0]["results"];
   const json& law = results[0]["locations"][0]["physicalLocation"];
   EXPECT_EQ(law["artifactLocation"]["uri"], "props/laws/exact_laws.cpp");
   EXPECT_EQ(law["region"]["startLine"], law_numbered(1).line);
@@ -69,17 +69,17 @@ TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
 
 TEST(GateSarif, PlacesOfAGuestAreItsOwnOrNone) {
   if (schema_python().empty()) SKIP_WITHOUT("python3-jsonschema");
-  GateReport report = example_report();
-  for (GateFailure& f : report.failures) f.options = "--plugin mine=./libmine.so";
+  JudgedGate gate = example_gate();
+  for (JudgedFailure& f : gate.failures) f.options = "--plugin mine=./libmine.so";
   const auto locations = [&](std::size_t i) {
-    const std::string document = gate_sarif(report, "0.1.0", false);
+    const std::string document = gate_sarif(gate, "0.1.0", false);
     EXPECT_TRUE(valid(document));
     return parse_json(document)["runs"][0]["results"][i]["locations"];
   };
   EXPECT_EQ(locations(0), json::array()) << "of a law";
   EXPECT_EQ(locations(3), json::array()) << "of a case";
   const std::string here = std::filesystem::current_path().string();
-  for (GateFailure& f : report.failures) f.at = source_line(here + "/src/mine.cpp:10");
+  for (JudgedFailure& f : gate.failures) f.at = source_line(here + "/src/mine.cpp:10");
   for (const std::size_t i : {std::size_t{0}, std::size_t{3}}) {
     const json place = locations(i)[0]["physicalLocation"];
     EXPECT_EQ(place["artifactLocation"]["uri"], "src/mine.cpp");
@@ -88,11 +88,11 @@ TEST(GateSarif, PlacesOfAGuestAreItsOwnOrNone) {
 }
 
 TEST(GateSarif, OddFileNames) {
-  GateReport report = example_report();
+  JudgedGate gate = example_gate();
   const auto uri = [&](const std::string& origin) {
-    report.failures[3].origin = origin;
+    gate.failures[3].origin = origin;
     return parse_json(gate_sarif(
-        report, "0.1.0",
+        gate, "0.1.0",
         false))["runs"][0]["results"][3]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
         .get<std::string>();
   };
@@ -104,14 +104,14 @@ TEST(GateSarif, OddFileNames) {
 }
 
 TEST(GateSarif, SaysWhatIsNewWhereThereIsABase) {
-  GateReport report = example_report();
-  report.failures[0].known = true;
-  const json results = parse_json(gate_sarif(report, "0.1.0", true))["runs"][0]["results"];
+  JudgedGate gate = example_gate();
+  gate.failures[0].known = true;
+  const json results = parse_json(gate_sarif(gate, "0.1.0", true))["runs"][0]["results"];
   EXPECT_EQ(results[0]["baselineState"], "unchanged");
   EXPECT_EQ(results[1]["baselineState"], "new");
   EXPECT_EQ(results[2]["baselineState"], "new") << "a note";
-  report.failures[2].in_base = 1;
-  EXPECT_EQ(parse_json(gate_sarif(report, "0.1.0", true))["runs"][0]["results"][2]["baselineState"],
+  gate.failures[2].in_base = 1;
+  EXPECT_EQ(parse_json(gate_sarif(gate, "0.1.0", true))["runs"][0]["results"][2]["baselineState"],
             "unchanged");
 }
 

@@ -59,11 +59,11 @@ std::string claim_in_words(const Claim& claim) {
   return words;
 }
 
-std::string methods_table(const GateReport& report) {
+std::string methods_table(const JudgedGate& gate) {
   constexpr const char* row = "{:<28} {:<16} {:>15} {:>11} {:>11} {:>9}\n";
   std::string text =
       fmt::format(fmt::runtime(row), "method", "version", "asked", "declined", "undecided", "failed");
-  for (const GateMethod& m : report.methods) {
+  for (const GateMethod& m : gate.report.methods) {
     const auto undecided = m.counts.said[static_cast<std::size_t>(Verdict::undecided)];
     text += fmt::format(fmt::runtime(row), one_line(m.name), one_line(m.version), grouped(m.counts.asked),
                         grouped(m.counts.declined), grouped(undecided), grouped(m.counts.failed));
@@ -74,12 +74,12 @@ std::string methods_table(const GateReport& report) {
 }
 
 std::string in_full(std::size_t number, const Alike& alike) {
-  const GateFailure& first = *alike.front();
+  const JudgedFailure& first = *alike.front();
   const FailureView f = view_of(alike);
   const auto line = [](const char* title, const std::string& words) {
     return fmt::format("   {:<11}{}\n", title, words);
   };
-  const auto grown = [](const GateFailure& g) {
+  const auto grown = [](const JudgedFailure& g) {
     return g.in_base == 0 ? "" : fmt::format(", {} in the base", grouped(g.in_base));
   };
   std::string text =
@@ -93,7 +93,7 @@ std::string in_full(std::size_t number, const Alike& alike) {
   text += line("simplest", f.simplest == f.found ? "no simpler pair was found" : f.simplest);
   text += line("replay", f.replay);
   if (!f.reproduce.empty()) text += line("RapidCheck", f.reproduce);
-  for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
+  for (const JudgedFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
     text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
     text += line("", format_pair(g->simplest));
   }
@@ -102,10 +102,10 @@ std::string in_full(std::size_t number, const Alike& alike) {
   return text;
 }
 
-std::string failures_text(const GateReport& report) {
-  const std::vector<Alike> failing = alike_failures(report, true), others = alike_failures(report, false);
+std::string failures_text(const JudgedGate& gate) {
+  const std::vector<Alike> failing = alike_failures(gate, true), others = alike_failures(gate, false);
   const char* nothing =
-      report.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
+      gate.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
@@ -353,21 +353,21 @@ std::string proved_in_words(const GateMethod& method) {
   return (only_rounded ? "" : strata_in_words(method)) + close_in_words(method) + rounded_in_words(method);
 }
 
-std::string gate_text(const GateReport& report) {
+std::string gate_text(const JudgedGate& gate) {
   std::string text;
-  for (const GatePhaseReport& p : report.phases) {
+  for (const GatePhaseReport& p : gate.report.phases) {
     text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
-  if (report.undecided_truths > 0)
-    text += fmt::format("the referee could not decide {}\n", pairs_in_words(report.undecided_truths));
-  for (const std::string& line : report.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
-  text += '\n' + methods_table(report) + '\n' + failures_text(report) + '\n';
-  for (const GateMethod& m : report.methods)
+  if (gate.report.undecided_truths > 0)
+    text += fmt::format("the referee could not decide {}\n", pairs_in_words(gate.report.undecided_truths));
+  for (const std::string& line : gate.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
+  text += '\n' + methods_table(gate) + '\n' + failures_text(gate) + '\n';
+  for (const GateMethod& m : gate.report.methods)
     if (table_helps(m)) text += cells_table(m) + '\n';
-  for (const GateMethod& m : report.methods)
+  for (const GateMethod& m : gate.report.methods)
     if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
-  for (const GateMethod& m : report.methods) text += proved_in_words(m);
+  for (const GateMethod& m : gate.report.methods) text += proved_in_words(m);
   return text;
 }
 

@@ -9,7 +9,7 @@ namespace {
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(GateText, ReportsEachMethod) {
-  const std::string text = gate_text(example_report());
+  const std::string text = gate_text(example_gate());
   EXPECT_TRUE(has(text, "1,234,567"));
   EXPECT_TRUE(has(text, "claims to be right if |distance| is at least 1e-13 of the size (derived bound)"));
   EXPECT_TRUE(has(text, "at least a length of 1e-06")) << text;
@@ -18,8 +18,8 @@ TEST(GateText, ReportsEachMethod) {
 }
 
 TEST(GateText, ReportsWhatFailedAndHowToSeeItAgain) {
-  const GateReport report = example_report();
-  const std::string text = gate_text(report);
+  const JudgedGate gate = example_gate();
+  const std::string text = gate_text(gate);
   EXPECT_TRUE(has(text, "Fails the gate (3)"));
   EXPECT_TRUE(has(
       text, "intersect breaks law 1 " + std::string(law_numbered(1).name) + ", 1,234 pairs: said disjoint"));
@@ -27,19 +27,19 @@ TEST(GateText, ReportsWhatFailedAndHowToSeeItAgain) {
   EXPECT_TRUE(has(text, "fails 10 of 10 times"));
   EXPECT_TRUE(has(text, "fails 3 of 10 times, not deterministically"));
   EXPECT_TRUE(has(text, "BchAwNXYlR2c"));
-  EXPECT_TRUE(has(text, "echo '" + format_pair(report.failures[0].simplest) +
+  EXPECT_TRUE(has(text, "echo '" + format_pair(gate.failures[0].simplest) +
                             "' | daylight replay - --methods intersect --laws 1"));
   EXPECT_TRUE(has(text, "Does not fail the gate: known, or within the claim (1):"));
 }
 
 TEST(GateText, ReportsOneKindOfFailureOnce) {
-  GateReport report = example_report();
-  GateFailure elsewhere = report.failures[0];
+  JudgedGate gate = example_gate();
+  JudgedFailure elsewhere = gate.failures[0];
   elsewhere.bucket = "intersect/law-1/rim-rim";
   elsewhere.count = 740;
   elsewhere.in_base = 1;
-  report.failures.push_back(elsewhere);
-  const std::string text = gate_text(report);
+  gate.failures.push_back(elsewhere);
+  const std::string text = gate_text(gate);
   EXPECT_TRUE(has(text, "Fails the gate (3)"));
   EXPECT_EQ(occurrences(text, "intersect breaks law 1 "), 1u);
   EXPECT_TRUE(has(text, ", 1,974 pairs: said disjoint"));
@@ -47,55 +47,55 @@ TEST(GateText, ReportsOneKindOfFailureOnce) {
 }
 
 TEST(GateText, OneCrashIsOneWayToFail) {
-  GateReport report = example_report();
+  JudgedGate gate = example_gate();
   const auto crash = [](int law, const char* reason) {
-    GateFailure f = example_failure("intersect", law, Severity::contract);
+    JudgedFailure f = example_failure("intersect", law, Severity::contract);
     f.failed = FindingKind::crash;
     f.reason = reason;
     return f;
   };
-  report.failures = {crash(1, "SIGSEGV"), crash(30, "SIGSEGV"), crash(10, "SIGSEGV"), crash(22, "SIGABRT"),
-                     example_failure("intersect", 10, Severity::contract)};
-  const std::string text = gate_text(report);
+  gate.failures = {crash(1, "SIGSEGV"), crash(30, "SIGSEGV"), crash(10, "SIGSEGV"), crash(22, "SIGABRT"),
+                   example_failure("intersect", 10, Severity::contract)};
+  const std::string text = gate_text(gate);
   EXPECT_NE(text.find("\nFails the gate (3):\n1. intersect breaks law 30 "), std::string::npos) << text;
   EXPECT_NE(text.find("3,702 pairs"), std::string::npos) << text;
-  EXPECT_EQ(occurrences(gate_github(report), "::error "), 3u);
+  EXPECT_EQ(occurrences(gate_github(gate), "::error "), 3u);
 }
 
 TEST(GateText, FurtherBucketsAreCapped) {
-  GateReport report = example_report();
-  report.failures.assign(also_cap + 4, report.failures[0]);
-  const std::string text = gate_text(report);
+  JudgedGate gate = example_gate();
+  gate.failures.assign(also_cap + 4, gate.failures[0]);
+  const std::string text = gate_text(gate);
   EXPECT_EQ(occurrences(text, "   also "), also_cap);
   EXPECT_TRUE(has(text, "3 more buckets, which --json FILE lists"));
 }
 
 TEST(GateText, KnownFailuresDoNotFail) {
-  GateReport report = example_report();
-  for (GateFailure& f : report.failures) f.known = true;
-  const std::string text = gate_text(report);
+  JudgedGate gate = example_gate();
+  for (JudgedFailure& f : gate.failures) f.known = true;
+  const std::string text = gate_text(gate);
   EXPECT_TRUE(has(text, "Nothing fails the gate."));
   EXPECT_TRUE(has(text, "(known)"));
 }
 
 TEST(GateText, ReportsWhatWasNotAsked) {
-  const std::string text = gate_text(cut_report());
+  const std::string text = gate_text(cut_gate());
   EXPECT_TRUE(has(text, "NOT ASKED: sample of all strata: 9 of 840 rounds, since the time was over\n"));
   EXPECT_TRUE(has(text, "Nothing that was asked fails the gate."));
   EXPECT_FALSE(has(text, "Nothing fails the gate."));
 }
 
 TEST(GateText, BriefOnesAreCapped) {
-  GateReport report = example_report();
-  report.failures.assign(brief_cap + 5, example_failure("intersect", 3, Severity::resolution));
-  for (std::size_t i = 0; i < report.failures.size(); ++i) report.failures[i].kind = std::to_string(i);
-  const std::string text = gate_text(report);
+  JudgedGate gate = example_gate();
+  gate.failures.assign(brief_cap + 5, example_failure("intersect", 3, Severity::resolution));
+  for (std::size_t i = 0; i < gate.failures.size(); ++i) gate.failures[i].kind = std::to_string(i);
+  const std::string text = gate_text(gate);
   EXPECT_TRUE(has(text, "and 5 more"));
   EXPECT_EQ(occurrences(text, "said disjoint"), brief_cap);
 }
 
 TEST(GateText, TableIfItHelps) {
-  const std::string text = gate_text(example_report());
+  const std::string text = gate_text(example_gate());
   EXPECT_FALSE(has(text, "intersect: decided pairs"));
   EXPECT_TRUE(has(text, "7!50"));
   EXPECT_TRUE(has(text, "(50)"));
@@ -104,9 +104,9 @@ TEST(GateText, TableIfItHelps) {
 }
 
 TEST(GateText, StatesWhatIsProvedOneFactALine) {
-  const GateReport report = example_report();
+  const JudgedGate gate = example_gate();
   EXPECT_EQ(
-      proved_in_words(report.methods[0]),
+      proved_in_words(gate.report.methods[0]),
       "intersect is right on all 57,732 independent random pairs whose margin exceeds its claim.\n"
       "  They cover 24 combinations of 2 contact features and 12 decades of margin from 1 to 1e-12.\n"
       "  Each combination has 2,400 to 2,411 pairs.\n"
@@ -116,7 +116,7 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
       "  Each combination has at least 409 gaps and 408 overlaps.\n"
       "  The error rate is <= 7.4e-03 in each combination, for gaps and for overlaps, at 95 % confidence.\n"
       "  Few pairs: generic > 1e-03 1e-02 (<= 2.5e-01).\n");
-  GateMethod other = report.methods[1];
+  GateMethod other = gate.report.methods[1];
   other.name = "fake";
   const std::string fake = proved_in_words(other);
   EXPECT_TRUE(has(fake,
@@ -133,7 +133,7 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
 }
 
 TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {
-  GateMethod m = example_report().methods[0];
+  GateMethod m = example_gate().report.methods[0];
   for (GateCell& c : m.cells) c.undecided = c.pairs, c.pairs = 0;
   for (CloseGateCell& c : m.close_cells) c.undecided = c.gaps, c.gaps = c.overlaps = 0;
   EXPECT_TRUE(has(proved_in_words(m), "\nintersect is undecided on all close contacts.\n"))
@@ -148,7 +148,7 @@ TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {
 }
 
 TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
-  GateMethod m = example_report().methods[0];
+  GateMethod m = example_gate().report.methods[0];
   m.cells.resize(1);
   m.cells[0] = {{ContactFeature::side_side, 3}, true, 300, 0, 100};
   m.close_cells.clear();
@@ -158,13 +158,13 @@ TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
             "  Each combination has 300 pairs.\n"
             "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each combination, at 95 % confidence.\n"
             "  It is undecided on 100 more.\n");
-  GateReport report = example_report();
-  report.methods = {m};
-  EXPECT_TRUE(has(gate_text(report), "            300\n")) << "the table has the decided pairs";
+  JudgedGate gate = example_gate();
+  gate.report.methods = {m};
+  EXPECT_TRUE(has(gate_text(gate), "            300\n")) << "the table has the decided pairs";
 }
 
 TEST(GateText, RoundedSolidsHaveALine) {
-  GateMethod m = example_report().methods[0];
+  GateMethod m = example_gate().report.methods[0];
   m.cells.clear();
   m.close_cells.clear();
   m.rounded = {300, 0, 5};
@@ -178,15 +178,15 @@ TEST(GateText, RoundedSolidsHaveALine) {
 }
 
 TEST(GateText, EndsWithWhatIsProvedAndSteersNoTerminal) {
-  GateReport report = example_report();
-  report.methods.pop_back();
-  std::string proved = proved_in_words(report.methods[0]), text = gate_text(report);
+  JudgedGate gate = example_gate();
+  gate.report.methods.pop_back();
+  std::string proved = proved_in_words(gate.report.methods[0]), text = gate_text(gate);
   const auto without_blanks = [](std::string s) {
     std::erase_if(s, [](char c) { return c == ' ' || c == '\n'; });
     return s;
   };
   EXPECT_TRUE(without_blanks(text).ends_with(without_blanks(proved)));
-  text = gate_text(example_report());
+  text = gate_text(example_gate());
   for (const char c : text) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
   EXPECT_FALSE(has(text, "\xff")) << "not UTF-8";
   EXPECT_FALSE(has(text, "\xe2\x80\xae"));

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "props/gate/gate_report.hpp"
+#include "reports/gate/judged_gate.hpp"
 
 namespace cyl {
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t brief_cap = 20;
 /// Returns the report as text. It lists the questions that were not asked, the counts of each method, and
 /// each failure with a command that replays it. The proved facts about each method come last. No line is
 /// wider than 120 columns, except for pairs and quotations of methods.
-std::string gate_text(const GateReport& report);
+std::string gate_text(const JudgedGate& gate);
 
 /// Returns the last lines of one method: what its independent random pairs prove, one fact a line. Cases and
 /// laws do not count.
@@ -28,14 +28,14 @@ std::string proved_in_words(const GateMethod& method);
 /// 10 growth") and for each case on which it failed. Failures that do not fail the gate (within the claim, or
 /// known) are in the suite's system-out. Each line of what was not asked is a test in error, in a suite of
 /// its own. The time is that of the whole gate, because methods are asked side by side.
-std::string gate_junit(const GateReport& report);
+std::string gate_junit(const JudgedGate& gate);
 
 /// Returns SARIF 2.1.0 for code hosts: a rule for each law and a result for each failure. `version` is that
 /// of daylight. `compared` means that there was a base (--against), so each result is new or unchanged.
 /// Failures beyond a claim have the level error, all others note. An invocation that did not ask all has a
 /// notification for each line of that, and is not a success. A result of a guest is at its given source line,
 /// or has no place.
-std::string gate_sarif(const GateReport& report, std::string_view version, bool compared);
+std::string gate_sarif(const JudgedGate& gate, std::string_view version, bool compared);
 
 /// Annotations of one kind that gate_github() writes; the service itself drops those of a step beyond ten.
 inline constexpr std::size_t annotations_cap = 10;
@@ -45,6 +45,6 @@ inline constexpr std::size_t annotations_cap = 10;
 /// fails the gate, in the order of the report. Then come a ::notice with the number of further ones,
 /// and a ::warning for each line of what was not asked. Empty if nothing fails the gate and all was
 /// asked.
-std::string gate_github(const GateReport& report);
+std::string gate_github(const JudgedGate& gate);
 
 }  // namespace cyl

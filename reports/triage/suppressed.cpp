@@ -48,11 +48,11 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
   return causes;
 }
 
-void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>> methods,
+void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today) {
   if (suppressions.empty()) return;
   const std::vector<std::size_t> groups = algorithm_groups(methods);
-  for (GateFailure& f : report.failures) {
+  for (JudgedFailure& f : gate.failures) {
     if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
     const auto kind = from_word<FindingKind>(f.kind);
     const auto method = position_of(methods, f.method);

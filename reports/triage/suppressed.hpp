@@ -12,7 +12,7 @@
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
-#include "props/gate/gate.hpp"
+#include "reports/gate/judged_gate.hpp"
 
 namespace cyl {
 
@@ -22,7 +22,7 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
                                 std::span<const Case> cases);
 
 /// Marks failures of a gate whose bucket or whose cause is suppressed as known.
-void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>> methods,
+void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today);
 
 /// Returns a line for each suppression that has expired, and one for each that no stored case shows any more:

@@ -20,8 +20,8 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
     if (pair.b.center.x() == 5 * pair.a.radius) std::abort();
     return answered(Verdict::disjoint);
   }));
-  GateReport report;
-  GateFailure& crash = report.failures.emplace_back();
+  JudgedGate gate;
+  JudgedFailure& crash = gate.failures.emplace_back();
   crash.method = "planted";
   crash.law = &law_numbered(answer_law);
   crash.kind = "crash";
@@ -33,7 +33,7 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
     for (const bool same : {true, false}) {
       crash.known = false;
       const Suppression suppression{same ? cause : cause + "-elsewhere", "r", "-", "ada", "2999-12-31", 1};
-      mark_suppressed(report, methods, {suppression}, "2026-01-01");
+      mark_suppressed(gate, methods, {suppression}, "2026-01-01");
       EXPECT_EQ(crash.known, same) << what;
     }
   }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A result of the gate, judged: which failures are known, what is missing against an earlier gate, and how to
+// show the failures of a guest. The report itself does not change.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "props/gate/gate_report.hpp"
+
+namespace cyl {
+
+/// A place in a text.
+struct SourceLine {
+  std::string file;
+  unsigned line = 1;  ///< from 1
+};
+
+/// A failure of the report, with what is known about it.
+struct JudgedFailure : GateFailure {
+  bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
+  std::string options;           ///< options that add a guest, else empty
+  std::optional<SourceLine> at;  ///< for a guest: its source line, if one was given
+};
+
+struct JudgedGate {
+  GateReport report;
+  std::vector<JudgedFailure> failures;  ///< those of the report, in its order
+  std::vector<std::string> not_asked;   ///< lines of the report, and what later steps add
+};
+
+/// Returns a judged report without known failures.
+JudgedGate judged(GateReport report);
+
+/// Returns whether a failure is an error that is not known.
+bool fails_gate(const JudgedFailure& failure);
+
+/// Returns 2 if a failure fails the gate. Else returns 3 if the report leaves doubt or something was not
+/// asked, or 0.
+int exit_code(const JudgedGate& gate);
+
+}  // namespace cyl
