@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/exit_code.hpp"
 #include "base/fnv.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
@@ -388,9 +389,9 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
 }
 
 int exit_code(const CampaignSummary& summary) {
-  if (!summary.harness_failure.empty()) return 1;
-  if (summary.progress.contract + summary.progress.failed > 0) return 2;
-  return summary.progress.unresolved > 0 || summary.interrupted ? 3 : 0;
+  if (!summary.harness_failure.empty()) return exit_harness_failed;
+  if (summary.progress.contract + summary.progress.failed > 0) return exit_findings;
+  return summary.progress.unresolved > 0 || summary.interrupted ? exit_undecided : exit_pass;
 }
 
 }  // namespace cyl

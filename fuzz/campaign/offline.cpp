@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/exit_code.hpp"
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
 #include "oracles/methods/guest_answer.hpp"
@@ -256,8 +257,10 @@ void OfflineJudge::judge_answer(const Case& question, std::size_t line, std::uin
 int OfflineJudge::exit_code() const {
   Counts all;
   for (const Counts& c : counts_) all += c;
-  if (all.contract + all.failed + passed_over_ > 0) return 2;
-  return std::any_of(judged_.begin(), judged_.end(), [](const Counts& c) { return c.undecided > 0; }) ? 3 : 0;
+  if (all.contract + all.failed + passed_over_ > 0) return exit_findings;
+  return std::any_of(judged_.begin(), judged_.end(), [](const Counts& c) { return c.undecided > 0; })
+             ? exit_undecided
+             : exit_pass;
 }
 
 std::vector<TallyRecord> OfflineJudge::tallies() const {

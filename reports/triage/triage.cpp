@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/exit_code.hpp"
 #include "base/files.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
@@ -149,10 +150,10 @@ int exit_code(const Triage& triage) {
   bool undecided = triage.progress.classified < triage.progress.findings;
   for (const Bucket& b : triage.buckets) {
     if (b.status == Recurrence::gone || b.suppressed) continue;
-    if (b.severity == Severity::contract) return 2;
+    if (b.severity == Severity::contract) return exit_findings;
     undecided |= b.severity == Severity::unresolved;
   }
-  return undecided ? 3 : 0;
+  return undecided ? exit_undecided : exit_pass;
 }
 
 }  // namespace cyl
