@@ -18,4 +18,9 @@ std::string grouped(std::uint64_t n) {
   return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", grouped(n / 1000), n % 1000);
 }
 
+std::string counted(std::uint64_t n, std::string_view thing) {
+  const bool hisses = thing.ends_with('x') || thing.ends_with("sh");
+  return fmt::format("{} {}{}", grouped(n), thing, n == 1 ? "" : hisses ? "es" : "s");
+}
+
 }  // namespace cyl

@@ -76,4 +76,7 @@ std::string one_line(std::string_view text);
 /// Returns 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);
 
+/// Returns "1 pair", "1,234 pairs" or "2 boxes".
+std::string counted(std::uint64_t n, std::string_view thing);
+
 }  // namespace cyl

@@ -40,5 +40,12 @@ TEST(LeadingBidiControl, KnowsAllNineAndNoOther) {
   EXPECT_EQ(leading_bidi_control("\xe2\x80"), 0u);
 }
 
+TEST(Counted, HasOneAndMany) {
+  EXPECT_EQ(counted(1, "pair"), "1 pair");
+  EXPECT_EQ(counted(1234, "pair"), "1,234 pairs");
+  EXPECT_EQ(counted(2, "box"), "2 boxes");
+  EXPECT_EQ(counted(0, "mesh"), "0 meshes");
+}
+
 }  // namespace
 }  // namespace cyl

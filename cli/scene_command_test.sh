@@ -10,7 +10,7 @@ expect 0 'a robot' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 -
 holds 'the seed comes first' out '^seed 1$'
 holds 'what there is' out '^20 cylinders, 0 not looked at; 20 links, 18 free joints$'
 holds 'which pairs' out '^190 pairs: 171 checked; not checked: 1 of one rigid body, 18 of adjacent ones'
-holds 'the referee' out '^referee: 3420 recommended answers judged, 0 wrong, 0 tolerated, 0 not proved$'
+holds 'the referee' out '^referee: 3,420 recommended answers judged, 0 wrong, 0 tolerated, 0 not proved$'
 holds 'as JSON' twenty.json '"recommended":\['
 expect 3 'a clearance' "$daylight" scene "$scenes/crane.xml" --configurations 20 --clearance 0.01 --tolerate 0.1
 holds 'what was not looked at, where somebody acts on it' out '^recommended: .*; of these shapes alone: NOT LOOKED AT: 1 plane \(world\)$'
@@ -85,7 +85,7 @@ holds 'shapes first' out '^8 spheres, 5 capsules \(3 written as a cylinder and t
 holds 'nothing hidden' out '^recommended: .* NOT LOOKED AT: 1 mesh \(camera\)$'
 holds 'near a bound' out '; NOT KNOWN: [0-9]+ pairs that come near the bound of a box or mesh \(table - '
 holds 'why' out 'A mesh of camera cannot be read: package://arm/camera.stl is not there.$'
-holds 'proved' out '^referee: 1980 recommended answers judged, 0 wrong'
+holds 'proved' out '^referee: 1,980 recommended answers judged, 0 wrong'
 expect 0 'a proof' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --against 200 --srdf-out out.srdf --table
 holds 'over all motions' out '^over all motions, [0-9]+ pairs: [0-9]+ proved never within 0, [0-9]+ meet in a configuration'
 holds 'checked' out '\. In 200 other configurations no pair is nearer than proved$'

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
 #include "base/times.hpp"
 #include "base/usage_error.hpp"
@@ -149,9 +150,8 @@ class Searcher {
       ProgressLine line;
       worst = worst_of(method, starts, {feature, {}}, options_, [&](const Worst& w, milliseconds) {
         if (line.due(elapsed()))
-          line.show(
-              elapsed(), share_done(w, left),
-              fmt::format("{}: {} shape{}{}", name, w.evaluations, w.evaluations == 1 ? "" : "s", so_far(w)));
+          line.show(elapsed(), share_done(w, left),
+                    fmt::format("{}: {}{}", name, counted(w.evaluations, "shape"), so_far(w)));
       });
     }
     print(method, name, worst);
@@ -201,8 +201,8 @@ class Searcher {
            s.pair, {});
     }
     if (!worst.failed && !worst.wrong && !worst.slow && !worst.scored)
-      fmt::print("{} nothing in {} shape{}, {} question{}\n", name, worst.evaluations,
-                 worst.evaluations == 1 ? "" : "s", worst.questions, worst.questions == 1 ? "" : "s");
+      fmt::print("{} nothing in {}, {}\n", name, counted(worst.evaluations, "shape"),
+                 counted(worst.questions, "question"));
     std::fflush(stdout);
   }
 

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "base/safe_text.hpp"
+
 namespace cyl {
 
 std::string value_of(const Config& config, const std::string& key) {
@@ -54,9 +56,8 @@ std::string format_self_checks(std::span<const SelfCheckRecord> checks) {
     most = std::max(most, a.pairs);
     milliseconds += a.milliseconds;
   }
-  return fmt::format("self-check: {} planted fault{} found, each after at most {} pairs, in {:.1f} s",
-                     checks.size(), checks.size() == 1 ? "" : "s", most,
-                     static_cast<double>(milliseconds) / 1000);
+  return fmt::format("self-check: {} found, each after at most {} pairs, in {:.1f} s",
+                     counted(checks.size(), "planted fault"), most, static_cast<double>(milliseconds) / 1000);
 }
 
 }  // namespace cyl

@@ -105,7 +105,7 @@ FailureView view_of(const JudgedFailure& f) {
   FailureView view{.method = one_line(f.method),
                    .law = law_title(*f.law),
                    .what = one_line(f.what),
-                   .pairs = pairs_in_words(f.count),
+                   .pairs = counted(f.count, "pair"),
                    .origin = origin_of(f),
                    .bucket = one_line(f.bucket),
                    .again = again_in_words(f),
@@ -125,10 +125,8 @@ FailureView view_of(const Alike& alike) {
   FailureView view = view_of(*alike.front());
   std::uint64_t count = 0;
   for (const JudgedFailure* f : alike) count += f->count;
-  view.pairs = pairs_in_words(count);
+  view.pairs = counted(count, "pair");
   return view;
 }
-
-std::string pairs_in_words(std::uint64_t n) { return grouped(n) + (n == 1 ? " pair" : " pairs"); }
 
 }  // namespace cyl

@@ -43,7 +43,6 @@ struct FailureView {
 FailureView view_of(const JudgedFailure& failure);
 FailureView view_of(const Alike& alike);  ///< the first of them, with the pairs of all
 
-std::string law_title(const Law& law);        ///< "law 10 growth"
-std::string pairs_in_words(std::uint64_t n);  ///< "1 pair", "17 pairs"
+std::string law_title(const Law& law);  ///< "law 10 growth"
 
 }  // namespace cyl

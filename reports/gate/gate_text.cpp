@@ -94,7 +94,7 @@ std::string in_full(std::size_t number, const Alike& alike) {
   text += line("replay", f.replay);
   if (!f.reproduce.empty()) text += line("RapidCheck", f.reproduce);
   for (const JudgedFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
-    text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
+    text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), counted(g->count, "pair"), grown(*g)));
     text += line("", format_pair(g->simplest));
   }
   if (alike.size() - 1 > also_cap)
@@ -162,10 +162,6 @@ std::string cells_table(const GateMethod& m) {
     text += '\n';
   }
   return text;
-}
-
-std::string plural(std::uint64_t n, const std::string& thing) {
-  return fmt::format("{} {}{}", grouped(n), thing, n == 1 ? "" : "s");
 }
 
 std::string name_of(const CloseGateCell& c) {
@@ -264,9 +260,9 @@ std::string close_in_words(const GateMethod& method) {
   }
   std::vector<std::string> facts;
   facts.push_back(fmt::format("They cover {} of axis position, small angle and decade of margin.",
-                              plural(full.size(), "combination")));
-  facts.push_back(fmt::format("Each combination has at least {} and {}.", plural(least_gaps, "gap"),
-                              plural(least_overlaps, "overlap")));
+                              counted(full.size(), "combination")));
+  facts.push_back(fmt::format("Each combination has at least {} and {}.", counted(least_gaps, "gap"),
+                              counted(least_overlaps, "overlap")));
   facts.push_back(
       fmt::format("The error rate is {} in each combination, for gaps and for overlaps, at 95 % confidence.",
                   rate(worst)));
@@ -322,13 +318,13 @@ std::string strata_in_words(const GateMethod& method) {
   if (cells > 0) {
     // The decade d holds margins above 10^(-d-1), up to 10^-d.
     facts.push_back(fmt::format("They cover {} of {} and {} of margin from {} to {}.",
-                                plural(cells, "combination"), plural(features.size(), "contact feature"),
-                                plural(decades.size(), "decade"), power(*decades.begin()),
+                                counted(cells, "combination"), counted(features.size(), "contact feature"),
+                                counted(decades.size(), "decade"), power(*decades.begin()),
                                 power(*decades.rbegin() + 1)));
-    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", plural(wrong_cells, "combination")));
-    facts.push_back(
-        fmt::format("Each combination has {}.",
-                    least == most ? plural(least, "pair") : grouped(least) + " to " + plural(most, "pair")));
+    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", counted(wrong_cells, "combination")));
+    facts.push_back(fmt::format(
+        "Each combination has {}.",
+        least == most ? counted(least, "pair") : grouped(least) + " to " + counted(most, "pair")));
     facts.push_back(
         fmt::format("The error rate is {} overall and {} in each combination, at 95 % confidence.",
                     rate(error_rate_bound(all, wrong)), rate(worst)));
@@ -356,11 +352,11 @@ std::string proved_in_words(const GateMethod& method) {
 std::string gate_text(const JudgedGate& gate) {
   std::string text;
   for (const GatePhaseReport& p : gate.report.phases) {
-    text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
+    text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), counted(p.pairs, "pair"),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
   if (gate.report.undecided_truths > 0)
-    text += fmt::format("the referee could not decide {}\n", pairs_in_words(gate.report.undecided_truths));
+    text += fmt::format("the referee could not decide {}\n", counted(gate.report.undecided_truths, "pair"));
   for (const std::string& line : gate.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(gate) + '\n' + failures_text(gate) + '\n';
   for (const GateMethod& m : gate.report.methods)

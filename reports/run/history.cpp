@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/safe_text.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/run/run_data.hpp"
 
@@ -93,13 +94,12 @@ std::string format_history(const History& history) {
     return fmt::format("{} {}", history.count(status), to_string(status));
   };
   std::string text = fmt::format(
-      "compared with {} earlier run{} in the same folder, groups by method, kind and family: {}, {}, {}, {}, "
+      "compared with {} in the same folder, groups by method, kind and family: {}, {}, {}, {}, "
       "{}",
-      history.runs, history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::back),
+      counted(history.runs, "earlier run"), number(Recurrence::fresh), number(Recurrence::back),
       number(Recurrence::gone), number(Recurrence::known), number(Recurrence::rare));
   if (history.unreadable > 0)
-    text += fmt::format("\n  skipped because they cannot be read: {} run{}", history.unreadable,
-                        history.unreadable == 1 ? "" : "s");
+    text += fmt::format("\n  skipped because they cannot be read: {}", counted(history.unreadable, "run"));
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/safe_text.hpp"
 #include "base/statistics.hpp"
 
 namespace cyl {
@@ -103,15 +104,15 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   std::string text = fmt::format(
       "over all motions, {}: {} proved never within {}, {} meet in a configuration that is shown, {}{} open "
       "after {} boxes",
-      s.pairs.size() == 1 ? "1 pair" : fmt::format("{} pairs", s.pairs.size()),
-      of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
+      counted(s.pairs.size(), "pair"), of(pairs, MotionVerdict::never), q.clearance,
+      of(pairs, MotionVerdict::refuted),
       q.clearance > 0
           ? fmt::format("{} within the clearance without a contact, ", of(pairs, MotionVerdict::within))
           : "",
       of(pairs, MotionVerdict::open), q.motion_boxes);
   if (!s.motions->exemptions.empty())
-    text += fmt::format(". \"Never\" in the SRDF, {} link pairs: {} proved, {} REFUTED, {} open",
-                        s.motions->exemptions.size(),
+    text += fmt::format(". \"Never\" in the SRDF, {}: {} proved, {} REFUTED, {} open",
+                        counted(s.motions->exemptions.size(), "link pair"),
                         of(exempt, MotionVerdict::never) + of(exempt, MotionVerdict::within),
                         of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
   if (of(exempt, MotionVerdict::within) > 0)
@@ -149,7 +150,7 @@ std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pai
   }
   if (left_out > 0)
     text += fmt::format("  {:<8} {} more, which --table lists\n", to_string(MotionVerdict::never),
-                        left_out == 1 ? "1 pair" : fmt::format("{} pairs", left_out));
+                        counted(left_out, "pair"));
   return text;
 }
 

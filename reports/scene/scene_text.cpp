@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/safe_text.hpp"
 #include "base/statistics.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "reports/scene/motion_text.hpp"
@@ -14,11 +15,6 @@
 
 namespace cyl {
 namespace {
-
-std::string plural(std::size_t n, std::string_view what) {
-  const bool hisses = what.ends_with("x") || what.ends_with("sh");
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : hisses ? "es" : "s");
-}
 
 /// Names each kind of shape with the links that have it: "3 boxes, ..." would hide which.
 std::vector<std::string> left_out_words(const Scene& scene) {
@@ -32,7 +28,7 @@ std::vector<std::string> left_out_words(const Scene& scene) {
       count += times;
       names.push_back(times == 1 ? link : fmt::format("{} of {}", times, link));
     }
-    words.push_back(fmt::format("{} ({})", plural(count, kind), fmt::join(names, ", ")));
+    words.push_back(fmt::format("{} ({})", counted(count, kind), fmt::join(names, ", ")));
   }
   return words;
 }
@@ -47,14 +43,14 @@ std::string shapes_words(const Scene& scene) {
   for (const SolidKind kind : enum_values<SolidKind>) {
     const std::size_t count = counts[static_cast<std::size_t>(kind)];
     if (count == 0) continue;
-    words.push_back(plural(count, kind == SolidKind::rounded ? "rounded cylinder" : to_string(kind)));
+    words.push_back(counted(count, kind == SolidKind::rounded ? "rounded cylinder" : to_string(kind)));
     if (kind == SolidKind::capsule && scene.folded > 0)
       words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
   }
-  for (const auto& [shape, count] : bounded) words.push_back(plural(count, shape) + " (bounded)");
+  for (const auto& [shape, count] : bounded) words.push_back(counted(count, shape) + " (bounded)");
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
-  for (const auto& [shape, count] : others) words.push_back(plural(count, shape) + " (not looked at)");
+  for (const auto& [shape, count] : others) words.push_back(counted(count, shape) + " (not looked at)");
   if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not looked at");
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -65,8 +61,8 @@ std::string counts_words(const Scene& scene) {
     turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
   }
-  return fmt::format("{}; {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
-                     plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
+  return fmt::format("{}; {}, {}{}", shapes_words(scene), counted(scene.links.size(), "link"),
+                     counted(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
 std::string pairs_words(const Scene& scene, const SceneStudy& s) {
@@ -77,14 +73,14 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
     for (std::size_t j = 0; j < i; ++j) by_bits += !may_collide(scene.bodies[i], scene.bodies[j]);
   std::string text = fmt::format(
       "{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
-      plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
+      counted(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
       s.pairs_by_reason[3],
       scene.srdf.empty()
           ? ""
-          : fmt::format(" ({} disables {})", scene.srdf, plural(scene.exemptions.size(), "link pair")));
+          : fmt::format(" ({} disables {})", scene.srdf, counted(scene.exemptions.size(), "link pair")));
   if (s.pairs.empty() && by_bits > 0)
     text += fmt::format(". contype and conaffinity let {} collide: --all-pairs checks them",
-                        by_bits == all ? "no two shapes" : fmt::format("{} not", plural(by_bits, "pair")));
+                        by_bits == all ? "no two shapes" : fmt::format("{} not", counted(by_bits, "pair")));
   return text;
 }
 
@@ -102,14 +98,14 @@ std::string configurations_words(const Scene& scene, const SceneOptions& q, cons
   }
   std::string text = fmt::format(
       "{}, clearance {}: {} not seen within it, {} seen in all of them, {} at times{}",
-      plural(s.configurations, "configuration"), q.clearance, plural(unseen, "pair"), always,
+      counted(s.configurations, "configuration"), q.clearance, counted(unseen, "pair"), always,
       s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
     text += fmt::format(". The first two are true in all but {} of all configurations, at 95 % confidence",
                         rate_text(least));
   if (further > 0)
     text += fmt::format(". Up to {} draws for {} whose model was never seen wrong", most,
-                        plural(further, "pair"));
+                        counted(further, "pair"));
   return text;
 }
 
@@ -130,7 +126,7 @@ std::string models_table(const SceneOptions& q, const SceneStudy& s) {
   if (s.asked_referee > 0)
     text +=
         fmt::format("the referee judged {}. It could not prove {}, which count as within the clearance.\n",
-                    plural(s.asked_referee, "sample"), s.undecided);
+                    counted(s.asked_referee, "sample"), s.undecided);
   return text;
 }
 
@@ -163,7 +159,7 @@ std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStu
   for (const PairStudy* pair : pairs)
     text += fmt::format("  {} - {}: {} (capsules: {}, up to {:.3g})\n", body(scene, pair->a),
                         body(scene, pair->b), cascade_words(pair->cascade),
-                        plural(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm.length);
+                        counted(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm.length);
   return text;
 }
 
@@ -192,7 +188,7 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
     capsules += ball || suffices(pair, Level::outer, q.tolerated);
   }
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
-                                 plural(all, "pair"), capsules);
+                                 counted(all, "pair"), capsules);
   if (s.drawn && capsules > 0) text += surely(scene, q, s);
   if (capsules == all) return text;
   return text + (all - capsules == 1 ? ", but this one needs more"
@@ -218,7 +214,7 @@ std::string not_known_words(const Scene& scene, const SceneStudy& s) {
   if (count == 0) return "";
   if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
   return fmt::format("; NOT KNOWN: {} that come{} near the bound of a box or mesh ({})",
-                     plural(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
+                     counted(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
 }
 
 /// Of a box or mesh draws show no more than that its bound was not near in them.
@@ -238,7 +234,7 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
     if (is_known(scene, pair)) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
-    parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
+    parts.push_back(fmt::format("{} for {}", plural_of(level, scene), counted(count, "pair")));
   std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
   all += not_near_words(scene, s) + not_known_words(scene, s);
   if (const std::vector<std::string> held = joints_held_between(scene, s); !held.empty())
@@ -265,7 +261,7 @@ std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
   std::size_t forgiven = 0;
   for (const PairStudy& pair : s.pairs) forgiven += pair.cascade_wrong;
   if (forgiven == 0) return "";
-  return fmt::format("with {} that {:.3g} allows", plural(forgiven, "false alarm"), q.tolerated);
+  return fmt::format("with {} that {:.3g} allows", counted(forgiven, "false alarm"), q.tolerated);
 }
 
 std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
@@ -278,7 +274,7 @@ std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
                 : "");
   return fmt::format(
       "capsules instead of all cylinders: {} in {}, of cylinders up to {:.3g} beyond the clearance",
-      plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
+      counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
 }
 
 /// A line a rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000 configurations,
@@ -290,9 +286,9 @@ std::vector<std::string> rounding_words(const SceneStudy& s) {
     if (r.cheaper == 0) continue;
     words.push_back(
         fmt::format("rounding {} costs {} in {} and saves {}, on {} (if all solids are rounded: {})",
-                    r.rounding, plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
+                    r.rounding, counted(r.alarms, "false alarm"), counted(s.configurations, "configuration"),
                     saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time",
-                    plural(r.cheaper, "pair"), r.all_rounded));
+                    counted(r.cheaper, "pair"), r.all_rounded));
   }
   if (words.empty() && !s.roundings.empty())
     words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));
@@ -318,7 +314,7 @@ std::string verified_words(const SceneStudy& s) {
   if (!s.verification) return "";
   const Verification& v = *s.verification;
   return fmt::format("referee: {} judged, {} wrong, {} tolerated, {} not proved",
-                     plural(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
+                     counted(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
 }
 
 std::string line(const std::string& words, const char* before = "") {

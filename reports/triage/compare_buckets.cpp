@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/json.hpp"
+#include "base/safe_text.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/buckets.hpp"
 
@@ -184,8 +185,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
 
 std::string what_changed(const std::vector<Bucket>& buckets) {
   const auto is_compared = [](const Bucket& b) { return b.status.has_value(); };
-  if (std::none_of(buckets.begin(), buckets.end(), is_compared))
-    return fmt::format("{} cause{}", buckets.size(), buckets.size() == 1 ? "" : "s");
+  if (std::none_of(buckets.begin(), buckets.end(), is_compared)) return counted(buckets.size(), "cause");
   std::string text;
   for (const Recurrence status :
        {Recurrence::fresh, Recurrence::back, Recurrence::known, Recurrence::gone, Recurrence::rare}) {

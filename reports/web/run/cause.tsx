@@ -62,7 +62,7 @@ function Story({ report, b }: { report: FullReport; b: Bucket }) {
         </p>
       )}
       <p>
-        {capital(safe(b.cause))}. <span class="soft">Wrong for this reason: {safe(b.methods.join(", "))}.</span>
+        {capital(safe(b.cause))}. <span class="soft">Methods: {safe(b.methods.join(", "))}.</span>
       </p>
       {b.labels.length > 0 && (
         <p>
