@@ -41,7 +41,7 @@ function Faults({ report, faults, word }: { report: FullReport; faults: Bucket[]
         <Copy label="Explain it" text={command} />
       </div>
       <a class="band-picture" href={bucketAddress(first!.key)} tabIndex={-1} aria-hidden="true">
-        <Thumbnail shown={first!.simplest} />
+        <Thumbnail shown={first!.worst} />
       </a>
     </div>
   );
