@@ -76,6 +76,18 @@ class Versions(unittest.TestCase):
         self.assertEqual(found('', 'latest'), ['0.2.0', '0.9.0', '0.9.3', '0.10.1'])
         self.assertEqual(found('0.3', '0.9'), ['0.9.0', '0.9.3'])
 
+    def test_what_counts_as_extreme_and_as_an_answer(self):
+        far = dict(CYLINDER, center=[0, 101, 0])
+        self.assertEqual([versions.is_ordinary({'a': CYLINDER, 'b': b}) for b in (CYLINDER, far)], [True, False])
+        self.assertEqual(versions.answer_of({'verdict': 'touching'}), {'verdict': 'intersecting'})
+        self.assertIn('declined', versions.answer_of({'verdict': 'undecided', 'error': 'x declined: no disks'}))
+        self.assertIn('error', versions.answer_of({'verdict': 'undecided', 'error': 'x failed: crash'}))
+
+    def test_a_page_compares_answers_to_the_same_pairs(self):
+        rows = [{'package': 'x', 'version': v, 'pairs': pairs, 'guest': 'g', 'drawn': 7, 'answered': 9, 'wrong': {},
+                 'verdicts': 'same'} for v, pairs in (('1.0', 'old'), ('1.2', 'new'), ('1.1', 'new'))]
+        self.assertIn('--from 1.1 --to 1.2 --pairs 7\n\n## x\n\n2 versions answered', versions.page(rows, 'data'))
+
     def test_a_mirror_states_no_release_dates(self):
         times = {'1.0.0': '2025-01-31T12:00:00.000Z'}
         self.assertEqual(versions.dates_of(times), {})

@@ -210,16 +210,15 @@ def run(daylight, source, rows, file, count):
     asked_about = digest(to_text(pairs))
     truths, mine = None, []
     for version in source.versions:
-        wanted = {'package': source.package, 'version': version, 'drawn': count, 'pairs': asked_about,
-                  'guest': source.key(version)}
+        wanted = {'package': source.package, 'version': version, 'pairs': asked_about, 'guest': source.key(version)}
         row = next((r for r in rows if wanted.items() <= r.items() and 'not_asked' not in r), None)
         if not row:
             truths = truths or truths_of(daylight, pairs)
             print(f'daylight: {source.package} {version} ...', file=sys.stderr)
             try:
-                row = {**wanted, **summary(source.judged(daylight, version, pairs, truths))}
+                row = {**wanted, 'drawn': count, **summary(source.judged(daylight, version, pairs, truths))}
             except RuntimeError:  # it does not start
-                row = {**wanted, 'not_asked': True}
+                row = {**wanted, 'drawn': count, 'not_asked': True}
         if date := source.dates.get(version):
             row['date'] = date
         mine.append(row)
