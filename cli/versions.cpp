@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/process/process.hpp"
@@ -43,15 +44,19 @@ struct VersionsOptions {
   add("--pairs", std::to_string(options.pairs));
   add("--data", options.data);
   add("--page", options.page);
-  become_program(words);
+  try {
+    become_program(words);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(error.what() + std::string("; install it: apt-get install python3"));
+  }
 }
 
 }  // namespace
 
 void add_versions(Program& program) {
-  Command command =
-      program.command("Find", "versions",
-                      "Asks the versions of a library about the same pairs, and reports when faults came");
+  Command command = program.command(
+      "Find", "versions",
+      "Asks the versions of a library about the same pairs, and reports when faults came and went");
   auto options = std::make_shared<VersionsOptions>();
   command.section("Versions");
   command.option("--npm PACKAGE", options->package,

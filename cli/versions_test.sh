@@ -88,6 +88,8 @@ ln -s "$(python3 -c 'import sys; print(sys.executable)')" none/python3
 ln -s "$(command -v node)" none
 expect 1 'no npm' env PATH="$PWD/none" "$daylight" versions --npm jolt-physics
 holds 'the remedy' err 'npm is not here: apt-get install npm'
+expect 1 'no Python' env PATH=/nowhere "$daylight" versions --npm jolt-physics
+holds 'the remedy' err 'python3: .*; install it: apt-get install python3'
 
 # Plug-ins and programs: daylight itself is the one that is right.
 cat >bad.c <<'END_C'

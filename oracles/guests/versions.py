@@ -64,7 +64,8 @@ def truths_of(daylight, pairs):
 
 def npm_view(package):
     """What the registry says of a package, or None if npm cannot reach it."""
-    asked = subprocess.run(['npm', 'view', package, 'time', 'dist-tags', '--json'], capture_output=True, text=True,
+    asked = subprocess.run(['npm', 'view', package, 'time', 'dist-tags', '--json', '--fetch-retries=1',
+                            '--fetch-retry-mintimeout=1000'], capture_output=True, text=True,
                            cwd=HERE, check=False)
     said = json.loads(asked.stdout or '{}')
     error = said.get('error', {}) if asked.returncode else {}
