@@ -71,8 +71,9 @@ install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_D
 # The program finds these by their names in the source tree (base/source_tree.hpp). Its page is inside it. Not installed: what
 # plants faults and what fuzzes, which are made of the sources and tell so when they are asked for.
 install(TARGETS daylight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/cases/*.jsonl corpus/scenes/*.* corpus/scenes/meshes/*)
-list(APPEND data docs/results/engines.jsonl oracles/plugin.h solver/literature/errata.md props/mutants/kill_matrix.jsonl bench/stability/builds.jsonl reports/web/chart.mjs
+file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/cases/*.jsonl corpus/scenes/*.* corpus/scenes/meshes/*
+     oracles/guests/*.mjs oracles/guests/package.json oracles/guests/.npmrc)
+list(APPEND data docs/results/engines.jsonl oracles/plugin.h oracles/guests/compare.py oracles/guests/versions.py solver/literature/errata.md props/mutants/kill_matrix.jsonl bench/stability/builds.jsonl reports/web/chart.mjs
      reports/web/page_template.html)
 foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)

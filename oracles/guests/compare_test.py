@@ -58,15 +58,40 @@ class Compare(unittest.TestCase):
     def test_pages_say_what_their_data_say(self):
         engines = [json.loads(line) for line in (compare.RESULTS / 'engines.jsonl').read_text().splitlines()]
         self.assertEqual(compare.page(engines), (compare.RESULTS / 'engines.md').read_text())
-        self.assertEqual(versions.page(versions.data()), (compare.RESULTS / 'engine_versions.md').read_text())
+        self.assertEqual(versions.page(versions.read(compare.RESULTS / 'versions.jsonl'), 'versions.jsonl'),
+                         (compare.RESULTS / 'versions.md').read_text())
         self.assertTrue(all(row['answered'] >= 20000 for row in engines))
 
 
 class Versions(unittest.TestCase):
     def test_turns(self):
         rows = [{'version': str(i), 'wrong': {'x': 1} if i in (2, 3) else {}} for i in range(6)]
-        self.assertEqual(versions.turns(rows, 'x'), ('2', '1', '4'))
-        self.assertEqual(versions.turns(rows[2:4], 'x'), ('2', None, None))
+        rows[4]['date'] = '2025-01-31'
+        self.assertEqual(versions.turns(rows, 'x'), ('1', '2', '4 (2025-01-31)'))
+        self.assertEqual(versions.turns(rows[2:4], 'x'), ('-', '2', '-'))
+
+    def test_range(self):
+        every, tags = ['1.0.0-beta.1', '0.2.0', '0.10.1', '0.9.3', '0.9.0'], {'latest': '0.10.1'}
+        found = lambda first, last: versions.in_range(every, 'x', tags, first, last)
+        self.assertEqual(found('', 'latest'), ['0.2.0', '0.9.0', '0.9.3', '0.10.1'])
+        self.assertEqual(found('0.3', '0.9'), ['0.9.0', '0.9.3'])
+
+    def test_what_counts_as_extreme_and_as_an_answer(self):
+        far = dict(CYLINDER, center=[0, 101, 0])
+        self.assertEqual([versions.is_ordinary({'a': CYLINDER, 'b': b}) for b in (CYLINDER, far)], [True, False])
+        self.assertEqual(versions.answer_of({'verdict': 'touching'}), {'verdict': 'intersecting'})
+        self.assertIn('declined', versions.answer_of({'verdict': 'undecided', 'error': 'x declined: no disks'}))
+        self.assertIn('error', versions.answer_of({'verdict': 'undecided', 'error': 'x failed: crash'}))
+
+    def test_a_page_compares_answers_to_the_same_pairs(self):
+        rows = [{'package': 'x', 'version': v, 'pairs': pairs, 'guest': 'g', 'drawn': 7, 'answered': 9, 'wrong': {},
+                 'verdicts': 'same'} for v, pairs in (('1.0', 'old'), ('1.2', 'new'), ('1.1', 'new'))]
+        self.assertIn('--from 1.1 --to 1.2 --pairs 7\n\n## x\n\n2 versions answered', versions.page(rows, 'data'))
+
+    def test_a_mirror_states_no_release_dates(self):
+        times = {'1.0.0': '2025-01-31T12:00:00.000Z'}
+        self.assertEqual(versions.dates_of(times), {})
+        self.assertEqual(versions.dates_of(times | {'created': '2025-01-30'})['1.0.0'], '2025-01-31')
 
 
 if __name__ == '__main__':
