@@ -110,7 +110,7 @@ says 'pairs of a family' 0 '.*"id":"random/7/5".*'$'\n''.*"id":"random/7/6".*' f
 says 'the worst of nobody' 64 '' worst --method nobody
 says 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
 says 'the worst from nowhere' 64 '' worst --method ode --from nowhere
-says 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9]+ questions' \
+says 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9,]+ questions' \
   worst --method intersect --feature cap-rim --evaluations 20
 worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(contract\) \{.*\}'
 says 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
