@@ -13,9 +13,11 @@ import argparse
 import datetime
 import json
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
+import textwrap
 from collections import Counter, defaultdict
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -28,7 +30,11 @@ SHAPES = ('sphere_sphere,sphere_capsule,sphere_cylinder,sphere_rounded,capsule_c
           'capsule_rounded,cylinder_rounded,rounded_rounded')
 EXTREMES = ('needles,disks,needle_and_disk,segments,flat_disks,points,far,mixed_scale,tiny_and_huge,touching_needles,'
             'touching_disks,coins_edge_to_edge')
+# An engine that contains a packaged library: the method that asks this library in the same way, and the one without
+# the library's collision margin.
+PACKAGED = {'ammo': ('bullet-cylinder', 'bullet-cylinder-margin0')}
 LENGTHS = ('radius', 'height', 'rounding')
+TWO_CYLINDERS = 'cylinder - cylinder'
 CHUNK, PATIENCE = 5000, 120
 
 
@@ -191,6 +197,17 @@ def compared(daylight, command, pairs, truths, folder=HERE):
     return hello, list(judge(hello, pairs, truths, owns, answers))
 
 
+def shared(daylight, methods, judged):
+    """How many wrong verdicts about two cylinders the packaged methods give too."""
+    wrong = [x for x in judged if x[4] and x[4][0] in ('intersecting', 'disjoint') and kinds_of(x[0]) == TWO_CYLINDERS]
+    text = subprocess.run([daylight, 'replay', '-', '--methods', ','.join(methods)], text=True, capture_output=True,
+                          input=to_text(x[0] for x in wrong), check=False).stdout
+    said = {m: re.findall(rf'^ +{re.escape(m)} +.*?"verdict":"(\w+)"', text, re.MULTILINE) for m in methods}
+    return {'wrong': len(wrong), 'methods': {
+        method: sum(verdict == x[3]['verdict'] for x, verdict in zip(wrong, verdicts, strict=True))
+        for method, verdicts in said.items()}}
+
+
 def run(daylight, cylinders, shapes, extremes, only, keep):
     pairs = draw(daylight, CYLINDERS, cylinders) + draw(daylight, SHAPES, shapes)
     extreme = draw_any(daylight, EXTREMES, extremes)
@@ -200,6 +217,8 @@ def run(daylight, cylinders, shapes, extremes, only, keep):
         hello, judged = compared(daylight, command, pairs, truths)
         beyond = of_extremes(compared(daylight, command, extreme, extreme_truths)[1])
         rows.append({**summary(hello, package_of(engine), judged), 'extremes': beyond})
+        if engine in PACKAGED:
+            rows[-1]['shared'] = shared(daylight, PACKAGED[engine], judged)
         if keep:
             keep_findings(pathlib.Path(keep), engine, judged)
         print(engine, rows[-1]['answered'], rows[-1]['faults'], file=sys.stderr)
@@ -267,6 +286,16 @@ def claim_in_words(row):
     return f'{claim["relative"]:g} size + {claim["absolute"]:g}'
 
 
+def shared_in_words(row):
+    wrong, ((same, both), (without, left)) = row['shared']['wrong'], row['shared']['methods'].items()
+    text = (f'{row["package"]} contains Bullet. Of its {wrong} wrong verdicts about two cylinders, the method `{same}` '
+            f'gives {both} too. It asks the packaged Bullet in double precision. `{without}` sets the collision margin '
+            f'to 0 and gives {left} of them.')
+    if both == wrong and left == 0:
+        text += ' So all of them have one cause, the margin that rounds the rims.'
+    return '\n## Shared with a packaged library\n\n' + textwrap.fill(text, 120, break_on_hyphens=False) + '\n'
+
+
 def page(rows):
     verdicts, broken = ('intersecting', 'disjoint'), ('crash', 'hang', 'error')
     parts = [HEAD.format(count=len(rows), date=rows[0]['date'])]
@@ -299,6 +328,7 @@ def page(rows):
     parts.append(EXTREME_PAIRS)
     parts.append(table(['engine', 'pairs', 'wrong', 'failed'],
                        [[row['name'], *(row['extremes'][k] for k in ('answered', 'wrong', 'failed'))] for row in rows]))
+    parts += [shared_in_words(row) for row in rows if 'shared' in row]
     parts.append('\n## The worst pair of each engine\n\nThe algorithm\'s wrong verdict with the largest margin. '
                  '`daylight check --distance` proves the truth.\n\n')
     for row in rows:

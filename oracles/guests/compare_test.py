@@ -3,6 +3,7 @@
 """Tests whose fault compare.py finds, how it survives engines that end or hang, and that the pages say what their data
 say."""
 import json
+import pathlib
 import sys
 import tempfile
 import unittest
@@ -19,6 +20,10 @@ print('{"name":"fake"}', flush=True)
 for number, line in enumerate(sys.stdin):
     if '"radius": 7' in line: sys.exit(1)
     print('{"verdict":"disjoint"}', flush=True)
+'''
+REPLAYS = '''#!/bin/sh
+echo '  m    {"verdict":"disjoint"}  <- wrong_disjoint'
+echo '  m-0  {"verdict":"intersecting"}'
 '''
 
 
@@ -54,6 +59,22 @@ class Compare(unittest.TestCase):
             other = {'a': dict(CYLINDER, radius=7), 'b': CYLINDER}
             _, answers = compare.ask([sys.executable, file.name], [PAIR, other, PAIR], '.')
         self.assertEqual(answers, [{'verdict': 'disjoint'}, {'crash': True}, {'verdict': 'disjoint'}])
+
+    def test_states_one_cause_only_if_all_counts_agree(self):
+        def words(both, left):
+            return compare.shared_in_words({'package': 'x 1', 'shared': {'wrong': 9, 'methods': {'m': both, 'n': left}}})
+        self.assertIn('one cause', words(9, 0))
+        for both, left in ((8, 0), (9, 1)):
+            self.assertNotIn('one cause', words(both, left))
+
+    def test_counts_the_wrong_verdicts_that_packaged_methods_share(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder, 'daylight')
+            program.write_text(REPLAYS)
+            program.chmod(0o700)
+            said = {'verdict': 'disjoint'}
+            judged = [(PAIR, {}, {}, said, ('disjoint', 'model')), (PAIR, {}, {}, said, None)]
+            self.assertEqual(compare.shared(program, ('m', 'm-0'), judged), {'wrong': 1, 'methods': {'m': 1, 'm-0': 0}})
 
     def test_pages_say_what_their_data_say(self):
         engines = [json.loads(line) for line in (compare.RESULTS / 'engines.jsonl').read_text().splitlines()]
