@@ -20,6 +20,8 @@ import sys
 import textwrap
 from collections import Counter, defaultdict
 
+import picture
+
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = HERE.parents[1] / 'docs/results'
 ENGINES = ('rapier', 'jolt', 'physx', 'havok', 'ammo', 'cannon', 'crashcat', 'oimo')
@@ -158,7 +160,8 @@ def summary(hello, package, judged):
         own_margin = min(map(abs, own['distance'])) / sum(lengths(pair)) if verdict == 'disjoint' else margin
         if found[1] == 'algorithm' and (worst is None or own_margin > worst['margin']):
             worst = {'margin': own_margin, 'pair': {k: pair[k] for k in 'ab'}, 'said': verdict,
-                     'truth': truth['verdict'], 'distance': truth['distance']}
+                     'truth': truth['verdict'], 'distance': truth['distance'],
+                     'proof': {k: truth[k] for k in ('direction', 'point') if k in truth}}
     times = [answer['ns'] for *_, answer, _ in judged if 'ns' in answer]
     return {
         'name': hello['name'], 'package': package, 'claim': hello['claim'], 'model': hello['model'],
@@ -288,12 +291,16 @@ def claim_in_words(row):
 
 def shared_in_words(row):
     wrong, ((same, both), (without, left)) = row['shared']['wrong'], row['shared']['methods'].items()
-    text = (f'{row["package"]} contains Bullet. Of its {wrong} wrong verdicts about two cylinders, the method `{same}` '
-            f'gives {both} too. It asks the packaged Bullet in double precision. `{without}` sets the collision margin '
-            f'to 0 and gives {left} of them.')
+    text = (f'{row["package"]} contains Bullet. The method `{same}`, which asks the packaged Bullet in double '
+            f'precision, gives {both} of the {wrong} wrong verdicts about two cylinders too. `{without}` sets the '
+            f'collision margin to 0 and gives {left} of them.')
     if both == wrong and left == 0:
         text += ' So all of them have one cause, the margin that rounds the rims.'
     return '\n## Shared with a packaged library\n\n' + textwrap.fill(text, 120, break_on_hyphens=False) + '\n'
+
+
+def picture_of(row):
+    return picture.svg(row['worst']['pair'], f'{row["name"]} returns {row["worst"]["said"]}')
 
 
 def page(rows):
@@ -330,14 +337,17 @@ def page(rows):
                        [[row['name'], *(row['extremes'][k] for k in ('answered', 'wrong', 'failed'))] for row in rows]))
     parts += [shared_in_words(row) for row in rows if 'shared' in row]
     parts.append('\n## The worst pair of each engine\n\nThe algorithm\'s wrong verdict with the largest margin. '
-                 '`daylight check --distance` proves the truth.\n\n')
+                 'The last line is the proof: a common point, or the '
+                 'direction\nnormal to a plane between both. `daylight check --distance` repeats it.\n\n')
     for row in rows:
         worst = row['worst']
         if not worst:
             parts.append(f'* {row["name"]}: none.\n')
             continue
+        pair, proof = (json.dumps(worst[k], separators=(',', ':')) for k in ('pair', 'proof'))
         parts.append(f'* {row["name"]} returns {worst["said"]}. The pair is {worst["truth"]}, its signed distance is '
-                     f'{worst["distance"][0]:.3g}.\n\n      {json.dumps(worst["pair"], separators=(",", ":"))}\n\n')
+                     f'{worst["distance"][0]:.3g}.\n\n  ![The pair of {row["name"]}](engines/{row["name"]}.svg)\n\n'
+                     f'      {pair}\n      {proof}\n\n')
     return ''.join(parts).rstrip('\n') + '\n'
 
 
@@ -358,6 +368,11 @@ def main():
         rows = run(options.daylight, options.cylinders, options.shapes, options.extremes, options.only, options.keep)
         pathlib.Path(options.out).write_text(''.join(json.dumps(row) + '\n' for row in rows))
         pathlib.Path(options.out).with_suffix('.md').write_text(page(rows))
+        folder = pathlib.Path(options.out).with_suffix('')
+        folder.mkdir(exist_ok=True)
+        for row in rows:
+            if row['worst']:
+                (folder / f'{row["name"]}.svg').write_text(picture_of(row))
     else:
         print(page([json.loads(line) for line in (RESULTS / 'engines.jsonl').read_text().splitlines()]), end='')
 
