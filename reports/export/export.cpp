@@ -299,8 +299,11 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, co
   to.axes = AxesGiven::as_they_are;
   to.program_name = guest_program_name(guest);
   const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
-  to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight. {}", to.program_name,
-                       as_it_does ? as_told : by_its_exit);
+  const std::set<std::string> packages = npm_packages(to.files);
+  to.how = fmt::format(
+      "`sh build.sh` {}runs `{}`, which asks it without daylight. {}",
+      packages.empty() ? "" : fmt::format("installs `{}` with npm, and ", fmt::join(packages, "`, `")),
+      to.program_name, as_it_does ? as_told : by_its_exit);
   to.program = guest_program(guest, p, method.claim());
   to.build = guest_build(guest, p.finding()->kind, beside.sources);
   return to;

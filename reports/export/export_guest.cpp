@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -16,6 +17,7 @@
 #include "oracles/methods/adapter.hpp"
 #include "reports/export/export_program.hpp"
 #include "reports/export/linked_libraries.hpp"
+#include "reports/export/node_program.hpp"
 #include "reports/export/program_text.hpp"
 
 namespace cyl {
@@ -169,6 +171,29 @@ std::string sent_command(const Guest& guest) {
   return without_folders(sent, guest);
 }
 
+/// The files that a command names.
+std::vector<SentFile> programs_of(const Guest& guest) {
+  std::vector<SentFile> programs;
+  for (const std::string& word : words_in(guest.what))
+    if (const auto sent = file_of_word(guest, word); sent && !sent->file.empty()) programs.push_back(*sent);
+  return programs;
+}
+
+/// Returns the lines of build.sh that install what Node.js programs import.
+std::string npm_install(const Guest& guest) {
+  std::string lines;
+  for (const SentFile& program : programs_of(guest)) {
+    std::string packages;
+    for (const std::string& package : npm_packages({&program, 1})) packages += ' ' + shell_quoted(package);
+    const std::string folder = shell_quoted(fs::path(program.name).parent_path().string());
+    if (!packages.empty())
+      lines +=
+          fmt::format("[ -d \"$here\"/{0}/node_modules ] || npm install --silent --prefix \"$here\"/{0}{1}\n",
+                      folder, packages);
+  }
+  return lines;
+}
+
 bool ends_itself(FindingKind kind) { return kind == FindingKind::crash || kind == FindingKind::hang; }
 
 }  // namespace
@@ -208,14 +233,15 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
 std::string guest_build(const Guest& guest, FindingKind kind, std::span<const std::string> sources) {
   std::string text = "#!/bin/sh\nset -e\nhere=$(cd -- \"$(dirname -- \"$0\")\" && pwd)\n";
   if (guest.kind == GuestKind::command)
-    return text + fmt::format(
-                      "# sh build.sh [COMMAND]: asks the program in this folder. COMMAND or "
-                      "$DAYLIGHT_COMMAND is run "
-                      "in the current folder instead.\n"
-                      "[ $# -gt 0 ] || set -- \"${{DAYLIGHT_COMMAND:-}}\"\n"
-                      "[ -n \"$1\" ] || {{ cd -- \"$here\"; set -- {}; }}\n"
-                      "exec python3 \"$here/reproduce.py\" \"$1\"\n",
-                      shell_quoted(sent_command(guest)));
+    return text + npm_install(guest) +
+           fmt::format(
+               "# sh build.sh [COMMAND]: asks the program in this folder. COMMAND or "
+               "$DAYLIGHT_COMMAND is run "
+               "in the current folder instead.\n"
+               "[ $# -gt 0 ] || set -- \"${{DAYLIGHT_COMMAND:-}}\"\n"
+               "[ -n \"$1\" ] || {{ cd -- \"$here\"; set -- {}; }}\n"
+               "exec python3 \"$here/reproduce.py\" \"$1\"\n",
+               shell_quoted(sent_command(guest)));
   const std::string library = shell_quoted(file_name(guest.what));
   text += fmt::format(
       "# sh build.sh [FILE]: builds reproduce.c and asks the plug-in FILE, else $DAYLIGHT_PLUGIN, else {}.\n"
@@ -241,9 +267,18 @@ std::vector<SentFile> guest_files(const Guest& guest, std::span<const std::strin
     if (sources.empty()) files.push_back({guest.what, file_name(guest.what)});
     return files;
   }
-  for (const std::string& word : words_in(guest.what))
-    if (const auto sent = file_of_word(guest, word); sent && !sent->file.empty()) files.push_back(*sent);
+  for (const SentFile& program : programs_of(guest))
+    for (const std::string& file : node_program(program.file).files)
+      files.push_back({fs::path(program.file).replace_filename(file).string(),
+                       fs::path(program.name).replace_filename(file).string()});
   return files;
+}
+
+std::set<std::string> npm_packages(std::span<const SentFile> files) {
+  std::set<std::string> packages;
+  for (const SentFile& file : files)
+    for (const std::string& package : node_program(file.file).packages) packages.insert(package);
+  return packages;
 }
 
 std::string guest_in_words(const Guest& guest) {

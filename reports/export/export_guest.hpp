@@ -2,6 +2,7 @@
 // A program that asks a guest about one pair without daylight: in C of a plug-in, in Python of a command.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,8 +33,12 @@ struct SentFile {
   std::string name;  ///< in the folder that is sent
 };
 
-/// Returns the sources. Without sources it returns the plug-in's library, or the files that a command names.
+/// Returns the sources. Without sources it returns the plug-in's library, or the files that a command names
+/// and those that these import (node_program.hpp).
 std::vector<SentFile> guest_files(const Guest& guest, std::span<const std::string> sources);
+
+/// Returns the npm packages that the files import: "cannon-es@0.20.0".
+std::set<std::string> npm_packages(std::span<const SentFile> files);
 
 /// Returns the plug-in's file, or the command, without a path of this machine.
 std::string guest_in_words(const Guest& guest);

@@ -167,6 +167,39 @@ TEST(Export, ItsSourceIsSentAndBuilt) {
   EXPECT_EQ(folder.run("DAYLIGHT_PLUGIN=other.so sh build.sh").status, 1) << "likewise";
 }
 
+TEST(Export, ANodeProgramIsSentWithItsImportsAndInstallsItsPackages) {
+  const Scratch scratch;
+  fs::create_directories(scratch.folder / "sub");
+  std::ofstream(scratch.folder / "sub/package.json")
+      << R"({"dependencies":{"@engines/round":"1.2.0","unused":"3.0.0"}})";
+  std::ofstream(scratch.folder / "sub/lines.mjs") << "export const answer = '{\"verdict\":\"disjoint\"}';\n";
+  std::ofstream(scratch.folder / "sub/mine.mjs") << "import { turn } from '@engines/round';\n"
+                                                    "import { answer } from './lines.mjs';\n"
+                                                    "import { createInterface } from 'node:readline';\n"
+                                                    "for await (const q of createInterface({ input: "
+                                                    "process.stdin })) console.log(turn(q, answer));\n";
+  // An npm that needs no network: it checks what it is asked, and makes the package.
+  const std::string npm =
+      "mkdir -p bin; cat >bin/npm <<'END'\n#!/bin/sh\n"
+      "case $5 in @engines/round@1.2.0) ;; *) exit 9 ;; esac\n"
+      "mkdir -p \"$4/node_modules/@engines/round\" && cd \"$4/node_modules/@engines/round\"\n"
+      "echo '{\"name\":\"@engines/round\",\"type\":\"module\",\"exports\":\"./i.js\"}' >package.json\n"
+      "echo 'export const turn = (q, answer) => answer;' >i.js\nEND\nchmod +x bin/npm; PATH=$PWD/bin:$PATH; ";
+  ASSERT_EQ(std::system(("cd " + shell_quoted(scratch.folder.string()) + " && " + npm +
+                         "npm install --silent --prefix sub @engines/round@1.2.0")
+                            .c_str()),
+            0);
+  Guest guest{GuestKind::command, "mine", "node sub/mine.mjs", scratch.folder.string()};
+  const auto methods = opened(guest);
+  const Export files =
+      make_export(methods, "mine", FindingKind::wrong_disjoint, asked_of(0), {&guest, 1}, {});
+  EXPECT_TRUE(has(files.issue, "installs `@engines/round@1.2.0` with npm")) << files.issue;
+  const Folder folder(files);
+  const Ran ran = folder.run(npm + "sh build.sh");
+  EXPECT_EQ(ran.status, 1) << ran.printed;
+  EXPECT_TRUE(has(ran.printed, "\nWRONG\n")) << ran.printed;
+}
+
 TEST(Export, AtTheEdgeOfTheClaimTheWorstIsShown) {
   const Scratch scratch;
   Guest guest{GuestKind::command, "", "while read -r q; do echo '{\"verdict\":\"disjoint\"}'; done",

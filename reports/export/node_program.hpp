@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a Node.js program needs beside itself, so that it runs in an empty folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cyl {
+
+struct NodeProgram {
+  std::vector<std::string> files;     ///< it and the files that it imports, relative to its folder
+  std::vector<std::string> packages;  ///< "name@version": those that it imports, of package.json beside it
+};
+
+/// Returns what a program (.mjs, .cjs or .js) imports by name or by "./". Another file imports nothing.
+NodeProgram node_program(const std::filesystem::path& file);
+
+}  // namespace cyl
