@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
+std::string content_of(const fs::path& file) {
   std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -28,12 +28,12 @@ NodeProgram node_program(const fs::path& file) {
   const std::string kind = file.extension();
   if (kind != ".mjs" && kind != ".cjs" && kind != ".js") return program;
   const fs::path folder = file.parent_path();
-  const nlohmann::json package = nlohmann::json::parse(text_of(folder / "package.json"), nullptr, false);
+  const nlohmann::json package = nlohmann::json::parse(content_of(folder / "package.json"), nullptr, false);
   const auto add = [](std::vector<std::string>& list, const std::string& entry) {
     if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
   };
   for (std::size_t i = 0; i < program.files.size(); ++i) {
-    const std::string text = text_of(folder / program.files[i]);
+    const std::string text = content_of(folder / program.files[i]);
     for (std::sregex_iterator found(text.begin(), text.end(), import_pattern), end; found != end; ++found) {
       const std::string name = (*found)[1];
       if (name.starts_with("./") && fs::is_regular_file(folder / name)) add(program.files, name.substr(2));

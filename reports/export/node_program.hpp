@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Node.js program needs beside itself, so that it runs in an empty folder.
+// Lists the files and packages that a Node.js program needs, so that it runs in an empty folder.
 #pragma once
 
 #include <filesystem>
