@@ -2,6 +2,7 @@
 #include "reports/export/export.hpp"
 
 #include <fmt/format.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -206,21 +207,29 @@ std::string other_in_words(const Trial& p, const Trial& other) {
          table_of(other.pair);
 }
 
+/// The system that gave the answer: "Linux x86_64".
+std::string system_in_words() {
+  utsname system;
+  return uname(&system) == 0 ? fmt::format("{} {}", system.sysname, system.machine) : "";
+}
+
+/// The headings are those that trackers ask for in a report of a bug.
 std::string issue(const Recipient& to, const Trial& p, const Method& method, const Trial* other) {
-  std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
+  std::string text =
+      fmt::format("# {}\n\n### Library and version\n\n{}. {}.\n\n", title(to, p), to.whom, system_in_words());
   if (within_claim(p))
     text +=
         "The claim quoted below allows this answer, because the solids are so close to touching. It may "
         "still "
         "be of interest.\n\n";
   text += fmt::format(
-      "**The question.** Do these solids, {}, meet? Heights are full heights. {}All numbers are exact "
+      "### Question\n\nDo these solids, {}, meet? Heights are full heights. {}All numbers are exact "
       "doubles.\n\n",
       solids_in_words(p.pair),
       is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "");
   text += table_of(p.pair);
-  text += fmt::format("\n**The answer.** {}\n", returned_text(p));
-  text += fmt::format("\n**The truth.** {}\n", truth_in_words(p));
+  text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p));
+  text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
   if (other) text += other_in_words(p, *other);
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);
   const bool repeats =
@@ -232,7 +241,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
           ? " It does so for the axes above. If these are not of unit length, it does so for the "
             "rounded axes that the library gets too."
           : "");
-  return text + fmt::format("\n**How to reproduce it.** {}\n", to.how) + to.closing;
+  return text + fmt::format("\n### Steps to reproduce\n\n{}\n", to.how) + to.closing;
 }
 
 constexpr std::string_view as_told = "It ends as described above.";
