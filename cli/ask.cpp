@@ -71,7 +71,7 @@ void add_ask(Program& program) {
   command.number("--seed N", options->seed, "seed; a campaign with the same seed draws the same pairs");
   command
       .option("--families LIST", options->families,
-              "families: names or prefixes, separated by commas; a leading '-' excludes")
+              "families: names or prefixes, separated by commas; a '-' before the list excludes")
       .default_text("all");
   command.option("--cases DIR", options->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");

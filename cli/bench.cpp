@@ -126,12 +126,14 @@ void add_bench(Program& program) {
       program.command("Measure", "bench", "Times each method on each family, and counts its wrong answers");
   auto options = std::make_shared<BenchArguments>();
   command.section("Methods");
-  command.option("--methods LIST", options->methods,
-                 "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt");
+  command.option(
+      "--methods LIST", options->methods,
+      "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt");
   add_guest_options(command, options->guests);
   command.section("Pairs");
-  command.option("--families LIST", options->families,
-                 "families: names or prefixes, separated by commas; a leading '-' excludes; 'all' for all");
+  command.option(
+      "--families LIST", options->families,
+      "families: names or prefixes, separated by commas; a '-' before the list excludes; 'all' for all");
   command.section("Limits");
   command
       .option("--min-time SECONDS", options->bench.min_time,

@@ -362,15 +362,16 @@ void add_campaign(Program& program) {
   command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
   command.section("Methods");
   command
-      .option("--methods LIST", arguments->methods,
-              "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt")
+      .option(
+          "--methods LIST", arguments->methods,
+          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
       .default_text("all");
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
   command.section("Pairs");
   command
       .option("--families LIST", arguments->families,
-              "families: names or prefixes, separated by commas; a leading '-' excludes")
+              "families: names or prefixes, separated by commas; a '-' before the list excludes")
       .default_text("all");
   command.option("--weights-from DIR", arguments->weights_from,
                  "run, or folder of runs; families with more findings there get more pairs");
@@ -390,7 +391,7 @@ void add_campaign(Program& program) {
   command.section("Self-check");
   command.flag(
       "--self-check,--alarm", arguments->self_check,
-      "plant known faults and fail if one is missed (default: in runs of 5 minutes or 3,000,000 pairs)");
+      "plant known faults; fail if one is missed (default: only from 5 minutes or 3,000,000 pairs on)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");

@@ -21,11 +21,11 @@ expect 2 'a library beyond its claim' "$daylight" "${run[@]}" --methods fcl-libc
 [[ $(grep -n '^CPU time' out | cut -d: -f1) -le 13 ]] || failed '13 lines'
 holds 'who is wrong' out '^wrong beyond the claim: [1-9] methods, [1-9][0-9]* answers$'
 holds 'who most' out '^  most: fcl-libccd[a-z0-9-]* [1-9]'
-holds 'the worst is named' out '^worst finding: fcl-libccd wrong_[a-z]+ \(contract\): daylight replay runs/fcl:[0-9]+$'
+holds 'the worst is named' out '^worst finding: fcl-libccd wrong_[a-z]+ \(beyond its claim\): daylight replay runs/fcl:[0-9]+$'
 worst=$(sed -n 's/^worst finding: .* //p' out)
 
 expect 2 'the worst stands' "$daylight" replay "$worst"
-holds 'it says so' out '^  finding of fcl-libccd, wrong_[a-z]+ \(contract\): stands$'
+holds 'it says so' out '^  finding of fcl-libccd, wrong_[a-z]+ \(beyond its claim\): stands$'
 holds 'the truth has a certificate' out '^  truth: (disjoint\. A plane with normal|intersecting\. The point)'
 grep -m 1 -oE '\{"a".*\}$' out >cases.jsonl
 expect 0 'without its method it does not' "$daylight" replay "$worst" --methods intersect

@@ -112,7 +112,7 @@ says 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
 says 'the worst from nowhere' 64 '' worst --method ode --from nowhere
 says 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9,]+ questions' \
   worst --method intersect --feature cap-rim --evaluations 20
-worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(contract\) \{.*\}'
+worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(beyond its claim\) \{.*\}'
 says 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
 mv out first
 says 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200

@@ -84,7 +84,7 @@ int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Me
   for (const LawFailure& c :
        find_violation_again(methods, all, arguments.reproduce, GateOptions{}.caps).failures) {
     fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
-               to_string(c.violation.severity), c.violation.what, format_pair(c.shrunk.value_or(c.pair)));
+               in_words(c.violation.severity), c.violation.what, format_pair(c.shrunk.value_or(c.pair)));
     violation |= c.violation.severity == Severity::contract;
   }
   if (!violation) fmt::print("no law is broken beyond the claim\n");

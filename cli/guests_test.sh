@@ -54,7 +54,7 @@ assert asked('decide') > 0 and asked('bad') == 0
 END
 holds 'campaign' out '^decide +400 +- +- '
 expect 2 'replay' "$daylight" replay runs/bad --methods bad
-holds 'replay' out 'finding of bad, crash \(contract\): stands$'
+holds 'replay' out 'finding of bad, crash \(beyond its claim\): stands$'
 holds 'replay' out '"failed":"crash","reason":"SIGABRT"'
 holds 'replay' out '"failed":"exception","reason":"no luck"'
 holds 'replay' out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'

@@ -55,12 +55,6 @@ class ErrorPrinter {
 
 bool fails(const JudgedFinding& f) { return f.finding.severity == Severity::contract; }
 
-std::string in_words(const Finding& finding) {
-  std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
-  if (finding.margin) text += ", " + margin_in_words(*finding.margin);
-  return text + ")";
-}
-
 std::string failing_lines(const OfflineJudge& judged) {
   std::string lines;
   for (const JudgedFinding& f : judged.findings()) {
@@ -68,7 +62,7 @@ std::string failing_lines(const OfflineJudge& judged) {
     Case kept = f.question;
     if (f.truth.verdict != Verdict::undecided) kept.truth = f.truth.verdict;
     kept.source = fmt::format("daylight judge, {}", kept.source.empty() ? kept.id : kept.source);
-    kept.note = fmt::format("{}: {}, answer {}, proof {}", judged.name(), in_words(f.finding),
+    kept.note = fmt::format("{}: {}, answer {}, proof {}", judged.name(), describe_finding(f.finding),
                             format_method_answer(f.answer), format_certificate(f.truth.certificate));
     lines += format_case(kept) + '\n';
   }
@@ -86,11 +80,11 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
   for (const GroupRecord& g : judged.groups()) worst[{g.severity, g.kind}].second += g.count;
   for (const auto& [key, value] : worst) {
     const auto& [f, count] = value;
-    fmt::print("\n{}: {} findings. The worst has the id {}", in_words(f->finding), count,
+    fmt::print("\n{}: {} findings. The worst has the id {}", describe_finding(f->finding), count,
                one_line(f->question.id));
     fmt::print("{}:\n", f->line == 0 ? "" : fmt::format(", {}:{}", one_line(options.answers), f->line));
     fmt::print("  {}\n  truth: {}. {}\n", format_pair(f->question.pair), to_string(f->truth.verdict),
-               cyl::in_words(f->truth.certificate));
+               in_words(f->truth.certificate));
     if (f->truth.verdict != Verdict::undecided)
       fmt::print("  distance: {} to {}\n", format_end(f->distance.lo), format_end(f->distance.hi));
     const std::string miss = f->finding.kind == FindingKind::bad_witness

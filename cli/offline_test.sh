@@ -40,7 +40,7 @@ expect 2 'answers in' "$daylight" judge answers.jsonl --pairs pairs.jsonl --keep
 counts out >judged
 diff campaign judged || failed 'judged otherwise than a campaign'
 [[ $(wc -l <judged) -gt 5 ]] || failed 'no table'
-holds 'the worst' out '^wrong_intersecting \(contract, margin .*: [0-9]+ findings\. The worst has the id [0-9]+, answers.jsonl:[0-9]+:$'
+holds 'the worst' out '^wrong_intersecting \(beyond its claim, margin .*: [0-9]+ findings\. The worst has the id [0-9]+, answers.jsonl:[0-9]+:$'
 holds 'its proof' out '^  truth: disjoint\. A plane with normal'
 holds 'what it said' out '^  balls: \{"verdict":"intersecting"\}$'
 holds 'its claim' out '^claim: right from 0\.001 size'

@@ -33,12 +33,6 @@ struct ReplayArguments {
   GuestOptions guests;
 };
 
-std::string describe_finding(const Finding& finding) {
-  std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
-  if (finding.margin) text += ", " + margin_in_words(*finding.margin);
-  return text + ")";
-}
-
 /// Returns what became of a stored finding: "stands", or why not.
 std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
                     const Trial& now) {
@@ -123,14 +117,14 @@ class Replayer {
     if (target.finding) {
       const std::string what = outcome(*target.finding, methods_, now);
       fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, to_string(target.finding->kind),
-                 to_string(target.finding->severity), what);
+                 in_words(target.finding->severity), what);
     }
     undecided_ += now.truth.verdict == Verdict::undecided;
   }
 
   void print(const LawViolation& b) const {
     fmt::print("  {} breaks law {} {} ({}): {}\n    {}\n", methods_[b.method]->name(), b.law->number,
-               b.law->name, to_string(b.violation.severity), b.violation.what, b.law->statement);
+               b.law->name, in_words(b.violation.severity), b.violation.what, b.law->statement);
     for (std::size_t i = 0; i < b.asked.size(); ++i)
       fmt::print("    pair   {}\n    answer {}\n", format_pair(b.asked[i].pair),
                  format_method_answer(b.answers[i]));
@@ -167,8 +161,9 @@ void add_replay(Program& program) {
       .required();
   command.section("Methods");
   command
-      .option("--methods LIST", arguments->methods,
-              "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt")
+      .option(
+          "--methods LIST", arguments->methods,
+          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
       .default_text("all");
   command
       .option("--laws LIST", arguments->laws,

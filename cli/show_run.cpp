@@ -39,7 +39,7 @@ void show_run(const std::string& folder, bool table) {
   fmt::print("{}", format_summary(run));
   if (const auto worst = worst_finding(run)) {
     fmt::print("worst finding: {} {} ({}): {} replay {}\n", worst->method, to_string(worst->kind),
-               to_string(worst->severity), own_command(),
+               in_words(worst->severity), own_command(),
                shell_quoted(fmt::format("{}:{}", folder, worst->id)));
     fmt::print("causes: {} triage {}\n", own_command(), shell_quoted(folder));
   }

@@ -179,12 +179,12 @@ class Searcher {
   void print(const std::unique_ptr<Method>& method, const std::string& name, const Worst& worst) {
     if (worst.failed) {
       const FailedPair& f = *worst.failed;
-      show(method, name, to_string(f.failure), "contract", f.pair, f.reason);
+      show(method, name, to_string(f.failure), in_words(Severity::contract), f.pair, f.reason);
     }
     if (worst.wrong) {
       const WrongPair& w = *worst.wrong;
       show(method, name, fmt::format("margin {:.4g} {}", w.finding.margin->lo, to_string(w.finding.kind)),
-           to_string(w.finding.severity), w.pair, {});
+           in_words(w.finding.severity), w.pair, {});
     }
     if (worst.slow) {
       const std::string times = usual_ && *usual_ > 0 ? fmt::format("{:.0f} times its usual {:.0f}",

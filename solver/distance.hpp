@@ -7,28 +7,30 @@
 
 namespace cyl {
 
-/// Steps of all searches for one answer. Apart: four of 60 on circles, 14 of 61 with rims, 72 projections.
-/// Overlapping: at most as many, and 160 along valleys of f.
+/// A bound on the steps for one answer. Solids apart need four searches of 60 steps on circles, 14 of 61 with
+/// rims, and 72 projections. An overlap needs at most as many, and 160 steps along valleys of f
+/// (distance.md).
 inline constexpr int distance_step_cap = 1326;
 
-/// Bound of rounding in f(direction) and in the distance of the points, times r0 + h0/2 + r1 + h1/2 +
-/// |Delta|; derived in distance.md, section 5.
+/// A bound on the rounding error of f(direction) and of the distance between the points. The unit is
+/// r0 + h0/2 + r1 + h1/2 + |Delta|, with Delta = b.center - a.center. It is derived in distance.md,
+/// section 5.
 inline constexpr double distance_error = 32 * unit_roundoff_error;
 
-/// Lengths in the unit, vectors in the frame of the cylinders. `invalid`: all of it 0.
+/// Lengths in the unit, vectors in the frame of the cylinders. If the verdict is `invalid`, all else is 0.
 struct Distance {
   /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved if value > error.
-  /// `intersecting`: decide() does not prove a gap either, so any gap is within the range that it leaves
-  /// undecided.
+  /// `intersecting` is not proved:
+  /// there may be a gap, but only one so small that decide() leaves it undecided.
   Verdict verdict = Verdict::undecided;
   /// The gap if > 0, else minus the penetration depth. It is -f(direction), rounded, and limited to the
   /// largest double.
   double value = 0;
-  /// A bound of the error of `value`. Always finite. The size is r0 + h0 + r1 + h1 and the roundings.
-  /// * Apart: |value - exact| <= error, always. It is the width between the plane perpendicular to
-  ///   `direction` that separates and the two points, plus rounding. It is within 1e-13 of size + |Delta|,
-  ///   and 2^-1071 if that is subnormal, on all pairs tried (distance.md, section 4). If it is more,
-  ///   pass it on to your user.
+  /// A bound of the error of `value`. Always finite. The size is r0 + h0 + r1 + h1 plus the radii of
+  /// the rounded edges.
+  /// * Apart: |value - exact| <= error, always. It is the distance of the two points minus the gap
+  ///   that `direction` proves, plus rounding. On all pairs tried it is at most 1e-13 * (size + |Delta|), or
+  ///   2^-1071 if that is subnormal (distance.md, section 4). If it is more, pass it on to your user.
   /// * Overlapping: the exact depth is at most -value + error, always. See `least`.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
@@ -36,13 +38,14 @@ struct Distance {
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center.
   /// * Apart: points of a and of b, |distance - value| <= error.
-  /// * Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction. One of
-  ///   them lies in its solid within rounding. The other lies in it within 1e-12 of size + |Delta| on all
-  ///   pairs tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle of
-  ///   1e-11 to 1e-13. In that case 1 in 3,200 is farther out, by up to 2.6e-9.
+  /// * Overlapping: the point of a that is deepest in b, and the point of b that is deepest in a. They
+  ///   differ by value * direction. One of
+  ///   them lies in its solid within rounding. The other lies in its solid within 1e-12 * (size + |Delta|) on
+  ///   all pairs tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle
+  ///   of 1e-11 to 1e-13. In that case 1 in 3,200 is farther out, by up to 2.6e-9.
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
-  /// Whether no direction is shallower by more than 4 error.
+  /// True if no direction has a depth that is smaller by more than 4 * error.
   /// * Overlapping: true is proved (distance.md, section 6). If false, such a direction may exist.
   ///   distance.md, section 4, has the rates by family.
   /// * Apart: false, because `error` is the bound.
@@ -50,8 +53,8 @@ struct Distance {
   int iterations = 0;  ///< at most distance_step_cap
 };
 
-/// 1. Symmetric in its arguments: value bit for bit, direction and points exchanged. For two equal solids any
-///    direction.
+/// 1. Symmetric in its arguments: an exchange keeps the value bit for bit, reverses the direction, and
+///    exchanges the points. Two equal solids may get any direction.
 /// 2. Exact under scaling by powers of two.
 /// Cost: 13 times intersect() if apart. 50 times if overlapping, with decide() in it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;

@@ -47,6 +47,12 @@ enum class Severity : unsigned char {
   unresolved   ///< not known: the truth is undecided
 };
 constexpr auto words_of(Severity) noexcept { return std::array{"contract", "resolution", "unresolved"}; }
+/// Returns the words of texts for people; to_string() has those of JSON and SQL.
+constexpr const char* in_words(Severity s) noexcept {
+  return s == Severity::contract     ? "beyond its claim"
+         : s == Severity::resolution ? "within its claim"
+                                     : "truth undecided";
+}
 
 /// Returns whether the method failed: exception, crash, hang, non-finite number, malformed answer or its own
 /// report.

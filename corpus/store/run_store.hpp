@@ -33,7 +33,7 @@ struct Counts {
   std::uint64_t contract = 0;    ///< wrong beyond its own claim
   std::uint64_t resolution = 0;  ///< wrong within its own claim
   std::uint64_t undecided = 0;
-  std::uint64_t nanoseconds = 0;       ///< time of the calls: of foreign ones, CPU time
+  std::uint64_t nanoseconds = 0;       ///< time of the calls; CPU time if they are foreign
   std::uint64_t hung_nanoseconds = 0;  ///< CPU time of the calls that hung, which is not in `nanoseconds`
 
   Counts& operator+=(const Counts& other);
@@ -48,7 +48,7 @@ struct MethodRecord {
   std::string name, version;
   double relative = 0, absolute = 0;
   std::string source;  ///< of the claim
-  unsigned share = 1;  ///< asked on one index in so many, and in disputes
+  unsigned share = 1;  ///< asked on one index in so many, and if another method is wrong
 
   bool operator==(const MethodRecord&) const = default;
   static constexpr const char* table = "method";
@@ -81,7 +81,7 @@ struct FindingRecord : FindingGroup {
   std::uint64_t index = 0;  ///< of the pair in the run
   std::uint64_t family_index = 0;
   std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
-  // The same of all findings of one pair, and stored once.
+  // The next four fields are stored once for each pair.
   std::string pair;     ///< one JSON line of corpus/pair_io
   std::string answers;  ///< JSON array of [answer, [name of a method that gave it, ..]], each answer once
   std::string truth;    ///< JSON object: verdict and certificate
@@ -114,7 +114,7 @@ struct GroupRecord : FindingGroup {
 
 /// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
 struct SelfCheckRecord {
-  std::uint64_t start = 0;  ///< the index of the run from which on it was looked for
+  std::uint64_t start = 0;  ///< the index in the run at which the search for it began
   int mutant = 0;           ///< its number
   std::string what;         ///< the fault in words
   bool found = false;
@@ -149,7 +149,7 @@ using Config = std::map<std::string, std::string>;
 
 /// The store of one run: FOLDER/run.sqlite. It has a write-ahead log with synchronous=NORMAL, so committed
 /// data survives the death of the process. A loss of power may lose the last batches, but not the
-/// consistency. Every call throws std::runtime_error that names the file if it cannot be read or written.
+/// consistency. Every call throws a std::runtime_error that names the file if it cannot be read or written.
 class RunStore {
  public:
   /// Creates folder and file. Throws if a run exists there.
@@ -165,7 +165,7 @@ class RunStore {
   std::vector<MethodRecord> methods() const;
   Progress progress() const;
   /// Adds a batch and the wall time since the last commit in one transaction. Throws if `batch.first` is not
-  /// the next index, because then another process writes to this run.
+  /// the next index, because then another process is writing to this run.
   void commit(const BatchRecord& batch, std::uint64_t milliseconds);
 
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
@@ -176,7 +176,7 @@ class RunStore {
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
 
-  void add(const SelfCheckRecord& check);            ///< one there with the same start is replaced
+  void add(const SelfCheckRecord& check);            ///< replaces a check with the same start
   std::vector<SelfCheckRecord> self_checks() const;  ///< by start
 
  private:

@@ -21,18 +21,19 @@ namespace cyl {
 /// On which pairs a method promises to decide, if both solids are valid and within its range.
 enum class DecisionScope : unsigned char {
   not_promised,
-  above_1e13,  ///< It decides if the gap is 1e-13 of the size or a ball of that radius lies in both (law 39).
+  above_1e13,  ///< It decides pairs with a gap of 1e-13 of the size, or with such a ball in both (law 39).
   all          ///< It decides every pair whose verdict can be proved.
 };
 
-/// The promise of a method: it is right if |distance| >= relative * size + absolute, and more.
+/// The promises of a method. The main one: it is right if |distance| >= relative * size + absolute.
 struct Claim {
   double relative = 0;
   double absolute = 0;      ///< a length in the scene's unit
   std::string_view source;  ///< the line of its documentation or source that states it
-  bool assumed = false;     ///< `source` is not a promise, but the best estimate from its sources
+  bool assumed = false;     ///< The library states no tolerance: `source` is the basis of an estimate.
   // No library documents any of these.
-  bool bitwise_stable = false;    ///< A change that keeps every digit of the pair keeps those of the answer.
+  bool bitwise_stable =
+      false;  ///< If a transformation is exact, such as scaling by 2^k, the answer keeps every digit.
   bool mirror_invariant = false;  ///< Its verdict never changes if the signs of coordinates are flipped.
   bool certified = false;         ///< Each yes and no comes with a witness that proves it.
   bool from_a_to_b = false;       ///< The directions it offers point from a to b.
@@ -57,8 +58,8 @@ class Method {
   /// n > 1 for costly methods: it gets one pair in n, and each pair on which another method is wrong beyond
   /// its claim.
   virtual unsigned share() const { return 1; }
-  /// Performs one-time initialization in the calling process, such as loading a library. ask() does this
-  /// itself if it has not been done. May fail like ask().
+  /// Performs one-time initialization in the calling process, such as loading a library. The first answer()
+  /// does the same if there was no call. May fail like answer().
   virtual void initialize() {}
   /// Returns whether it has a shape for such solids.
   virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
@@ -74,11 +75,13 @@ class Method {
       if (!supports(kind_of(*solid))) return declined_shape(kind_of(*solid));
     return declined_size();
   }
-  /// Returns the solids that it really tests. They differ if it rounds the edges of cylinders on purpose.
+  /// Returns the solids that it really tests. They differ from `pair` if it rounds the
+  /// edges of cylinders on purpose.
   virtual Pair modelled(const Pair& pair) const { return pair; }
   /// Returns its answer. It declines pairs that it does not support.
   MethodAnswer ask(const Pair& pair) { return supports(pair) ? answer(pair) : decline(pair); }
-  /// Returns whether it runs foreign code in processes of its own, so that it may be asked in this one.
+  /// Returns whether it runs foreign code in processes of its own, so that a call of ask() is
+  /// safe in this process.
   virtual bool is_out_of_process() const { return false; }
   /// Returns whether ask_many() costs less than a call of ask() for each pair.
   virtual bool has_batch_call() const { return is_out_of_process(); }
@@ -100,8 +103,8 @@ class Method {
     return {};
   }
   using DistanceCall = std::function<double(std::size_t)>;
-  /// As prepare_all(), for the signed distance and its witness. The function returns NaN if the method has no
-  /// distance. Many have none for overlapping solids.
+  /// Like prepare_all(), but the function computes the witness and returns the signed distance, or NaN if the
+  /// method has no distance. Many have none for overlapping solids.
   virtual DistanceCall prepare_distances(std::span<const Pair> pairs) {
     static_cast<void>(pairs);
     return {};

@@ -45,6 +45,11 @@ std::string margin_in_words(const Enclosure& margin) {
   return fmt::format("margin {:.3g} to {:.3g}", margin.lo, margin.hi);
 }
 
+std::string describe_finding(const Finding& finding) {
+  const std::string margin = finding.margin ? fmt::format(", {}", margin_in_words(*finding.margin)) : "";
+  return fmt::format("{} ({}{})", to_string(finding.kind), in_words(finding.severity), margin);
+}
+
 std::string miss_in_words(const Pair& pair, const MethodAnswer& answer) {
   const std::optional<double> miss = witness_miss(pair, answer);
   if (!miss) return {};

@@ -288,7 +288,7 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
 std::string explanation_text(const Explanation& e) {
   std::string text = fmt::format("{} answers {} for solids {}: {} ({})\n{}\n", e.method,
                                  one_line(format_method_answer(e.asked.answer())), distance_in_words(e.asked),
-                                 to_string(e.asked.finding()->kind), to_string(e.asked.finding()->severity),
+                                 to_string(e.asked.finding()->kind), in_words(e.asked.finding()->severity),
                                  format_pair(e.asked.pair));
   if (!e.regions.empty()) text += '\n' + regions_table(e);
   if (e.curve) text += curve_table(e);

@@ -108,7 +108,7 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   std::string beside;
   for (const JudgedFailure& f : gate.failures)
     if (f.method == method.name && !fails_gate(f))
-      beside += fmt::format("{}, {}: {}\n", f.known ? "known" : to_string(f.severity), law_title(*f.law),
+      beside += fmt::format("{}, {}: {}\n", f.known ? "known" : in_words(f.severity), law_title(*f.law),
                             details(view_of(f)));
   if (!method.remark.empty()) beside += one_line(method.remark) + '\n';
   if (!beside.empty()) suite.append_child("system-out").text() = xml(beside).c_str();

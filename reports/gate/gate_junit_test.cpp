@@ -62,7 +62,7 @@ TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {
   const std::string before = gate_junit(gate);
   const std::size_t out = before.find("<system-out>");
   ASSERT_NE(out, std::string::npos);
-  EXPECT_NE(before.find("resolution, law 3 ", out), std::string::npos);
+  EXPECT_NE(before.find("within its claim, law 3 ", out), std::string::npos);
   for (JudgedFailure& f : gate.failures) f.known = true;
   const std::string after = gate_junit(gate);
   EXPECT_EQ(occurrences(after, "<failure "), 0u);

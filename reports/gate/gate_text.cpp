@@ -269,8 +269,7 @@ std::string close_in_words(const GateMethod& method) {
   if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
   if (!rare.empty()) facts.push_back("Few pairs: " + named(rare, true) + '.');
   if (!empty.empty()) facts.push_back("No decided pair: " + named(empty, false) + '.');
-  return wrapped("", fmt::format("{} is {} close contacts whose margin exceeds its claim.", name,
-                                 success(decided, wrong, none_beyond))) +
+  return wrapped("", fmt::format("{} is {} close contacts.", name, success(decided, wrong, none_beyond))) +
          as_lines(facts);
 }
 

@@ -35,12 +35,12 @@ function Story({ report, b }: { report: FullReport; b: Bucket }) {
         </Fact>
         <Fact label="margins">{leastRange(b.margin)}</Fact>
         {b.share && (
-          <Fact label="share of pairs like it">
+          <Fact label="failures on similar pairs">
             {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>
           </Fact>
         )}
         <Fact label="feature">{safe(b.feature)}</Fact>
-        <Fact label="what still matters">{safe(b.coordinate)}</Fact>
+        <Fact label="depends on">{safe(b.coordinate)}</Fact>
         <Fact label="since earlier runs">
           <span title={about(b.standing ?? "")}>{standingLabel(b.standing)}</span>
         </Fact>
@@ -150,7 +150,7 @@ export function BucketView({
       />
       {b.merged.length > 0 && (
         <details class="print">
-          <summary>{plural(b.merged.length, "key")} of the same cause</summary>
+          <summary>{plural(b.merged.length, "finer key")} that this cause merges</summary>
           <ul>
             {b.merged.map((k) => (
               <li key={k}>{safe(k)}</li>

@@ -39,7 +39,8 @@ export function Heads({ of, told = "" }: { of: readonly string[]; told?: string 
 export const ClaimWords = ({ of }: { of: Claim }) => (
   <>
     {formatClaim(of)}
-    <span title={about(claimOrigin(of))}>, {claimOrigin(of)}</span>
+    {" "}
+    <span title={about(claimOrigin(of))}>({claimOrigin(of)})</span>
   </>
 );
 

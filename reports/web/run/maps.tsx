@@ -108,7 +108,7 @@ export function Maps({ report }: { report: FullReport }) {
       id="maps"
       title="Failure maps"
       lead={
-        "The share of wrong answers of a method, by properties of the pair. A stronger colour is a larger share. " +
+        "The share of wrong answers of a method, by properties of the pair. A stronger colour means a larger share. " +
         "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
         "A cell with a dot leads to a case."
       }>

@@ -107,7 +107,7 @@ async function leadsToWhatIsNew(page, report) {
   assert.equal(await copied(page, "Explain it"), `./daylight triage runs/sample --explain ${fresh.key}`);
   assert.equal(await page.locator("header nav a").count(), 3);
   const told = await page.locator("#new .facts dd").nth(4).innerText();
-  assert.equal(told, `${buckets.length - 1} and 1 only of earlier runs`);
+  assert.equal(told, `${buckets.length - 1} and 1 only in earlier runs`);
   const rank = ["new", "back", "known", "rare", "gone"];
   const order = (await bucketColumn(page, 4)).map((word) => rank.indexOf(word.trim()));
   assert.equal(order.length, buckets.length);

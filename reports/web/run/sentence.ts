@@ -28,11 +28,11 @@ export function sentenceOf(b: Bucket): string {
     amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
   switch (b.kind) {
     case "wrong_intersecting":
-      return `${who} report${s} two ${solids} as intersecting although they are ${amount}their size apart`;
+      return `${who} report${s} ${solids} as intersecting that are ${amount}their size apart`;
     case "wrong_disjoint":
       return largest === 0
-        ? `${who} report${s} two ${solids} as disjoint although they touch`
-        : `${who} report${s} two ${solids} as disjoint although they overlap by ${amount}their size`;
+        ? `${who} report${s} ${solids} as disjoint that touch`
+        : `${who} report${s} ${solids} as disjoint that overlap by ${amount}their size`;
     case "distance_outside":
       return `${who} return${s} a distance that is wrong by ${amount}the size`;
     case "bad_witness":

@@ -191,8 +191,8 @@ function HeatTable({ report }: { report: FullReport }) {
         </button>
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the
-          claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> neither <i class="heat empty" /> not
-          asked; a stronger colour is a larger share. Click a family to see which library fails most on it.
+          claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> none of these <i class="heat empty" /> not
+          asked; a stronger colour means a larger share. Click a family to see which library fails most on it.
         </span>
       </p>
       {family !== null && <WorstOf groups={all} family={family} all={() => choose(null)} />}
@@ -331,7 +331,7 @@ function Headline({ report }: { report: FullReport }) {
         <Fact label="kept as examples">{grouped(report.findings_kept)}</Fact>
         <Fact label="causes">
           {report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}
-          {earlier > 0 && <span class="soft"> and {grouped(earlier)} only of earlier runs</span>}
+          {earlier > 0 && <span class="soft"> and {grouped(earlier)} only in earlier runs</span>}
         </Fact>
         <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
           {bad.length} of {rows.length}
