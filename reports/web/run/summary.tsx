@@ -191,8 +191,9 @@ function HeatTable({ report }: { report: FullReport }) {
         </button>
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the
-          claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> none of these <i class="heat empty" /> not
-          asked; a stronger colour means a larger share. Click a family to see which library fails most on it.
+          claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> none of these{" "}
+          <i class="heat empty" /> not asked;
+          a stronger colour means a larger share. Click a family to see which library fails most on it.
         </span>
       </p>
       {family !== null && <WorstOf groups={all} family={family} all={() => choose(null)} />}
