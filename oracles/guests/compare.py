@@ -229,16 +229,16 @@ def run(daylight, cylinders, shapes, extremes, only, keep):
 
 
 def keep_findings(folder, engine, judged):
-    """Writes up to ten of the algorithm's wrong verdicts with the certificates, for exact.py: about the inner solids if
-    the engine said disjoint."""
+    """Writes up to ten wrong answers with the certificates, for exact.py: the algorithm's before the model's, verdicts
+    before distances. If the algorithm said disjoint, the proof is about the inner solids."""
     folder.mkdir(parents=True, exist_ok=True)
-    wrong = [x for x in judged if x[4] and x[4][1] == 'algorithm' and 'verdict' in x[3]]
-    wrong.sort(key=lambda x: (x[4][0] in ('distance', 'depth'), -min(map(abs, x[1]['distance']))))
+    wrong = [x for x in judged if x[4] and 'verdict' in x[3]]
+    wrong.sort(key=lambda x: (x[4][1] == 'model', x[4][0] in ('distance', 'depth'), -min(map(abs, x[1]['distance']))))
     with open(folder / f'{engine}.pairs.jsonl', 'w') as to, open(folder / f'{engine}.answers.jsonl', 'w') as proofs:
-        for pair, truth, own, answer, _ in wrong[:10]:
-            meet = own['verdict'] != 'disjoint' and answer['verdict'] == 'disjoint'
-            to.write(to_text([own['solids'] if meet else pair]))
-            proofs.write(json.dumps(own if meet else truth) + '\n')
+        for pair, truth, own, answer, (_, whose) in wrong[:10]:
+            inner = whose == 'algorithm' and own['verdict'] != 'disjoint' and answer['verdict'] == 'disjoint'
+            to.write(to_text([own['solids'] if inner else pair]))
+            proofs.write(json.dumps(own if inner else truth) + '\n')
 
 
 HEAD = """# Engines of npm
@@ -250,7 +250,7 @@ Extreme pairs have a section of their own.
     oracles/guests/compare.py run build/release/daylight --keep kept
     python/vectors/daylight_vectors/exact.py kept/physx.pairs.jsonl kept/physx.answers.jsonl
 
-The second command checks the proofs of up to ten faults of an engine with exact arithmetic.
+The second command checks the proofs of up to ten wrong answers of an engine with exact arithmetic.
 
 * *claim* is the tolerance, the relative part times the size of the pair. If an engine states none, we assume one.
 * *beyond claim* counts wrong verdicts that the tolerance does not cover. They are wrong even for the solid that the
