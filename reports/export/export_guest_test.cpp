@@ -12,6 +12,7 @@
 #include "base/scratch_test.hpp"
 #include "reports/export/export.hpp"
 #include "reports/export/exported_folder_test.hpp"
+#include "reports/export/node_program.hpp"
 
 namespace cyl {
 namespace {
@@ -198,6 +199,22 @@ TEST(Export, ANodeProgramIsSentWithItsImportsAndInstallsItsPackages) {
   const Ran ran = folder.run(npm + "sh build.sh");
   EXPECT_EQ(ran.status, 1) << ran.printed;
   EXPECT_TRUE(has(ran.printed, "\nWRONG\n")) << ran.printed;
+}
+
+TEST(NodeProgram, ImportsWhatLiesInItsFolderAndNoFileAbove) {
+  const Scratch scratch;
+  const fs::path at = scratch.folder / "in";
+  fs::create_directories(at / "lib");
+  std::ofstream(at / "package.json") << R"({"dependencies":{"a":"1.0.0","b":7,"c":"2.0.0"}})";
+  std::ofstream(scratch.folder / "above.mjs") << "";
+  std::ofstream(at / "lib/one.mjs") << "import './two.mjs'; import '../main.mjs'; import '../../above.mjs';";
+  std::ofstream(at / "lib/two.mjs") << "const a = require('a'), b = require(\"b\");";
+  std::ofstream(at / "main.mjs") << "export * from './lib/one.mjs'; import('./none.mjs'); import 'node:fs';";
+  const NodeProgram program = node_program(at / "main.mjs");
+  EXPECT_EQ(program.files, (std::vector<std::string>{"main.mjs", "lib/one.mjs", "lib/two.mjs"}));
+  EXPECT_EQ(program.packages, std::vector<std::string>{"a@1.0.0"});
+  std::ofstream(at / "package.json") << "[";
+  EXPECT_EQ(node_program(at / "main.mjs").packages.size(), 0u);
 }
 
 TEST(Export, AtTheEdgeOfTheClaimTheWorstIsShown) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <system_error>
 
 #include "base/json.hpp"
 
@@ -21,6 +22,13 @@ std::string content_of(const fs::path& file) {
 /// `import x from 'name'`, `import 'name'`, `import('name')` and `require('name')`.
 const std::regex import_pattern(R"((?:from|import|require)\s*\(?\s*['"]([^'"]+)['"])");
 
+/// Returns the versions that package.json in `folder` states, by package; empty if it states none.
+nlohmann::json dependencies_of(const fs::path& folder) {
+  const nlohmann::json package = nlohmann::json::parse(content_of(folder / "package.json"), nullptr, false);
+  const bool stated = package.is_object() && package.contains("dependencies");
+  return stated ? package["dependencies"] : nlohmann::json();
+}
+
 }  // namespace
 
 NodeProgram node_program(const fs::path& file) {
@@ -28,20 +36,22 @@ NodeProgram node_program(const fs::path& file) {
   const std::string kind = file.extension();
   if (kind != ".mjs" && kind != ".cjs" && kind != ".js") return program;
   const fs::path folder = file.parent_path();
-  const nlohmann::json package = nlohmann::json::parse(content_of(folder / "package.json"), nullptr, false);
+  const nlohmann::json dependencies = dependencies_of(folder);
   const auto add = [](std::vector<std::string>& list, const std::string& entry) {
     if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
   };
   for (std::size_t i = 0; i < program.files.size(); ++i) {
     const std::string text = content_of(folder / program.files[i]);
+    const fs::path beside = fs::path(program.files[i]).parent_path();
     for (std::sregex_iterator found(text.begin(), text.end(), import_pattern), end; found != end; ++found) {
       const std::string name = (*found)[1];
-      if (name.starts_with("./") && fs::is_regular_file(folder / name)) add(program.files, name.substr(2));
-      const std::string version =
-          package.is_object() && package.contains("dependencies") && package["dependencies"].is_object()
-              ? package["dependencies"].value(name, "")
-              : "";
-      if (!version.empty()) add(program.packages, name + '@' + version);
+      const std::string below = (beside / name).lexically_normal().string();
+      std::error_code none;
+      // A file above the folder is not sent: it would be written outside of the folder that is sent.
+      if (name.starts_with('.') && !below.starts_with("..") && fs::is_regular_file(folder / below, none))
+        add(program.files, below);
+      if (dependencies.contains(name) && dependencies[name].is_string())
+        add(program.packages, name + '@' + dependencies[name].get<std::string>());
     }
   }
   return program;

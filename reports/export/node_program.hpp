@@ -13,7 +13,8 @@ struct NodeProgram {
   std::vector<std::string> packages;  ///< "name@version": those that it imports, of package.json beside it
 };
 
-/// Returns what a program (.mjs, .cjs or .js) imports by name or by "./". Another file imports nothing.
+/// Returns what a program (.mjs, .cjs or .js) imports by the name of a package, or by a path to a file in its
+/// folder or below. Another file imports nothing.
 NodeProgram node_program(const std::filesystem::path& file);
 
 }  // namespace cyl
