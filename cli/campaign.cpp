@@ -400,9 +400,9 @@ void add_campaign(Program& program) {
   command.examples(
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
-      "Ctrl-C ends a campaign and keeps all complete batches. For campaign, 3 also means that the run "
-      "stopped\n"
-      "before its limit, and 1 also means that it missed a planted fault.");
+      "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign also means that the "
+      "run\n"
+      "stopped before its limit, and 1 also means that it missed a planted fault.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

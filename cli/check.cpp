@@ -221,8 +221,8 @@ void add_check(Program& program) {
       "'{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},\"b\":{\"center\":[3,0,0],"
       "\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check\n"
       "  daylight check --text --distance pairs.jsonl",
-      "For check, 0 means that all pairs are answered, 3 that some are undecided, and 65 that some are not "
-      "valid.");
+      "Exit code 0 of check means that all pairs are answered, 3 that some are undecided,\n"
+      "and 65 that some are not valid.");
   command.run([options] { return check(*options); });
 }
 

@@ -47,7 +47,7 @@ void add_explain(Program& program) {
   command.examples(
       "  daylight explain runs/latest:12\n"
       "  daylight explain failing.jsonl:3 --method fcl-libccd --json why.json",
-      "For explain, 64 also means that the method is not wrong on that pair. 2 and 3 do not occur.");
+      "Exit code 64 of explain also means that the method is not wrong on that pair. 2 and 3 do not occur.");
   command.run([arguments] { return explain_case(*arguments); });
 }
 

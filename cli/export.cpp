@@ -36,9 +36,9 @@ void add_export(Program& program) {
       "  daylight export runs/latest:12 --out upstream\n"
       "  daylight export failing.jsonl --method mine --plugin ./libmine.so --source mine.cpp --out sent",
       "daylight builds and runs the program first, and does not write one that does not show the failure.\n"
-      "For export, 64 also means that the method is not wrong on that pair, and 3 that the program could not "
-      "be\n"
-      "built here.");
+      "Exit code 64 of export also means that the method is not wrong on that pair, and 3 that the "
+      "program\n"
+      "could not be built here.");
   command.run([arguments] { return export_case(*arguments); });
 }
 

@@ -275,7 +275,7 @@ void add_gate(Program& program) {
   command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
       .option("--annotate FILE:LINE", arguments->annotate,
-              "place of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one guest")
+              "place of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
       .one_each();
   command.section("Baseline");
   command
@@ -302,9 +302,9 @@ void add_gate(Program& program) {
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
-      "For gate, 2 means broken laws, refuted verdicts, crashes, hangs, or a suppression that matches no "
-      "stored\n"
-      "case. 3 also means that a method gave no verdict on more than half of its pairs.");
+      "Exit code 2 of gate means broken laws, refuted verdicts, crashes, hangs, or a suppression that "
+      "matches no\n"
+      "stored case. 3 also means that a method gave no verdict on more than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

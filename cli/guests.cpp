@@ -66,7 +66,7 @@ void set_claim(Guest& guest, const std::vector<std::string>& claims) {
 void add_guest_options(Command& command, GuestOptions& options) {
   command
       .option("--plugin FILE", options.plugins,
-              "also ask this shared library (oracles/plugin.h); NAME=FILE names it")
+              "also ask this shared library, which implements oracles/plugin.h; NAME=FILE names it")
       .one_each();
   command
       .option("--command COMMAND", options.commands,
@@ -80,7 +80,7 @@ void add_guest_options(Command& command, GuestOptions& options) {
 
 void add_run_guests_option(Command& command, GuestOptions& options) {
   command.flag("--run-guests", options.of_runs,
-               "start the plug-ins and commands that a run names, even if they are new here");
+               "start the plug-ins and commands that the run names, even if they are new here");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

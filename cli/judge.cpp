@@ -167,11 +167,11 @@ void add_judge(Program& program) {
       "  daylight judge - --name mine < answers.jsonl",
       "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point if there "
       "is one. It is\n"
-      "{\"id\":\"17\",\"declined\":\"why\"} or {\"id\":\"17\",\"error\":\"why\"} if there is no verdict. For "
-      "judge, 2 also means\n"
-      "that answers failed, are missing, or were given twice, or that a line is not an answer. Such lines "
-      "are\n"
-      "reported by number and affect no others.");
+      "{\"id\":\"17\",\"declined\":\"why\"} or {\"id\":\"17\",\"error\":\"why\"} if there is no verdict. "
+      "Exit code 2\n"
+      "of judge also means that answers failed, are missing, or were given twice, or that a line is not "
+      "an\n"
+      "answer. Such lines are reported by number and affect no others.");
   command.run([options] { return judge_answers(*options); });
 }
 

@@ -44,9 +44,9 @@ void add_merge(Program& program) {
   command.examples(
       "  daylight merge runs/night/shard-* --out runs/night\n"
       "  daylight merge shard-0 shard-1 --out whole --table",
-      "For merge, 3 also means that a shard is missing or stopped before its limit, and 1 that daylight "
-      "failed in\n"
-      "a shard.");
+      "Exit code 3 of merge also means that a shard is missing or stopped before its limit, and 1 "
+      "that\n"
+      "daylight failed in a shard.");
   command.run([arguments] { return merge(*arguments); });
 }
 

@@ -59,7 +59,7 @@ void add_mutants(Program& program) {
       "that "
       "must be\ndetected at once. Each has its own --help. The program daylight-mutants, beside this one, "
       "runs "
-      "them.\nFor mutants, 2 means that a fault was not detected.");
+      "them.\nExit code 2 of mutants means that a fault was not detected.");
   command.run_unparsed([](const std::vector<std::string>& arguments) -> int { become_mutants(arguments); });
 }
 

@@ -97,8 +97,8 @@ void add_near(Program& program) {
   command.examples(
       "  daylight near parts.csv --clearance 0.01 --csv near.csv\n"
       "  daylight near --generate rods --count 100000 --verify",
-      "For near, 2 means that the referee refutes an answer or that a certificate fails, 3 that a pair is\n"
-      "undecided, and 65 that the file is not a list of solids.");
+      "Exit code 2 of near means that the referee refutes an answer or that a certificate fails,\n"
+      "3 that a pair is undecided, and 65 that the file is not a list of solids.");
   command.run([arguments] { return near(*arguments); });
 }
 

@@ -184,7 +184,7 @@ Option Command::number(const std::string& declared, Integer value, const std::st
 bool Command::given(const std::string& name) const { return app_->count(name) > 0; }
 
 void Command::examples(const std::string& lines, const std::string& remarks) {
-  app_->footer("Examples:\n" + lines + "\n\n" + remarks + (remarks.empty() ? "" : "\n\n") + exit_codes);
+  app_->footer("Examples:\n" + lines + "\n\n" + exit_codes + (remarks.empty() ? "" : "\n\n") + remarks);
 }
 
 void Command::run(std::function<int()> work) {

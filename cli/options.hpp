@@ -70,7 +70,7 @@ class Command {
 
   bool given(const std::string& name) const;  ///< whether the command line has this option
 
-  /// Ends --help with these examples, remarks, and the table of exit codes.
+  /// Ends --help with these examples, the table of exit codes, and the remarks on both.
   void examples(const std::string& lines, const std::string& remarks = "");
 
   /// Sets the work of this command, which returns the exit code.

@@ -175,7 +175,7 @@ void add_replay(Program& program) {
   command.examples(
       "  daylight replay runs/latest:12\n"
       "  daylight replay corpus/cases/reported.jsonl --methods decide,fcl",
-      "For replay, 2 means that a method is still wrong beyond its claim.");
+      "Exit code 2 of replay means that a method is still wrong beyond its claim.");
   command.run([arguments] { return Replayer(*arguments).run(); });
 }
 

@@ -158,9 +158,10 @@ void add_scene(Program& program) {
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html\n"
       "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
-      "For scene, 2 means that the referee refutes a recommended answer, or that --prove shows contact of "
-      "links\n"
-      "that the SRDF disables as \"Never\". 3 also means that --prove left a pair open, that shapes were "
+      "Exit code 2 of scene means that the referee refutes a recommended answer, or that --prove shows "
+      "contact of\n"
+      "links that the SRDF disables as \"Never\". 3 also means that --prove left a pair open, that shapes "
+      "were "
       "not\n"
       "examined, that pairs are near only by the bound of a box or mesh, or that joints were not moved.");
   command.run([arguments] { return study(*arguments); });

@@ -199,9 +199,9 @@ void add_triage(Program& program) {
       "RUN/buckets/ has the simplest pair of each cause. It has the worst pair (.worst.jsonl) if a search "
       "found\n"
       "one worse than the findings. Guests are those of the run, or those of --plugin and --command.\n"
-      "For triage, 2 means that a cause beyond a claim is not suppressed. 3 also means that findings remain "
-      "to be\n"
-      "examined.");
+      "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "
+      "findings\n"
+      "remain to be examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
     return !arguments->explained.empty()   ? explain_bucket(*arguments)

@@ -82,8 +82,8 @@ void add_versions(Program& program) {
   command.examples(
       "  daylight versions --npm @dimforge/rapier3d-compat --from 0.11 --to latest\n"
       "  daylight versions --plugin ./libmine-1.0.so --plugin ./libmine-1.1.so",
-      "For versions, 2 means that a version is wrong beyond its claim, and 3 that a version could not be "
-      "asked.");
+      "Exit code 2 of versions means that a version is wrong beyond its claim, and 3 that a version\n"
+      "could not be asked.");
   command.run([options]() -> int { become_versions(*options); });
 }
 

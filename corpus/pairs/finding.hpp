@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faults of an answer, as plain data. compare() of oracles/trial finds them.
+// The faults of an answer, as plain data. compare() of oracles/trial finds those of one
+// answer. The caller finds those that need several, such as nondeterminism.
 #pragma once
 
 #include <array>

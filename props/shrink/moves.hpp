@@ -33,9 +33,9 @@ Pairs axes(const Pair& p);
 Pairs centres(const Pair& p);
 /// Rounds some numbers together to integers and to few digits.
 Pairs roundings(const Pair& p);
-/// Makes one of the 16 numbers simpler.
+/// Makes one of the 18 numbers simpler.
 Pairs one_number(const Pair& p, std::size_t which);
-/// Makes lengths equal to each other.
+/// Makes one radius or height equal to another, or all of them.
 Pairs equalities(const Pair& p);
 
 /// Adds the pair with one number of it solved for the distance `kept`: that coordinate of b's centre, and
