@@ -47,21 +47,10 @@ std::string program_of(const std::string& target) {
 }
 
 std::string fuzz_numbers(const FuzzProgress& p) {
-  std::uint64_t executions = 0;
-  double cpu = 0;
-  std::size_t features = 0, first = 0;
-  unsigned deaths = 0;
-  for (const WorkerProgress& w : p.workers) {
-    executions += w.executions;
-    cpu += w.cpu_seconds;
-    features = std::max(features, w.features);
-    first = std::max(first, w.first_features);
-    deaths += w.deaths;
-  }
-  return fmt::format(
-      "{} executions, {:.0f} a CPU second; {} features, {} new; {} strata; findings {}, deaths {}",
-      executions, static_cast<double>(executions) / std::max(1e-3, cpu), features, features - first, p.strata,
-      p.findings, deaths);
+  const double seconds = std::max(1e-3, static_cast<double>(p.elapsed.count()) / 1000);
+  return fmt::format("{} executions, {:.0f} a second; {} features; {} strata; findings {}, deaths {}",
+                     p.executions, static_cast<double>(p.executions) / seconds, p.features, p.strata,
+                     p.findings, p.deaths);
 }
 
 int fuzz(const FuzzArguments& arguments) {
@@ -111,12 +100,12 @@ void add_fuzz(Program& program) {
               "core (solver, laws, referee), seed_methods (documents), xcheck (libraries)")
       .one_of({"core", "seed_methods", "xcheck"});
   command.section("Limits");
-  command.number("--jobs N", arguments->jobs, "worker processes", 1, 1024);
+  command.number("--jobs N", arguments->jobs, "processes side by side", 1, 1024);
   command.section("Output");
   command.option("--out DIR", arguments->out, "run folder; an existing one continues with its corpus")
       .default_text("runs/fuzz-<date-time>");
   command.section("Input");
-  command.number("--seed N", arguments->seed, "seed from which the seeds of the workers are drawn")
+  command.number("--seed N", arguments->seed, "seed from which the seeds of the jobs are drawn")
       .default_text("random");
   command.option("--program FILE", arguments->program,
                  "another executable of the target, built with libFuzzer");

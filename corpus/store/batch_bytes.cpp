@@ -17,8 +17,8 @@ struct nlohmann::adl_serializer<std::optional<cyl::Enclosure>> {
   }
   static void from_json(const json& from, std::optional<cyl::Enclosure>& margin) {
     if (from.empty()) return;
-    margin.emplace(std::bit_cast<double>(from.at(0).get<std::uint64_t>()),
-                   std::bit_cast<double>(from.at(1).get<std::uint64_t>()));
+    margin = cyl::Enclosure{std::bit_cast<double>(from.at(0).get<std::uint64_t>()),
+                            std::bit_cast<double>(from.at(1).get<std::uint64_t>())};
   }
 };
 

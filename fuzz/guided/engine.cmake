@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# The fuzz targets as programs that search: fuzz_X_libfuzzer for each X of `fuzz_targets`. Included by the project, for
-# clang, and by oss-fuzz/, which brings engine and sanitizers itself (LIB_FUZZING_ENGINE, CXXFLAGS).
+# The fuzz targets as programs that search: fuzz_X_libfuzzer for each X of `fuzz_targets`. The project includes it, and so
+# does oss-fuzz/, which brings engine and sanitizers itself (LIB_FUZZING_ENGINE, CXXFLAGS). Without clang, the same sources
+# become programs that replay files, so that every build shows whether the lists below are complete.
 set(top ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(foreign "/(bullet|ccd|fcl|mujoco|nlopt|ode)_method\\.cpp$")
 # External methods, and what triage asks.
-set(unused "/(all_methods|guest|guest_protocol|command_method|plugin_method|algorithm_groups|mechanism|cells|replay|probe)\\.cpp$")
+set(unused "/(all_methods|guest|guest_protocol|command_method|plugin_method|algorithm_groups|mechanism|cells|hangs_on_sums|replay|probe)\\.cpp$")
 set(guided ${top}/fuzz/guided/counters.cpp ${top}/fuzz/guided/mutator_target.cpp)
 file(GLOB tested CONFIGURE_DEPENDS ${top}/solver/*.cpp ${top}/solver/detail/*.cpp ${top}/solver/literature/*.cpp)
 file(GLOB checking CONFIGURE_DEPENDS ${top}/oracles/*/*.cpp ${top}/props/laws/*laws.cpp ${top}/props/laws/examine.cpp)
@@ -17,7 +18,7 @@ if(sources_without)
   list(REMOVE_ITEM adapters ${absent})
 endif()
 foreach(part base/json base/process/child base/process/confine base/process/supervised_process base/process/process
-             corpus/pairs/method_answer corpus/pairs/pair_io corpus/pairs/truth_io
+             corpus/pairs/method_answer corpus/pairs/pair_io corpus/pairs/size_range corpus/pairs/truth_io
              fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
   list(APPEND checking ${top}/${part}.cpp)
 endforeach()
@@ -26,7 +27,7 @@ function(fuzz_part part)
   target_include_directories(${part} PRIVATE ${top})
   target_link_libraries(${part} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt-header-only)
   target_compile_definitions(${part} PRIVATE DAYLIGHT_VERSION="${PROJECT_VERSION}" DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
-  if(NOT DEFINED ENV{LIB_FUZZING_ENGINE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT DEFINED ENV{LIB_FUZZING_ENGINE})
     target_compile_options(${part} PRIVATE -g -fsanitize=address,undefined -fno-sanitize-recover=all)
   endif()
 endfunction()
@@ -55,6 +56,21 @@ function(fuzz_program program target)
   endif()
 endfunction()
 
+set(foreign_libraries NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY} ${CCD_LIBRARY} ${ODE_LIBRARY} ${MUJOCO_LIBRARY})
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT DEFINED ENV{LIB_FUZZING_ENGINE})
+  add_library(fuzz_listed OBJECT ${tested} ${checking} ${guided} ${top}/fuzz/guided/replay_main.cpp)
+  target_compile_options(fuzz_listed PRIVATE -O0)
+  fuzz_part(fuzz_listed)
+  foreach(target ${fuzz_targets})
+    add_executable(fuzz_${target}_listed ${top}/fuzz/guided/fuzz_${target}_target.cpp)
+    fuzz_part(fuzz_${target}_listed)
+    target_link_libraries(fuzz_${target}_listed PRIVATE fuzz_listed ${MPFI} ${MPFR} ${GMP} ${SECCOMP})
+  endforeach()
+  target_sources(fuzz_xcheck_listed PRIVATE ${adapters})
+  target_link_libraries(fuzz_xcheck_listed PRIVATE ${foreign_libraries})
+  return()
+endif()
+
 fuzz_objects(fuzz_tested "${tested}" fuzz_checking "${checking}")
 foreach(target ${fuzz_targets})
   fuzz_program(fuzz_${target}_libfuzzer ${target} ${guided})
@@ -62,8 +78,7 @@ foreach(target ${fuzz_targets})
 endforeach()
 if(TARGET fuzz_xcheck_libfuzzer)
   target_sources(fuzz_xcheck_libfuzzer PRIVATE ${adapters})
-  target_link_libraries(fuzz_xcheck_libfuzzer PRIVATE NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY} ${CCD_LIBRARY} ${ODE_LIBRARY}
-                                              ${MUJOCO_LIBRARY})
+  target_link_libraries(fuzz_xcheck_libfuzzer PRIVATE ${foreign_libraries})
 endif()
 
 # The core target from the mutated copies (DAYLIGHT_MUTANT selects one): as we search, and as libFuzzer does by itself,

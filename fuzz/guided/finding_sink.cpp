@@ -36,29 +36,29 @@ FindingSink::FindingSink(std::string_view target)
       abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
   if (out_.empty()) return;
   std::filesystem::create_directories(out_);
-  keep_visited(out_ + "/visited");
-  for (const char* folder : {"findings", "undecided"}) {
+  for (const char* folder : {"findings", "undecided"})
     std::filesystem::create_directories(out_ + "/" + folder);
-    for (const auto& entry : std::filesystem::directory_iterator(out_ + "/" + folder))
-      known_.insert(std::string(folder) + "/" + entry.path().filename().string());
-  }
+  keep_visited(out_ + "/visited");
 }
 
-bool FindingSink::is_new(const char* folder, const std::string& letters) {
-  return known_.insert(std::string(folder) + "/" + letters).second;
-}
-
-void FindingSink::keep(const char* folder, const std::string& letters, const Pair& pair) const {
+// Several processes may share the folder. The one that creates the file has the finding.
+bool FindingSink::keep_first(const std::string& name, const Pair& pair) {
+  if (!known_.insert(name).second) return false;
+  if (out_.empty()) return true;
+  std::FILE* const file = std::fopen((out_ + "/" + name).c_str(), "wbx");
+  if (!file) return false;
   const Record record = encode_record(pair);
-  std::ofstream(out_ + "/" + folder + "/" + letters, std::ios::binary)
-      .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
+  std::fwrite(record.data(), 1, record.size(), file);
+  std::fclose(file);
+  return true;
 }
 
 void FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                               std::string_view what) {
   const std::string key = bucket_of(method, failure, pair), letters = letter_hash(key);
   ++findings_;
-  if (!abort_ && !is_new("findings", letters)) return;
+  const bool first = keep_first("findings/" + letters, pair);
+  if (!abort_ && !first) return;
   Case c;
   c.pair = pair;
   c.id = letters;
@@ -66,19 +66,14 @@ void FindingSink::add_finding(const Pair& pair, std::string_view method, std::st
   c.note = key + ": " + std::string(what);
   const std::string line = format_case(c);
   std::fprintf(stderr, "%s\n", line.c_str());
-  if (!out_.empty()) {
-    keep("findings", letters, pair);
-    std::ofstream(out_ + "/findings.jsonl", std::ios::app) << line << '\n';
-  }
+  if (first && !out_.empty()) std::ofstream(out_ + "/findings.jsonl", std::ios::app) << line + '\n';
   if (!abort_) return;
   std::fprintf(stderr, "DEDUP_TOKEN: %s\n", letters.c_str());
   std::abort();
 }
 
 void FindingSink::add_undecided(const Pair& pair, const Stratum& stratum) {
-  if (out_.empty()) return;
-  const std::string letters = letter_hash(to_string(stratum));
-  if (is_new("undecided", letters)) keep("undecided", letters, pair);
+  if (!out_.empty()) keep_first("undecided/" + letter_hash(to_string(stratum)), pair);
 }
 
 }  // namespace cyl

@@ -4,7 +4,7 @@
 //
 //   DAYLIGHT_FUZZ_OUT=FOLDER   findings.jsonl (a line of a case file each), findings/ and undecided/
 //                              (records, inputs of the target, named by their letters), visited
-//                              (visited.hpp); kept from run to run
+//                              (visited.hpp); processes may share it
 //   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first finding, for services
 //                              that run targets (also by the macro of that name)
 // Without a folder, the first finding of each bucket is printed, and undecided pairs are skipped.
@@ -31,8 +31,7 @@ class FindingSink {
   std::size_t findings() const { return findings_; }
 
  private:
-  bool is_new(const char* folder, const std::string& letters);
-  void keep(const char* folder, const std::string& letters, const Pair& pair) const;
+  bool keep_first(const std::string& name, const Pair& pair);
 
   std::string target_, out_;
   bool abort_;

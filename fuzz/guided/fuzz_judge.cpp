@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/guided/fuzz_judge.hpp"
 
+#include <atomic>
+
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
 #include "oracles/trial/decidable_margin.hpp"
@@ -23,7 +25,7 @@ FuzzJudge::FuzzJudge(const Record& record, std::span<const MethodAnswer> offered
                      FindingSink& sink, const Distance* measured)
     : trial_(decode_record(record), Truth{}), draws_(text(record), 0, 0), sink_(sink) {
   trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
-  ++visited().executions;
+  std::atomic_ref(visited().executions).fetch_add(1, std::memory_order_relaxed);
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = judge(trial_.pair, offered, wide_bits_cap);

@@ -2,23 +2,27 @@
 #include "fuzz/guided/fuzzing.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
-#include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 #include "base/exit_code.hpp"
+#include "base/process/child.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "fuzz/guided/fuzz_engine.hpp"
+#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
 #include "fuzz/guided/visited.hpp"
 #include "oracles/trial/bucket.hpp"
@@ -34,13 +38,49 @@ using std::chrono::seconds;
 
 constexpr milliseconds poll_time{100};
 constexpr seconds look_interval{1};
-/// After being asked to end: an input takes a millisecond.
-constexpr seconds end_cap{20};
+/// Of one input, which takes a millisecond.
+constexpr seconds input_cap{25};
 constexpr seconds merge_cap{600};
+/// Deaths of jobs without an input that explains one, before the harness fails.
+constexpr std::size_t unexplained_cap = 3;
 /// Findings and strata that a report names.
 constexpr std::size_t named_cap = 20;
+/// Exit code of an engine that could not be run.
+constexpr int cannot_run_code = 127;
+/// Bytes at the end of a log that an error quotes.
+constexpr std::size_t quoted_cap = 300;
 
-/// Findings by their ids, those of earlier runs in the same folder aside.
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Returns the number after the last `word`, or 0 if there is none.
+std::size_t last_number(std::string_view text, std::string_view word) {
+  const std::size_t at = text.rfind(word);
+  std::size_t number = 0;
+  if (at != text.npos) std::from_chars(text.data() + at + word.size(), text.data() + text.size(), number);
+  return number;
+}
+
+/// Returns the line of a log with the cause of a process's death, as sanitizers and the engine write it.
+std::string reason_in(const std::string& log) {
+  for (const std::string_view word : {"SUMMARY: ", "ERROR: "}) {
+    const std::size_t at = log.rfind(word);
+    if (at != log.npos) return log.substr(at, log.find('\n', at) - at);
+  }
+  return "no reason given";
+}
+
+/// Findings by their ids. findings.jsonl keeps those of earlier runs in the folder.
 class Findings {
  public:
   explicit Findings(const fs::path& out) : file_(out / "findings.jsonl") {
@@ -54,9 +94,8 @@ class Findings {
     lines_.push_back(format_case(c));
     if (known_.insert(c.id).second) std::ofstream(file_, std::ios::app) << lines_.back() << '\n';
   }
-  /// Adds those that an engine has written in its folder.
-  void add_all(const fs::path& folder) {
-    std::ifstream in(folder / "findings.jsonl");
+  void add_all(const fs::path& file) {
+    std::ifstream in(file);
     CaseReader reader(in);
     while (const auto line = reader.next())
       if (line->value) add(*line->value);
@@ -72,132 +111,180 @@ class Findings {
 class Run {
  public:
   Run(const FuzzOptions& options, const std::function<void(const FuzzProgress&)>& on_progress)
-      : options_(options), on_progress_(on_progress), out_(options.out), findings_(out_) {}
+      : options_(options),
+        on_progress_(on_progress),
+        out_(fs::absolute(options.out)),
+        unfinished_(out_ / "unfinished"),
+        findings_(out_) {}
 
   FuzzSummary run() {
     const StopSignals signals;
     try {
-      for (unsigned k = 1; k <= options_.jobs; ++k) engines_.push_back(std::make_unique<Engine>(options_, k));
+      if (fs::exists(unfinished_)) finish();
       fuzz();
-      end_all();
-      merge();
+      finish();
     } catch (const std::runtime_error& error) {
       summary_.harness_failure = error.what();
+      look();
+      name_strata();
     }
-    look();
-    summary_.interrupted = interrupted_;
     summary_.findings = findings_.lines();
-    name_strata();
-    std::set<std::string> undecided;
-    for (const auto& engine : engines_)
-      for (const fs::path& file : files_in(engine->findings() / "undecided"))
-        undecided.insert(file.filename());
-    summary_.undecided = undecided.size();
     return std::move(summary_);
   }
 
  private:
   void fuzz() {
-    const auto start = Clock::now();
-    auto looked = start, exchanged = start;
-    while (Clock::now() - start < options_.budget) {
-      if (StopSignals::asked()) {
-        interrupted_ = true;
-        break;
-      }
+    for (const char* folder : {"died", "jobs"}) fs::create_directories(unfinished_ / folder);
+    fs::create_directories(corpus_);
+    // The engine ends if no input of its corpus runs any tested code. This one is not a pair.
+    if (fs::is_empty(corpus_))
+      std::ofstream(corpus_ / "zeros", std::ios::binary) << std::string(record_size, '\0');
+    const std::uint64_t seed = 1 + options_.seed % 0x7fffffff;  // 0 asks for a random one
+    const std::string log = unfinished_ / "log";
+    const auto engine = start({corpus_, fmt::format("-fork={}", options_.jobs), fmt::format("-seed={}", seed),
+                               "-ignore_crashes=1", "-ignore_timeouts=1", "-ignore_ooms=1", "-len_control=0",
+                               "-reduce_inputs=0", "-print_pcs=0", "-entropic=0"},
+                              log);
+    const auto begin = Clock::now();
+    auto looked = begin;
+    while (Clock::now() - begin < options_.budget && !summary_.interrupted) {
       std::this_thread::sleep_for(poll_time);
-      for (const auto& engine : engines_)
-        if (const auto found = engine->replace_dead()) findings_.add(*found);
-      if (Clock::now() - exchanged >= options_.exchange_interval) {
-        exchanged = Clock::now();
-        exchange();
-      }
-      if (Clock::now() - looked < look_interval) continue;
+      summary_.interrupted = StopSignals::asked();
+      const bool ended = engine->advance();
+      if (!ended && Clock::now() - looked < look_interval) continue;
       looked = Clock::now();
-      summary_.progress.elapsed = duration_cast<milliseconds>(looked - start);
+      summary_.progress.elapsed = duration_cast<milliseconds>(looked - begin);
       look();
+      if (ended || unexplained_deaths())
+        throw std::runtime_error(fmt::format("the engine {}; {} has: {}",
+                                             ended ? "ended with " + how_it_ended(engine->status())
+                                                   : "loses its jobs without an input that explains it",
+                                             log, end_of(log)));
       if (on_progress_) on_progress_(summary_.progress);
     }
-    summary_.progress.elapsed = duration_cast<milliseconds>(Clock::now() - start);
+    engine->kill_now();  // with its jobs, whose corpora remain
+    engine->wait();
+    summary_.progress.elapsed = duration_cast<milliseconds>(Clock::now() - begin);
   }
 
-  // The engine takes in what is new in its folder. Files are named by their content.
-  void exchange() {
-    for (const auto& from : engines_)
-      for (const fs::path& file : files_in(from->corpus())) {
-        if (!exchanged_.insert(file.filename()).second) continue;
-        for (const auto& to : engines_) {
-          std::error_code taken;  // by a worker that found the same: as well
-          if (to != from) fs::copy_file(file, to->corpus() / file.filename(), taken);
-        }
-      }
+  /// Takes over all that is in unfinished/, and removes it.
+  void finish() {
+    look();
+    name_strata();
+    summary_.undecided = files_in(unfinished_ / "undecided").size();
+    merge();
+    fs::remove_all(unfinished_);
   }
 
   void look() {
     FuzzProgress& progress = summary_.progress;
-    progress.workers.clear();
-    strata_ = {};
-    for (const auto& engine : engines_) {
-      engine->look();
-      progress.workers.push_back(engine->progress());
-      findings_.add_all(engine->findings());
-      const Visited seen = read_visited(engine->findings() / "visited");
-      for (std::size_t i = 0; i < strata_.size(); ++i) strata_[i] |= seen.strata[i];
-    }
+    const std::string log = text_of(unfinished_ / "log");
+    const Visited seen = read_visited(unfinished_ / "visited");
+    progress.executions = seen.executions;
+    progress.features = last_number(log, " ft: ");
+    findings_.add_all(unfinished_ / "findings.jsonl");
+    for (const fs::path& file : files_in(unfinished_ / "died"))
+      if (known_deaths_.insert(file.filename()).second) add_death(file);
+    progress.deaths = known_deaths_.size();
+    strata_ = seen.strata;
     progress.strata = 0;
     for (std::size_t i = 0; i < strata_.size(); ++i)
       progress.strata += strata_[i] != 0 && can_occur(stratum_at(i));
     progress.findings = findings_.lines().size();
   }
 
-  void end_all() {
-    for (const auto& engine : engines_) engine->ask_to_end();
-    const auto asked = Clock::now();
-    const auto one_runs = [&] {
-      return std::any_of(engines_.begin(), engines_.end(),
-                         [](const auto& engine) { return !engine->ended(); });
-    };
-    while (one_runs() && Clock::now() - asked < end_cap) std::this_thread::sleep_for(poll_time);
-    for (const auto& engine : engines_) engine->kill_now();
+  // The engine names a file by the kind of death: crash-, timeout-, oom-, leak-. A slow-unit- did not die.
+  void add_death(const fs::path& file) {
+    const std::string bytes = text_of(file), name = file.filename(), kind = name.substr(0, name.find('-'));
+    if (kind == "slow" || bytes.size() != record_size) return;
+    Record record;
+    std::copy(bytes.begin(), bytes.end(), record.begin());
+    Case c;
+    c.pair = decode_record(record);
+    c.source = options_.target;
+    c.note = fmt::format("{}/{}: {}", options_.target, kind, reason_of_death(file, kind));
+    c.id = letter_hash(c.note);
+    findings_.add(c);
+  }
+
+  std::string reason_of_death(const fs::path& file, const std::string& kind) {
+    if (kind == "timeout") return fmt::format("takes more than {} s", input_cap.count());
+    if (kind == "oom") return "needs too much memory";
+    const fs::path log = unfinished_ / "death.log";
+    fs::remove(log);
+    return start({file}, log)->wait() == 0 ? "not when run again" : reason_in(text_of(log));
+  }
+
+  bool unexplained_deaths() const {
+    const std::string log = text_of(unfinished_ / "log");
+    return known_deaths_.empty() && last_number(log, " oom/timeout/crash: 0/0/") >= unexplained_cap;
   }
 
   // Into a folder of its own, which takes the corpus's place at once.
   void merge() {
-    const fs::path kept = out_ / "corpus", unfinished = out_ / "corpus.unfinished";
-    fs::remove_all(unfinished);
-    fs::create_directories(unfinished);
+    const fs::path merged = out_ / "corpus.unfinished";
+    fs::remove_all(merged);
+    fs::create_directories(merged);
+    std::vector<std::string> arguments{merged, corpus_, "-merge=1"};
+    // A job writes its corpus in a folder C1, C2, ..
+    for (const fs::path& engine : files_in(unfinished_ / "jobs"))
+      for (const fs::path& folder : files_in(engine))
+        if (folder.filename().string().starts_with('C') && fs::is_directory(folder))
+          arguments.push_back(folder);
     std::set<fs::path> inputs;
-    std::vector<std::string> command{options_.program,
-                                     "-merge=1",
-                                     fmt::format("-max_len={}", record_size),
-                                     "-timeout=25",
-                                     fmt::format("-artifact_prefix={}/", out_.string()),
-                                     unfinished};
-    if (fs::exists(kept)) command.push_back(kept);
-    for (const auto& engine : engines_) command.push_back(engine->corpus());
-    for (auto folder = command.begin() + 6; folder != command.end(); ++folder)
-      for (const fs::path& file : files_in(*folder)) inputs.insert(file.filename());
+    for (const std::string& folder : arguments)
+      for (const fs::path& file : files_in(folder)) inputs.insert(file.filename());
     const std::string log = out_ / "merge.log";
     fs::remove(log);
-    const auto merging = run_engine(command, log, {});
-    const auto start = Clock::now();
+    const auto merging = start(arguments, log);
+    const auto begin = Clock::now();
     while (!merging->advance()) {
-      if (Clock::now() - start > merge_cap)
-        throw std::runtime_error(
-            fmt::format("merging took more than {} s. The corpora of the workers are in {}",
-                        merge_cap.count(), out_.string()));
+      if (Clock::now() - begin > merge_cap)
+        throw std::runtime_error(fmt::format("merging took more than {} s. The inputs are in {} and {}",
+                                             merge_cap.count(), corpus_.string(), unfinished_.string()));
       std::this_thread::sleep_for(poll_time);
     }
     if (merging->status() != 0)
       throw std::runtime_error(
           fmt::format("merging ended with {}: {}", how_it_ended(merging->status()), reason_in(text_of(log))));
-    fs::remove_all(kept);
-    fs::rename(unfinished, kept);
+    fs::remove_all(corpus_);
+    fs::rename(merged, corpus_);
     summary_.inputs = inputs.size();
-    summary_.kept_inputs = files_in(kept).size();
+    summary_.kept_inputs = files_in(corpus_).size();
+  }
+
+  /// Starts the program, with its output at the end of `log`. The target keeps its findings in unfinished/.
+  std::unique_ptr<Child> start(std::vector<std::string> arguments, const std::string& log) const {
+    arguments.insert(arguments.begin(), options_.program);
+    for (const std::string& flag :
+         {fmt::format("-max_len={}", record_size), fmt::format("-timeout={}", input_cap.count()),
+          fmt::format("-artifact_prefix={}/died/", unfinished_.string())})
+      arguments.push_back(flag);
+    return std::make_unique<Child>(
+        [&]() -> std::string {
+          try {
+            redirect_streams("/dev/null", log);
+            unsetenv("DAYLIGHT_FUZZ_ABORT");
+            setenv("DAYLIGHT_FUZZ_OUT", unfinished_.c_str(), 1);
+            setenv("TMPDIR", (unfinished_ / "jobs").c_str(), 1);
+            become_program(arguments);
+          } catch (const std::exception& error) {
+            fmt::print(stderr, "cannot run {}\n", error.what());
+            _exit(cannot_run_code);
+          }
+        },
+        ChildOptions{.own_group = true});
+  }
+
+  static std::string end_of(const std::string& log) {
+    const std::string text = text_of(log);
+    return text.substr(text.size() - std::min(text.size(), quoted_cap));
   }
 
   void name_strata() {
+    summary_.possible_strata = 0;
+    summary_.never_visited.clear();
+    summary_.impossible.clear();
     for (std::size_t i = 0; i < strata_.size(); ++i) {
       const Stratum s = stratum_at(i);
       summary_.possible_strata += can_occur(s);
@@ -208,13 +295,11 @@ class Run {
 
   const FuzzOptions& options_;
   const std::function<void(const FuzzProgress&)>& on_progress_;
-  fs::path out_;
+  fs::path out_, unfinished_, corpus_ = out_ / "corpus";
   Findings findings_;
-  std::vector<std::unique_ptr<Engine>> engines_;
-  std::set<fs::path> exchanged_;
+  std::set<fs::path> known_deaths_;
   decltype(Visited::strata) strata_{};
   FuzzSummary summary_;
-  bool interrupted_ = false;
 };
 
 /// "a, b and 3 more".
@@ -239,21 +324,15 @@ int exit_code(const FuzzSummary& summary) {
 }
 
 std::string format_fuzzing(const FuzzSummary& summary) {
-  std::string text;
-  const double wall = std::max(1e-3, static_cast<double>(summary.progress.elapsed.count()) / 1000);
-  unsigned number = 0;
-  for (const WorkerProgress& w : summary.progress.workers)
-    text += fmt::format(
-        "worker {}: {} executions, {:.0f}/s, {:.0f} a second of its CPU time; {} features, {} of them new; "
-        "{} "
-        "deaths\n",
-        ++number, w.executions, static_cast<double>(w.executions) / wall,
-        static_cast<double>(w.executions) / std::max(1e-3, w.cpu_seconds), w.features,
-        w.features - w.first_features, w.deaths);
-  text += fmt::format("strata: {} of {} that can occur ({:.1f} %)\n", summary.progress.strata,
-                      summary.possible_strata,
-                      100 * static_cast<double>(summary.progress.strata) /
-                          std::max(1.0, static_cast<double>(summary.possible_strata)));
+  const FuzzProgress& p = summary.progress;
+  const auto share = [](double part, double whole) { return part / std::max(1e-3, whole); };
+  const auto count = [](auto x) { return static_cast<double>(x); };
+  std::string text = fmt::format("executions: {}, {:.0f}/s\n", p.executions,
+                                 share(count(p.executions), count(p.elapsed.count()) / 1000));
+  text += fmt::format("features: {}\n", p.features);
+  text += fmt::format("inputs that ended a process: {}\n", p.deaths);
+  text += fmt::format("strata: {} of {} that can occur ({:.1f} %)\n", p.strata, summary.possible_strata,
+                      100 * share(count(p.strata), count(summary.possible_strata)));
   if (!summary.never_visited.empty())
     text += fmt::format("never visited: {}\n", first_of(summary.never_visited));
   if (!summary.impossible.empty())

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coverage-guided fuzzing: several libFuzzer processes of one target. Each has its own corpus and
-// reads the finds of the others. The finds depend on timing, so the same seed does not give the same
-// run.
+// Coverage-guided fuzzing: one target in libFuzzer's fork mode, which runs jobs side by side and survives
+// their deaths. Finds depend on timing, so the same seed does not give the same run.
 #pragma once
 
 #include <chrono>
@@ -16,27 +15,21 @@ namespace cyl {
 struct FuzzOptions {
   std::string program;  ///< that libFuzzer drives, linked with the mutator and the counters
   std::string target;   ///< its name, the source of findings: "fuzz_core"
-  /// The folder of the run. Its corpus/ is the start of the workers, if it exists. After the run it has the
-  /// minimised union of all corpora. findings.jsonl has one line of a case file for each finding.
+  /// The folder of the run. The run starts from its corpus/ and leaves the minimised corpus there.
+  /// findings.jsonl has one line of a case file for each finding. unfinished/ has all that a run makes until
+  /// its end. If a run is killed, the next one completes it first.
   std::string out;
   std::chrono::milliseconds budget{0};  ///< wall time, merging excluded
-  unsigned jobs = 2;                    ///< workers
+  unsigned jobs = 2;                    ///< side by side
   std::uint64_t seed = 0;
-  std::chrono::milliseconds exchange_interval{5000};  ///< between the workers' corpora
-};
-
-struct WorkerProgress {
-  std::uint64_t executions = 0;
-  double cpu_seconds = 0;
-  std::size_t features = 0;        ///< distinguished by the engine: of coverage and of counters
-  std::size_t first_features = 0;  ///< of them, those of the corpus it began with
-  unsigned deaths = 0;             ///< each a finding, and a new process
 };
 
 struct FuzzProgress {
   std::chrono::milliseconds elapsed{0};
-  std::vector<WorkerProgress> workers;
-  std::size_t strata = 0;  ///< visited, among those that can occur
+  std::uint64_t executions = 0;
+  std::size_t features = 0;  ///< of coverage and of counters, as of the jobs that have ended
+  std::size_t deaths = 0;    ///< inputs that ended a process
+  std::size_t strata = 0;    ///< visited, among those that can occur
   std::size_t findings = 0;
 };
 

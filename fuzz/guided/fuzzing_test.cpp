@@ -28,20 +28,24 @@ const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}};
 constexpr Stratum cap_cap{ContactFeature::cap_cap, 3, AngleClass::parallel},
     cap_rim{ContactFeature::cap_rim, 2, AngleClass::within_1e_12};
 
-// An engine as the driver sees one: reads its arguments, goes on with `life`, merges by copying.
+// An engine as the driver sees one: goes on with `life` for a run, merges by copying, and dies of an input as
+// `death` states.
 constexpr const char* engine = R"(#!/bin/bash
 folders=()
 for word; do
-  case $word in -merge=1) merge=1 ;; -artifact_prefix=*) prefix=${word#*=} ;; -*) ;; *) folders+=("$word") ;; esac
+  case $word in
+    -merge=1) merge=1 ;; -fork=*) fork=1 ;; -artifact_prefix=*) died=${word#*=} ;; -*) ;;
+    *) folders+=("$word") ;;
+  esac
 done
-here=$(dirname "$0")
+here=$(dirname "$0") job=$TMPDIR/engine.dir/C1
 if [[ $merge ]]; then
   for folder in "${folders[@]:1}"; do cp "$folder"/* "${folders[0]}"; done
   exit 0
 fi
-corpus=${folders[0]} worker=${DAYLIGHT_FUZZ_OUT##*worker-}
-trap 'exit 0' USR1
-live() { echo "#2 INITED cov: 1 ft: 5 corp: 1"; echo "#9 NEW cov: 1 ft: 12 corp: 2"; while :; do sleep 0.05; done; }
+[[ $fork ]] || { echo 'SUMMARY: AddressSanitizer: stack-buffer-overflow a.cpp:3 in f'; exit 77; }
+mkdir -p "$job"
+live() { echo "#2: cov: 1 ft: 5 corp: 1"; echo "#9: cov: 1 ft: 12 corp: 2"; while :; do sleep 0.05; done; }
 )";
 
 class Fuzzing : public testing::Test, protected Scratch {
@@ -51,19 +55,15 @@ class Fuzzing : public testing::Test, protected Scratch {
     options_.target = "fuzz_fake";
     options_.out = folder / "run";
     options_.budget = std::chrono::minutes(10);  // for what never comes
-    options_.exchange_interval = milliseconds(200);
     options_.seed = 1;
     const Record record = encode_record(pair);
     std::ofstream(folder / "record", std::ios::binary)
         .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
-    for (const Stratum& s : {cap_cap, cap_rim}) {
-      Visited seen;
-      const auto number = static_cast<unsigned>(s.feature);
-      seen.executions = 70 + number;
-      seen.strata[index_of(s)] = 1;
-      std::ofstream(folder / ("visited-" + std::to_string(number)), std::ios::binary)
-          .write(reinterpret_cast<const char*>(&seen), sizeof seen);
-    }
+    Visited seen;
+    seen.executions = 74;
+    for (const Stratum& s : {cap_cap, cap_rim}) seen.strata[index_of(s)] = 1;
+    std::ofstream(folder / "visited", std::ios::binary)
+        .write(reinterpret_cast<const char*>(&seen), sizeof seen);
   }
 
   void live(const std::string& life) {
@@ -76,10 +76,7 @@ class Fuzzing : public testing::Test, protected Scratch {
       if (seen(progress)) raise(SIGINT);
     });
   }
-  /// Whether a worker has an input.
-  bool has(unsigned worker, const char* input) const {
-    return fs::exists(fs::path(options_.out) / ("worker-" + std::to_string(worker)) / "corpus" / input);
-  }
+  bool has(const char* file) const { return fs::exists(fs::path(options_.out) / file); }
   std::string text(const fs::path& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -88,27 +85,20 @@ class Fuzzing : public testing::Test, protected Scratch {
   FuzzOptions options_;
 };
 
-TEST_F(Fuzzing, UnitesWhatWorkersSee) {
-  live(
-      "cp $here/visited-$((3 + worker)) $DAYLIGHT_FUZZ_OUT/visited; cp $here/record $corpus/input-$worker; "
-      "live");
-  const FuzzSummary summary = fuzz_until([&](const FuzzProgress& progress) {
-    return progress.workers[0].features == 12 && progress.workers[1].features == 12 && has(1, "input-2") &&
-           has(2, "input-1");
-  });
+TEST_F(Fuzzing, ReportsWhatJobsSeeAndKeepsTheirInputs) {
+  live("cp $here/visited $DAYLIGHT_FUZZ_OUT/visited; cp $here/record $job/input; live");
+  const FuzzSummary summary =
+      fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
   EXPECT_EQ(summary.harness_failure, "");
-  ASSERT_EQ(summary.progress.workers.size(), 2u);
-  EXPECT_EQ(summary.progress.workers[0].executions, 74u);
-  EXPECT_EQ(summary.progress.workers[1].executions, 75u);
-  EXPECT_EQ(summary.progress.workers[0].features, 12u);
-  EXPECT_EQ(summary.progress.workers[0].first_features, 5u);
+  EXPECT_EQ(summary.progress.executions, 74u);
+  EXPECT_EQ(summary.progress.features, 12u);
   EXPECT_EQ(summary.progress.strata, 2u);
   EXPECT_EQ(summary.never_visited.size(), summary.possible_strata - 2);
   EXPECT_EQ(std::count(summary.never_visited.begin(), summary.never_visited.end(), to_string(cap_cap)), 0);
-  for (const unsigned worker : {1u, 2u})  // each has the other's, and both are merged
-    for (const char* input : {"input-1", "input-2"}) EXPECT_TRUE(has(worker, input)) << worker << input;
-  EXPECT_TRUE(fs::exists(fs::path(options_.out) / "corpus" / "input-1"));
-  EXPECT_EQ(summary.kept_inputs, 3u);  // and the zeros they began with
+  EXPECT_TRUE(summary.interrupted);
+  EXPECT_TRUE(has("corpus/input"));
+  EXPECT_EQ(summary.kept_inputs, 2u);  // and the zeros it began with
+  EXPECT_FALSE(has("unfinished"));
   EXPECT_EQ(exit_code(summary), 0);
 }
 
@@ -127,43 +117,55 @@ TEST_F(Fuzzing, KeepsFindingsOncePerBucket) {
   }
 }
 
-TEST_F(Fuzzing, ADeathIsAFindingAndTheWorkerStartsAgain) {
-  options_.jobs = 1;
-  live(
-      "[[ -e $here/died ]] && live\ntouch $here/died; cp $here/record ${prefix}crash-1\n"
-      "echo 'SUMMARY: AddressSanitizer: stack-buffer-overflow a.cpp:3 in f'; exit 77");
+TEST_F(Fuzzing, DeathsAreFindings) {
+  live("for kind in crash timeout slow-unit; do cp $here/record ${died}$kind-1; done\nlive");
   const FuzzSummary summary =
-      fuzz_until([](const FuzzProgress& progress) { return progress.workers[0].features == 12; });
+      fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
   EXPECT_EQ(summary.harness_failure, "");
-  EXPECT_EQ(summary.progress.workers[0].deaths, 1u);
-  ASSERT_EQ(summary.findings.size(), 1u);
-  const CaseLine line = parse_case(summary.findings[0], 1);
-  ASSERT_TRUE(line.value);
-  EXPECT_EQ(line.value->note,
-            "fuzz_fake/crash: SUMMARY: AddressSanitizer: stack-buffer-overflow a.cpp:3 in f");
-  EXPECT_EQ(format_pair(line.value->pair), format_pair(pair));
+  ASSERT_EQ(summary.findings.size(), 2u);
+  const char* const notes[] = {
+      "fuzz_fake/crash: SUMMARY: AddressSanitizer: stack-buffer-overflow a.cpp:3 in f",
+      "fuzz_fake/timeout: takes more than 25 s"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const CaseLine line = parse_case(summary.findings[i], 1);
+    ASSERT_TRUE(line.value);
+    EXPECT_EQ(line.value->note, notes[i]);
+    EXPECT_EQ(format_pair(line.value->pair), format_pair(pair));
+  }
   EXPECT_EQ(exit_code(summary), 2);
 }
 
-TEST_F(Fuzzing, AWorkerThatCannotLiveIsTheHarnesssFailure) {
+TEST_F(Fuzzing, AnEngineThatCannotWorkIsTheHarnesssFailure) {
   live("echo 'ERROR: no such flag'; exit 1");
   FuzzSummary summary = run_fuzzing(options_);
   EXPECT_NE(summary.harness_failure.find("no such flag"), std::string::npos) << summary.harness_failure;
   EXPECT_EQ(exit_code(summary), 1);
+  fs::remove_all(options_.out);
+  live("echo '#9: cov: 1 ft: 0 oom/timeout/crash: 0/0/3 time: 1s'; live");
+  summary = run_fuzzing(options_);
+  EXPECT_NE(summary.harness_failure.find("loses its jobs"), std::string::npos) << summary.harness_failure;
+  fs::remove_all(options_.out);
   fs::remove(options_.program);
   summary = run_fuzzing(options_);
   EXPECT_NE(summary.harness_failure.find("cannot run"), std::string::npos) << summary.harness_failure;
   EXPECT_EQ(exit_code(summary), 1);
 }
 
-TEST_F(Fuzzing, AMergeThatFailsLeavesTheCorpora) {
-  live("cp $here/record $corpus/input-$worker; live");
-  std::string script = text(options_.program);
+TEST_F(Fuzzing, ARunCompletesOneThatWasKilled) {
+  live("cp $here/record $job/input; live");
+  const std::string whole = text(options_.program);
+  std::string script = whole;
   script.replace(script.find("cp \"$folder\"/*"), 1, "exit 3; c");
   std::ofstream(options_.program) << script;
-  const FuzzSummary summary = fuzz_until([&](const FuzzProgress&) { return has(1, "input-1"); });
+  FuzzSummary summary = fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
   EXPECT_NE(summary.harness_failure.find("exit code 3"), std::string::npos) << summary.harness_failure;
-  EXPECT_TRUE(has(1, "input-1"));
+  EXPECT_TRUE(has("unfinished/jobs/engine.dir/C1/input"));
+  live("live");
+  options_.budget = milliseconds(200);
+  summary = run_fuzzing(options_);
+  EXPECT_EQ(summary.harness_failure, "");
+  EXPECT_TRUE(has("corpus/input"));
+  EXPECT_FALSE(has("unfinished"));
 }
 
 TEST_F(Fuzzing, EndsWithItsTime) {
@@ -173,14 +175,6 @@ TEST_F(Fuzzing, EndsWithItsTime) {
   EXPECT_FALSE(summary.interrupted);
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_EQ(summary.kept_inputs, 1u) << "the zeros they began with";
-}
-
-TEST_F(Fuzzing, EndsInOrderWhenAsked) {
-  live("cp $here/record $corpus/input-$worker; live");
-  const FuzzSummary summary = fuzz_until([&](const FuzzProgress&) { return has(1, "input-1"); });
-  EXPECT_TRUE(summary.interrupted);
-  EXPECT_EQ(summary.harness_failure, "");
-  EXPECT_TRUE(fs::exists(fs::path(options_.out) / "corpus" / "input-1"));
 }
 
 TEST_F(Fuzzing, WhatWasVisitedOutlivesTheProcess) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The counts of a fuzz target over all its executions. The engine clears its own counters before each
-// execution, and may kill a worker at any time. So the counts are in a mapped file.
+// execution, and may kill a process at any time. So the counts are in a mapped file, which processes share.
 #pragma once
 
 #include <array>

@@ -44,7 +44,7 @@ constexpr double widest_cap_cosine = 0.5;
 constexpr double kink_share = 0x1p-6;
 /// Width of boxes from which another local minimum is looked for, and how many there may be.
 constexpr double small_box_tol = 0.05;
-constexpr int minima_cap = 4;
+constexpr std::size_t minima_cap = 4;
 /// Sine within which a local minimum is looked for on a kink.
 constexpr double kink_sine = 0x1p-12;
 
@@ -138,7 +138,7 @@ class Boxes {
 
   void bound(Box& box) const;
 
-  void find_minimum(const Vec& from, int slot) {
+  void find_minimum(const Vec& from, std::size_t slot) {
     Minimum& m = minima_[slot];
     m.at = bounds_.minimum_near(from, kink_sine);
     const Vec& d = m.at.direction;
@@ -175,7 +175,7 @@ class Boxes {
 
   void close_by_minima(Box& box) {
     const auto is_open = [&] { return box.below < least_.best - least_.width; };
-    for (int i = 0; i < count_ && is_open(); ++i) close_by(minima_[i], box);
+    for (std::size_t i = 0; i < count_ && is_open(); ++i) close_by(minima_[i], box);
     const auto is_small = [](const Interval1& t) { return t.high - t.low < small_box_tol; };
     if (!is_open() || count_ == minima_cap || !is_small(box.t[0]) || !is_small(box.t[1])) return;
     find_minimum(box.x * w0_ + box.y * e_ + box.v * n_, count_);
@@ -217,7 +217,7 @@ class Boxes {
   std::array<double, 3> delta_;  ///< in the frame
   std::priority_queue<Box> queue_;
   std::array<Minimum, minima_cap> minima_;
-  int count_ = 0;
+  std::size_t count_ = 0;
   std::size_t boxes_ = 0;
   bool better_ = false;       ///< than any local minimum
   double closed_ = infinity;  ///< the least bound of boxes that are not in the queue any more

@@ -204,7 +204,7 @@ async function worksByKeyboard() {
   await reach("Example");
   // Arrows, because a browser forgets what was typed into a list after a second.
   const chosen = () => page.getByLabel("Example").inputValue();
-  for (let i = examples.length; i > 0 && (await chosen()) !== "worst-of-jolt"; --i)
+  for (let i = play.examples.length; i > 0 && (await chosen()) !== "worst-of-jolt"; --i)
     await page.keyboard.press("ArrowDown");
   assert.equal(await page.locator(".example").getAttribute("data-example"), "worst-of-jolt");
   assert.match(await page.locator(".example .answers-of-engines").first().innerText(), /jolt\s.*\s*disjoint/s);
