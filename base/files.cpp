@@ -20,7 +20,7 @@ void write_file(const std::string& name, const std::string& text) {
 
 void replace_file(const std::string& name, const std::string& text) {
   std::string unfinished = name + ".XXXXXX";
-  const int made = mkstemp(unfinished.data());  // a name that nothing has
+  const int made = mkstemp(unfinished.data());  // a name that no file has
   if (made < 0) throw std::runtime_error(name + " cannot be written");
   const mode_t mask = umask(0);
   umask(mask);

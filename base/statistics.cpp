@@ -9,7 +9,7 @@
 namespace cyl {
 namespace {
 
-/// Halves [low, high] around where `falling` passes `level`, to 2^-60 of it: more than is ever shown.
+/// Halves [low, high] around the point at which `falling` passes `level`, to 2^-60, finer than ever shown.
 template <class Function>
 void bisect(double& low, double& high, double level, Function falling) {
   for (int i = 0; i < 60; ++i) {
@@ -18,7 +18,7 @@ void bisect(double& low, double& high, double level, Function falling) {
   }
 }
 
-/// The probability of `failures` or fewer at rate p in (0, 1).
+/// Returns the probability of `failures` or fewer at rate p in (0, 1).
 double binomial_at_most(std::uint64_t trials, std::uint64_t failures, double p) {
   const double n = static_cast<double>(trials), odds = std::log(p) - std::log1p(-p);
   double logarithm = n * std::log1p(-p), sum = 0;
@@ -30,14 +30,14 @@ double binomial_at_most(std::uint64_t trials, std::uint64_t failures, double p) 
   return sum;
 }
 
-/// The rate at which so few or fewer failures have the probability `level`.
+/// Returns the rate at which so few or fewer failures have the probability `level`.
 double rate_where(std::uint64_t trials, std::uint64_t failures, double level) {
   double low = 0, high = 1;
   bisect(low, high, level, [&](double p) { return binomial_at_most(trials, failures, p); });
   return low;
 }
 
-/// The probability of k or fewer events where `mean` are expected.
+/// Returns the probability of k or fewer events if `mean` are expected.
 double poisson_at_most(std::uint64_t k, double mean) {
   double term = std::exp(-mean), sum = term;
   for (std::uint64_t i = 1; i <= k; ++i) sum += term *= mean / static_cast<double>(i);
@@ -55,9 +55,9 @@ RateBounds rate_bounds(std::uint64_t trials, std::uint64_t failures) {
   return bounds;
 }
 
-// The rate at which so few are seen with a probability of 5 %: of Poisson's law, which bounds the binomial
-// one there. None wrong: e^(-np) = 0.05, np = 3.0. Beyond `exact_cap`, where e^-mean would vanish, the normal
-// approximation.
+// Returns the rate at which so few wrong answers are seen with a probability of 5 %. It uses Poisson's law,
+// which bounds the binomial law there. If none is wrong, e^(-np) = 0.05 and np = 3.0. Beyond `exact_cap`,
+// e^-mean would vanish, so the normal approximation is used.
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong) {
   constexpr double level = 0.05, normal_quantile = 1.645;
   constexpr std::uint64_t exact_cap = 200;

@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 volatile double sink;
 
-/// The instructions of this thread in user space, from its making on; NaN where there is no such counter
-/// (virtual machines, containers).
+/// Counts the instructions of this thread in user space from its construction on. Reads NaN if the machine
+/// has no such counter (virtual machines, containers).
 class InstructionCounter {
  public:
   InstructionCounter() {
@@ -73,8 +73,8 @@ double processor_ns() {
 
 void keep(double value) { sink = value; }
 
-// Steps of a length that has no common divisor with the count reach every place; from half the count on,
-// short runs of neighbours do not repeat.
+// Steps whose length has no common divisor with the count reach every place. From half the count on, short
+// runs of neighbours do not repeat.
 void shuffle(std::span<std::size_t> order, std::size_t& stride) {
   const std::size_t count = order.size();
   if (stride == 0) stride = count / 2;
@@ -93,7 +93,7 @@ Cost series_cost(const Series& series, std::size_t count, std::chrono::duration<
     const auto start = Clock::now();
     series(order);
     const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-    // The second is the longer one, by the cost of reading it, unless another process had its turn.
+    // The second time is longer by the cost of reading it, unless another process had its turn.
     return Cost{std::min(spent.count(), processor_ns() - processor_start), counter.read() - before};
   };
   double spent = 0, instructions = 0;

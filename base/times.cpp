@@ -19,7 +19,7 @@ using std::chrono::system_clock;
   throw UsageError("'" + text + "' is not a time such as 06:30 or 2026-11-22T06:30");
 }
 
-// strptime takes a 31st of February, mktime moves it to March: what comes back must be what was written.
+// strptime accepts a 31st of February, and mktime moves it to March. So the result must equal the input.
 system_clock::time_point time_point_of(std::tm written, bool utc, const std::string& text) {
   std::tm kept = written;
   kept.tm_isdst = -1;
@@ -47,7 +47,7 @@ system_clock::time_point parse_time_point(const std::string& text) {
   day.tm_hour = fields.tm_hour;
   day.tm_min = fields.tm_min;
   day.tm_sec = 0;
-  for (int days = 0;; ++days) {  // today or tomorrow; a day of 23 hours may lack the time of it
+  for (int days = 0;; ++days) {  // today or tomorrow. A day of 23 hours may lack this time
     std::tm then = day;
     then.tm_mday += days;
     then.tm_isdst = -1;

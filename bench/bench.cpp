@@ -16,11 +16,11 @@
 namespace cyl {
 namespace {
 
-/// The width relative to the size that is asked of the enclosures which distances and margins are held
-/// against: what doubles resolve. What comes back is some 3e-14 wide.
+/// The width, relative to the size, of the enclosures with which distances and margins are compared. It is
+/// the resolution of doubles. The enclosures that come back are some 3e-14 wide.
 constexpr double enclosure_width = 1e-15;
 
-/// A pair and what the referee proved of it.
+/// A pair and the facts about it that the referee proved.
 struct JudgedPair : Trial {
   using Trial::Trial;
   std::optional<Enclosure> narrow{};  ///< filled when first asked for
@@ -121,7 +121,7 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
   }
 }
 
-/// Asks one candidate and verifies its answers; returns nothing if it is asked nothing or gives no distance.
+/// Asks one candidate and verifies its answers. Returns nothing if it is asked nothing or gives no distance.
 std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<JudgedPair> proved,
                           std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
@@ -178,7 +178,7 @@ std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
   return rows;
 }
 
-// A proof of each of a million pairs would not fit into memory beside the pairs: they are proved one by one.
+// Proofs of a million pairs would not fit into memory beside the pairs, so pairs are proved one by one.
 std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
                                     std::size_t largest, const BenchOptions& options,
                                     const BenchProgress& progress) {

@@ -19,7 +19,7 @@
 namespace cyl {
 namespace {
 
-/// CPU time that a round may take beyond what it is asked to fill before the method counts as hung.
+/// The CPU time that a round may take beyond the time to fill. After that the method counts as hung.
 constexpr std::chrono::milliseconds timing_cpu_cap{120'000};
 
 Verdict verdict_of(const MethodAnswer& answer) {
@@ -29,7 +29,7 @@ Verdict verdict_of(const MethodAnswer& answer) {
 
 using AnyCall = std::variant<Method::Call, Method::DistanceCall, Method::BatchCall>;
 
-/// Does what is not timed.
+/// Prepares the calls, which is not timed.
 AnyCall prepare(const Candidate& candidate, std::span<const Pair> pairs) {
   Method& method = *candidate.method;
   if (asks_distance(candidate)) return method.prepare_distances(pairs);
@@ -40,8 +40,8 @@ AnyCall prepare(const Candidate& candidate, std::span<const Pair> pairs) {
   return Method::Call([&method, pairs](std::size_t i) { return verdict_of(method.ask(pairs[i])); });
 }
 
-// The containment of contained.hpp asks methods about pairs. What the bench wants run in a worker is dressed
-// up as a method.
+// The containment of contained.hpp asks methods about pairs. This class makes a method of any work that the
+// bench runs in a worker.
 class Contained : public Method {
  public:
   using Ask = std::function<MethodAnswer(const Pair&)>;
@@ -67,7 +67,7 @@ std::vector<MethodAnswer> in_worker(Contained::Ask ask, std::span<const Pair> pa
   return answers;
 }
 
-/// Runs `measure` in a worker; its three numbers, or NaN where it died.
+/// Runs `measure` in a worker. Returns its three numbers, or NaN if the worker died.
 using Numbers = std::array<double, 3>;
 Numbers in_worker(const std::function<Numbers()>& measure, double seconds) {
   const Pair none;
@@ -102,7 +102,7 @@ class SharedVerdicts {
   void* memory_;
 };
 
-/// Writes the verdicts of a batch into `verdicts`; the answer says whether it got to its end.
+/// Writes the verdicts of a batch into `verdicts`. The answer states whether the batch came to its end.
 MethodAnswer ask_batch(const Candidate& candidate, std::span<const Pair> pairs, std::span<Verdict> verdicts) {
   const Pair none;
   return in_worker(
@@ -129,7 +129,7 @@ MethodAnswer answer_of(const AnyCall& call) {
   return answer;
 }
 
-/// What a row times: all calls, and the i-th alone.
+/// The calls that a row times: all of them, and the i-th alone.
 struct Work {
   Series series;
   std::function<void(std::size_t)> one;

@@ -19,7 +19,7 @@ struct Batch {
   std::vector<Verdict> verdicts;
 };
 
-// The axes of other pairs are uniform on the sphere and know nothing of these.
+// The axes of other pairs are uniform on the sphere and independent of these pairs.
 Batch draw_batch(std::uint64_t seed, std::size_t count) {
   const Family& random = *find_family("random");
   Batch batch;
@@ -55,8 +55,8 @@ void evaluate(Batch& batch) {
   keep(sum);
 }
 
-/// The first, a middle and the last word of a solid: every cache line of it, in as few instructions as can
-/// be.
+/// Reads the first, a middle and the last word of a solid. That touches every cache line of it with as few
+/// instructions as possible.
 std::uint64_t touch(const Prepared& solid) {
   std::uint64_t first, middle, last;
   static_assert(sizeof solid <= 2 * 64 && sizeof solid % sizeof last == 0);

@@ -112,9 +112,8 @@ void add_fuzz(Program& program) {
   command.examples(
       "  daylight fuzz --for 10m --target core --out runs/fuzz-core\n"
       "  daylight fuzz --for 8h --target xcheck --jobs 4",
-      "The run folder has the findings in findings.jsonl, which daylight replay reads. Ctrl-C merges the "
-      "corpora\n"
-      "and ends the run. 3 does not occur for fuzz.");
+      "The run folder has the findings in findings.jsonl, which daylight replay reads. Ctrl-C ends\n"
+      "the run, and its inputs still come into the corpus.");
   command.run([arguments] { return fuzz(*arguments); });
 }
 

@@ -34,7 +34,7 @@ void put_on_standard_input(const std::string& text) {
   try {
     if (options.own_group) setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);  // it died before the line above
+    if (getppid() != parent) _exit(1);  // the parent died before the line above
     if (options.own_group)
       for (const int stop : {SIGINT, SIGTERM}) std::signal(stop, SIG_DFL);
     run();
@@ -85,7 +85,7 @@ void Child::start(const std::function<void(int output)>& run, const ChildOptions
     throw std::system_error(error, std::generic_category(), "fork");
   }
   output_ = ends[0];
-  if (own_group_) setpgid(process_, process_);  // on both sides: whichever runs first
+  if (own_group_) setpgid(process_, process_);  // on both sides, because either may run first
   fcntl(output_, F_SETFL, O_NONBLOCK);
 }
 
@@ -107,7 +107,7 @@ bool Child::advance() {
     output_ended_ = got == 0;
   }
   if (!gone) return false;
-  // What it started and left. Until the process is reaped, no other group can have its number.
+  // Kills the processes that it left. Until it is reaped, no other group can have its number.
   if (own_group_) kill(-process_, SIGKILL);
   rusage used{};
   wait4(process_, &status_, 0, &used);

@@ -25,7 +25,7 @@ void on_denied(int, siginfo_t* info, void*) {
   _exit(denied_code);
 }
 
-/// A call, and which of its arguments is compared how.
+/// A system call, and the comparison of one of its arguments.
 struct Rule {
   int call;
   unsigned argument;
@@ -33,7 +33,7 @@ struct Rule {
   scmp_datum_t with, masked = 0;
 };
 
-/// Adds what is denied wherever its argument is so; `trap` runs on_denied().
+/// Denies calls, some of them only for certain arguments. A denied call runs on_denied().
 bool add_rules(scmp_filter_ctx filter) {
   const auto self = static_cast<scmp_datum_t>(getpid());
   bool added = true;
@@ -54,7 +54,7 @@ bool add_rules(scmp_filter_ctx filter) {
            Rule{SCMP_SYS(rt_tgsigqueueinfo), 0, SCMP_CMP_NE, self},
            Rule{SCMP_SYS(prlimit64), 0, SCMP_CMP_NE, 0},
            Rule{SCMP_SYS(prctl), 0, SCMP_CMP_EQ, PR_SET_PDEATHSIG},
-           // Whose signal an input that is ready sends, and which.
+           // These set the process that receives the signal of a ready input, and the signal.
            Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETOWN},
            Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETOWN_EX},
            Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETSIG},
@@ -62,7 +62,7 @@ bool add_rules(scmp_filter_ctx filter) {
            Rule{SCMP_SYS(ioctl), 1, SCMP_CMP_EQ, SIOCSPGRP},
        })
     deny_where(rule);
-  // Its flags stand in memory, which a filter cannot read; the C library then calls clone.
+  // The flags of clone3 are in memory, which a filter cannot read. The C library calls clone instead.
   return added && seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) == 0 &&
          seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(io_uring_setup), 0) == 0;
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// Bytes of a line that are looked at.
+/// The bytes of a line that are searched.
 constexpr std::size_t line_cap = 1000;
 
 Lines lines_of(std::string_view text) {
@@ -23,8 +23,8 @@ Lines lines_of(std::string_view text) {
   return lines;
 }
 
-/// The exception of a traceback of Python is its first line that is not indented; of node, one like
-/// "RangeError: ..".
+/// Returns the line of the exception. In a traceback of Python, that is the first line that is not indented.
+/// In the output of node, it is a line like "RangeError: ..".
 std::size_t exception_line(const Lines& lines) {
   static const std::regex error(R"((Uncaught )?[\w.$]*(Error|Exception)( \[\w+\])?(:.*)?)");
   bool traceback = false;
@@ -36,8 +36,8 @@ std::size_t exception_line(const Lines& lines) {
   return lines.size();
 }
 
-/// "mine.py:12": the last file named before the exception by Python; by node the first line of all, or the
-/// first after the exception.
+/// Returns a place like "mine.py:12". For Python, it is the last file named before the exception. For node,
+/// it is the first line of all, or the first after the exception.
 std::string place_of(const Lines& lines, std::size_t exception) {
   static const std::regex python(R"re( *File "(?:.*/)?([^"/]+)", line (\d+).*)re"),
       node(R"((?:.*[/\\( ])?([\w.-]+\.\w+:\d+)(?::\d+)?\)?)");

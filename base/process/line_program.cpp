@@ -25,19 +25,19 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// How often a silent program is looked at: its time cap is noticed at most this late.
+/// The interval at which a silent program is checked. A breach of its time cap is noticed at most this late.
 constexpr milliseconds look_interval{20};
 
-/// From the end of its output on, until it is ended.
+/// The time from the end of the program's output until it is ended.
 constexpr milliseconds ending_cap{1000};
 
-/// Bytes that it may print on standard error, kept in memory; what comes after is lost.
+/// The cap on the bytes that it may print on standard error. They are kept in memory. Later bytes are lost.
 constexpr rlim_t output_cap = rlim_t{16} << 20;
 
-/// Bytes of what it printed that a reason shows, and in which an exception is looked for.
+/// The bytes of its output that a reason shows, and the bytes in which an exception is searched for.
 constexpr std::size_t shown_cap = 90, exception_cap = std::size_t{1} << 16;
 
-/// While it lives, writing to a pipe that nobody reads is an error of this thread, no signal.
+/// While it lives, a write to a pipe without readers is an error of this thread, not a signal.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -60,7 +60,7 @@ class NoPipeSignal {
   sigset_t pipe_, before_;
 };
 
-/// As far as it can be.
+/// Writes as much as possible.
 void write_text(int fd, const char* text) {
   if (write(fd, text, std::strlen(text)) < 0) return;
 }
@@ -112,7 +112,7 @@ void LineProgram::send(std::string_view text) { outgoing_ += text; }
 
 LineProgram::Read LineProgram::receive(std::string& line, const Cap& cap) {
   const NoPipeSignal quiet;
-  // Where the answer is there already, no clock is read.
+  // If the answer has already arrived, no clock is read.
   std::optional<nanoseconds> cpu_start, wall_start;
   bool open = true;
   while (true) {
@@ -131,7 +131,7 @@ LineProgram::Read LineProgram::receive(std::string& line, const Cap& cap) {
     if (ends[1].revents != 0 && !outgoing_.empty()) {
       const ssize_t sent = write(to_, outgoing_.data(), outgoing_.size());
       if (sent > 0) outgoing_.erase(0, static_cast<std::size_t>(sent));
-      if (sent < 0 && errno == EPIPE) outgoing_.clear();  // what it has said already is read to its end
+      if (sent < 0 && errno == EPIPE) outgoing_.clear();  // its earlier output is still read to the end
     }
     if (cpu_time() - *cpu_start > cap.cpu) return Read::over_cpu_cap;
     if (read_clock(CLOCK_MONOTONIC) - *wall_start > cap.wall) return Read::over_wall_cap;
@@ -139,7 +139,7 @@ LineProgram::Read LineProgram::receive(std::string& line, const Cap& cap) {
 }
 
 std::string LineProgram::death() {
-  // Its output ends a little before it does, or without it: then it is ended.
+  // Its output ends a little before the process does. If the process goes on without output, it is ended.
   pollfd ended{process_->end(), POLLIN, 0};
   if (poll(&ended, 1, static_cast<int>(ending_cap.count())) <= 0) process_->kill_now();
   std::string how = "was ended";

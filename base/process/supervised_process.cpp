@@ -43,12 +43,12 @@ void set_streams(int input, int output, int error) {
 
 void write_file_once(const char* file, const char* text) {
   const int at = open(file, O_WRONLY | O_CLOEXEC);
-  if (at >= 0 && write(at, text, std::strlen(text)) < 0) errno = 0;  // it makes do with what it may
+  if (at >= 0 && write(at, text, std::strlen(text)) < 0) errno = 0;  // continues with the rights that it has
   close_all({at});
 }
 
-/// Goes on as the first process of a PID namespace, as a user namespace lets everybody do if the system
-/// allows one; this process is left to wait for it.
+/// Continues in a child, as the first process of a PID namespace. If the system allows user namespaces,
+/// every user may create one in them. This process only waits for the child.
 void go_apart_as_user() {
   char user[40], group[40];
   std::snprintf(user, sizeof user, "%u %u 1", getuid(), getuid());
@@ -65,27 +65,27 @@ void go_apart_as_user() {
   _exit(first < 0 || reap(first) != 0);
 }
 
-/// Does what fork() does, but if the system allows it the child is the first process of a PID namespace of
-/// its own. Later children of this process are born beside it again.
+/// Does what fork() does. If the system allows it, the child is the first process of a PID namespace of its
+/// own. Later children of this process are born beside this process again.
 pid_t fork_apart() {
   const int home = open("/proc/self/ns/pid", O_RDONLY | O_CLOEXEC);
   const bool apart = home >= 0 && unshare(CLONE_NEWPID) == 0;
   const pid_t process = fork_with_retry();
   const int error = errno;
-  if (process != 0 && apart && setns(home, CLONE_NEWPID) != 0) std::abort();  // or all others would be kept
+  if (process != 0 && apart && setns(home, CLONE_NEWPID) != 0) std::abort();  // or it keeps all later ones
   if (process == 0 && !apart) go_apart_as_user();
   close_all({home});
   errno = error;
   return process;
 }
 
-/// Returns whether a signal to all processes reaches only this process and those that it started: it is the
-/// first process of a PID namespace, and this is not the namespace `home` of the process that started it.
+/// Returns whether a signal to all processes reaches only this process and its descendants. That is so if it
+/// is the first process of a PID namespace other than `home`, the namespace of the process that started it.
 bool is_alone(ino_t home) {
   return getpid() == 1 && home != 0 && pid_namespace() != 0 && pid_namespace() != home;
 }
 
-/// Tells who it is: the number that the other side knows this process by comes with the byte.
+/// Sends a byte. With it comes the number by which the other side knows this process.
 void send_own_number(int socket) {
   char byte = 0;
   if (send(socket, &byte, 1, MSG_NOSIGNAL) != 1) _exit(1);
@@ -130,7 +130,7 @@ pid_t receive_number(int socket) {
   _exit(0);
 }
 
-/// Calls kill() for each process whose parent is this one.
+/// Kills each process whose parent is this one.
 void kill_children() {
   DIR* all = opendir("/proc");
   if (!all) return;
@@ -151,7 +151,7 @@ void kill_children() {
   closedir(all);
 }
 
-/// Ends what is left: orphans become children of the keeper. Returns how many there were.
+/// Ends the remaining processes. Orphans become children of the keeper. Returns how many there were.
 int end_the_rest(ino_t home) {
   const bool alone = is_alone(home);
   int left = 0;
@@ -237,7 +237,7 @@ const std::optional<SupervisedProcess::Ending>& SupervisedProcess::wait() {
   if (waited_) return ending_;
   Ending told{};
   ssize_t got = 0;
-  // The socket says once that a keeper which is gone did not read all; what it sent comes after that.
+  // The socket first reports that an ended keeper did not read all. The bytes that it sent come after that.
   while ((got = recv(socket_, &told, sizeof told, 0)) < 0 && (errno == EINTR || errno == ECONNRESET)) {
   }
   if (got == sizeof told) ending_ = told;

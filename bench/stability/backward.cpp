@@ -24,7 +24,7 @@ constexpr std::uint64_t pairs_per_stratum = 4;
 
 bool meets(Verdict v) { return v == Verdict::intersecting || v == Verdict::touching; }
 
-/// Returns the verdict that a finding of this kind is about; undecided if it is about none.
+/// Returns the verdict that a finding of this kind is about, or undecided if it is about none.
 Verdict wrong_verdict(FindingKind kind) {
   switch (kind) {
     case FindingKind::wrong_disjoint:
@@ -38,7 +38,7 @@ Verdict wrong_verdict(FindingKind kind) {
   }
 }
 
-/// Returns how far, relative to the size, a solid must move until the verdict turns; a verdict is proved.
+/// Returns how far a solid must move until the verdict changes, relative to the size. Verdicts are proved.
 double movement(Trial& p) {
   p.distance_at(1e-6);
   p.narrow_distance();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The answers of the solver and the seed methods on pairs from a file, for bench/stability/builds.sh to
-// compare builds by. Eigen alone is linked; pairs are read, not drawn, since another build would draw others.
-// Arguments: the pairs, sixteen doubles each; where the answers go, a MethodAnswer each, by pair and then
-// method; and "flush" where denormal numbers are to be read and left as 0. Files are of the machine that
-// wrote them.
+// Writes the answers of the solver and the seed methods to pairs from a file. bench/stability/builds.sh
+// compares builds by them. Only Eigen is linked. Pairs are read and not drawn, because another build would
+// draw others. The first argument is the file of pairs, sixteen doubles each. The second is the file for the
+// answers, a MethodAnswer each, by pair and then method. With "flush" as the third, denormal numbers are
+// read and left as 0. Files fit only the machine that wrote them.
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -19,7 +19,7 @@
 
 namespace cyl {
 
-/// Proofs are not in question here: their arithmetic is left out, and `exact` is not asked.
+/// Proofs are not tested here. Their arithmetic is left out, and `exact` is not asked.
 Truth decide_exactly(const Cylinder&, const Cylinder&) { std::abort(); }
 
 }  // namespace cyl

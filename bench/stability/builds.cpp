@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t seed = 1;
-/// So few that the slowest build, not optimised, is asked all within minutes.
+/// So few that even the slowest build, which is not optimised, answers them all within minutes.
 constexpr std::uint64_t pairs_per_family = 30, plain_pairs_per_stratum = 3, scaled_pairs_per_stratum = 1;
 constexpr int tiny_exponents[] = {-500, -1010, -1060};
 
@@ -48,7 +48,7 @@ std::vector<Pair> build_pairs() {
 bool BuildComparison::is_wrong_beyond_claim(std::size_t i, const Method& method, const MethodAnswer& answer) {
   Proofs& proofs = proofs_.try_emplace(i, pairs_[i], std::span<const MethodAnswer>()).first->second;
   Trial& proved = proofs.of(pairs_[i]);
-  MethodAnswer verdict = answer;  // alone: that is what changed
+  MethodAnswer verdict = answer;  // the verdict alone, because only it has changed
   verdict.has_distance = false;
   verdict.witness = CertificateKind::none;
   const auto finding = cyl::compare(proved, method.claim(), verdict);

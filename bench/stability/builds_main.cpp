@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For bench/stability/builds.sh. "pairs FILE" writes what builds are asked. "compare PAIRS NAME ANSWERS NAME
-// ANSWERS .." holds every build against the first and prints a line of JSON for each build and method.
+// For bench/stability/builds.sh. "pairs FILE" writes the pairs for the builds. "compare PAIRS NAME ANSWERS
+// NAME ANSWERS .." compares every build with the first and prints a line of JSON for each build and method.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The decades of what a path changes; 1e-3 is the greatest overlap known by construction of all features.
+/// The decades of the quantity that a path changes. Up to 1e-3, overlaps are known for all features.
 constexpr std::span touching_decades = std::span(tenths).subspan<3, 13>();  // 1e-3 .. 1e-15
 constexpr std::span turning_decades = std::span(tenths).subspan<2, 15>();   // 1e-2 .. 1e-16
 constexpr double in_a_decade[] = {1, 0.6, 0.4, 0.25, 0.16};
@@ -45,7 +45,7 @@ std::vector<double> by_decades(std::span<const double> decades, bool with_zero) 
   return at;
 }
 
-/// Off 0, where rounding alone would decide.
+/// Leaves out 0, at which rounding alone would decide.
 std::vector<double> finely() {
   std::vector<double> at;
   for (int i = 0; i < fine_steps; ++i) at.push_back((i - (fine_steps - 1) / 2.0) * fine_step_margin);
@@ -64,7 +64,7 @@ constexpr Configuration configurations[] = {{ContactKind::side_side, "side-side"
                                             {ContactKind::cap_cap, "cap-cap"},
                                             {ContactKind::parallel_sides, "parallel-sides"}};
 
-/// The margin changes nothing that is drawn, so that the same solids move along the same normal.
+/// The margin does not influence the numbers drawn. So the same solids move along the same normal.
 Path touching_path(std::string name, const Configuration& configuration, std::span<const double> margins,
                    std::uint64_t seed) {
   Path path{std::move(name), 1, {}};
@@ -76,7 +76,7 @@ Path touching_path(std::string name, const Configuration& configuration, std::sp
   return path;
 }
 
-/// What is next to a, whose side faces +n about the middle of its height, or whose cap does.
+/// How b lies next to a. The side of a faces +n about the middle of its height, or else its cap does.
 enum class Turn : unsigned char {
   parallel_cross,
   parallel_tilt,
@@ -88,14 +88,14 @@ enum class Turn : unsigned char {
 constexpr std::string_view turn_names[] = {"parallel-cross", "parallel-tilt", "perpendicular-cross",
                                            "perpendicular-tilt", "coaxial"};
 
-// a stands at its centre, u its axis; n is the normal, v = n x u. b's lowest point against n comes to lie at
-// a distance g along n over a point p of a's side (coaxial: cap) that keeps 0.3 and more to its border. So
-// the signed distance is g for every turn: a gap by that point, and the slab between is free; an overlap by
-// the argument of corpus/pairs/near_touching.cpp, as a ball of radius 0.1 and more fits into a and touches at
-// p.
+// Positions are relative to the centre of a. Its axis is u, n is the normal, and v = n x u. The lowest point
+// of b against n lies at a distance g along n over a point p of a's side (coaxial: cap). p is 0.3 and more
+// from the border. So the signed distance is g for every turn. For a gap, that point shows it, and the slab
+// between the solids is free. For an overlap, the argument of corpus/pairs/near_touching.cpp shows it. A
+// ball of radius 0.1 and more fits into a and touches at p.
 //
-// Crossed, the axis of b stays square to n and its generator goes through p. Tilted, its lowest point is a
-// point of its rim, at most h/2 or r away from where the middle of its side or cap is: a is the longer one.
+// Crossed, the axis of b stays perpendicular to n, and its generator goes through p. Tilted, its lowest
+// point is on its rim, at most h/2 or r away from the middle of its side or cap. So a is the longer one.
 Path turning_path(Turn turn, bool gap, std::uint64_t seed) {
   Path path{fmt::format("{} {}", turn_names[static_cast<std::size_t>(turn)], gap ? "gap" : "overlap"), 0, {}};
   RandomStream s(turn_names[static_cast<std::size_t>(turn)], seed, 0);
@@ -124,7 +124,7 @@ Path turning_path(Turn turn, bool gap, std::uint64_t seed) {
       b.axis = n;
       middle = t * size * v;
     }
-    // How far b reaches against n: its axis and n span the tilt, of tangent t.
+    // How far b reaches against n. Its axis and n span the plane of the tilt, which has tangent t.
     const double cosine = 1 / std::sqrt(1 + t * t), sine = std::abs(t) * cosine;
     double reach = b.radius;
     if (turn == Turn::parallel_tilt) reach = b.radius * cosine + b.height / 2 * sine;
@@ -160,7 +160,7 @@ double degrees_between(const Vector3& x, const Vector3& y) {
 
 void at_least(std::optional<double>& most, double x) { most = std::max(most.value_or(0), x); }
 
-/// The steps on either side of each flip, as far as there is room, and as many more, evenly.
+/// Returns the steps on either side of each flip, as far as there is room. Evenly spaced steps fill the rest.
 std::vector<PathStability::TracePoint> trace_of(const Path& path, std::span<const MethodAnswer> answers,
                                                 std::span<const std::size_t> flips) {
   std::set<std::size_t> shown;

@@ -24,15 +24,15 @@ sigjmp_buf call_start;
 pthread_t asking_thread;
 volatile std::sig_atomic_t asking = 0;
 
-// glibc's abort() releases its lock before it raises the signal, so that a handler may jump.
+// glibc's abort() releases its lock before it raises the signal, so a handler may jump.
 void on_abort(int) {
   if (asking && pthread_equal(pthread_self(), asking_thread)) siglongjmp(call_start, 1);
   std::signal(SIGABRT, SIG_DFL);
-  std::raise(SIGABRT);  // met once this handler returns
+  std::raise(SIGABRT);  // takes effect after this handler returns
 }
 
-/// Whether the last words are those of an assertion or of ODE's error handler. What the heap says when it is
-/// damaged is not: then the process must not go on. Allocates nothing.
+/// Returns whether the last words come from an assertion or from ODE's error handler. Messages of a damaged
+/// heap do not count, because the process must not go on after them. Allocates nothing.
 bool is_assertion(int output) {
   char text[512] = {};
   struct stat s;
@@ -47,10 +47,10 @@ bool is_assertion(int output) {
   std::abort();
 }
 
-/// Bytes at the end of what a worker printed among which a file and line are looked for.
+/// The bytes at the end of a worker's output in which a file and line are searched for.
 constexpr std::size_t last_words_cap = 2000;
 
-/// As much of what was printed as has room: its end, after the file and line in it, as assert() prints them.
+/// Returns the end of the output that fits, after the file and line in it, in the form that assert() prints.
 std::string fitting(const std::string& printed, std::size_t room) {
   if (printed.size() <= room) return printed;
   static const std::regex file_and_line(R"([^\s/:]+:\d+)");
@@ -75,8 +75,8 @@ std::string with_last_words(const std::string& how, int output) {
 MethodAnswer ask_recovering(Method& method, const Pair& pair, CallMode mode) {
   static int recovered = 0;
   if (!method.recovers() || recovered >= recovery_cap) return ask_noexcept(method, pair, mode);
-  // Installed once: a call of some hundred nanoseconds affords no system call. Likewise the mask of signals
-  // is not saved, but mended after a jump.
+  // The handler is installed once, because a call of some hundred nanoseconds affords no system call. For
+  // the same reason the signal mask is not saved. It is repaired after a jump.
   [[maybe_unused]] static const auto installed = std::signal(SIGABRT, on_abort);
   asking_thread = pthread_self();
   if (sigsetjmp(call_start, 0) != 0) {

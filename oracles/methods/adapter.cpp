@@ -16,8 +16,6 @@ std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
   return answer;
 }
 
-// Scaled by a power of two first (exact), so that squares neither overflow nor vanish. A coordinate that
-// becomes subnormal by it is below 2^-1000 of the largest.
 Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept {
   if (c.rounding > 0 || !(rounding > 0 && rounding <= c.radius && 2 * rounding <= c.height)) return c;
   c.radius -= rounding;
@@ -26,6 +24,8 @@ Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept {
   return c;
 }
 
+// The axis is first scaled by a power of two, exactly, so that squares neither overflow nor vanish. If a
+// coordinate becomes subnormal by it, it is below 2^-1000 of the largest.
 Vector3 unit_axis(const Vector3& axis) noexcept {
   const int exponent = std::ilogb(axis.cwiseAbs().maxCoeff());
   const Vector3 scaled(std::scalbn(axis.x(), -exponent), std::scalbn(axis.y(), -exponent),

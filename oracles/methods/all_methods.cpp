@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Apart from method.cpp, so that a program may hold methods without linking every library there is.
+// This is apart from method.cpp, so that a program may hold methods without linking every library.
 #include <initializer_list>
 #include <iterator>
 #include <utility>

@@ -23,10 +23,10 @@
 namespace cyl {
 namespace {
 
-// The headers of both precisions are the same; the library linked is the double one.
+// The headers of both precisions are the same. This build links the library of double precision.
 static_assert(sizeof(btScalar) == 8);
 
-/// Two vertices nearer than this, a length, are one to Bullet: the square root of its threshold.
+/// Bullet takes two vertices nearer than this length as one. It is the square root of Bullet's threshold.
 constexpr double vertex_tol = 1e-6;
 constexpr std::string_view vertex_source =
     "btVoronoiSimplexSolver.h: VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD 1e-12f, a squared length";
@@ -48,13 +48,13 @@ btTransform pose_of(const Cylinder& c) {
                      to_bullet(c.center));
 }
 
-/// What becomes of the rims of a cylinder without rounding.
+/// The shape of the rims of a cylinder without rounding.
 enum class Rims : unsigned char {
-  by_margin,  ///< as the constructor of btCylinderShapeZ leaves them: shrunk by a margin, which rounds them
+  by_margin,  ///< as the constructor of btCylinderShapeZ leaves them: a margin shrinks and rounds them
   sharp
 };
 
-/// A margin is what Bullet has for a rounding: spheres and capsules are a point and a segment with one.
+/// A margin is Bullet's form of a rounding. Spheres and capsules are a point and a segment with a margin.
 std::unique_ptr<btConvexShape> shape_of(const Cylinder& c, Rims rims) {
   const double rounding = c.rounding;
   switch (kind_of(c)) {
@@ -80,8 +80,8 @@ struct Solid {
   btTransform pose;
 };
 
-/// The signed distance that Bullet's default dispatch sees between two convex shapes: GJK, then EPA where
-/// they overlap. Nothing where it makes no contact; the bodies then pass through each other.
+/// Returns the signed distance that Bullet's default dispatch finds between two convex shapes: GJK, then EPA
+/// if they overlap. Returns nothing if it makes no contact. Then the bodies pass through each other.
 std::optional<double> detect(const btConvexShape& a, const btTransform& pose_a, const btConvexShape& b,
                              const btTransform& pose_b) {
   btVoronoiSimplexSolver simplex;
@@ -162,7 +162,7 @@ class Detector final : public Bullet {
   }
 };
 
-/// The solver under the detector, asked directly. It leaves margins out, which are what Bullet has for
+/// Asks the solver under the detector directly. That solver ignores margins, which are Bullet's form of
 /// roundings.
 class GjkEpa2 final : public Bullet {
  public:
@@ -174,8 +174,8 @@ class GjkEpa2 final : public Bullet {
             .assumed = true};
   }
 
-  // EPA comes after GJK has found the origin inside, so where EPA fails the yes stands and only the depth is
-  // lost.
+  // EPA starts after GJK has found the origin inside. So if EPA fails, the solids still meet, and only the
+  // depth is lost.
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     btGjkEpaSolver2::sResults result;
@@ -213,8 +213,8 @@ class GjkEpa2 final : public Bullet {
   }
 };
 
-/// Convex hulls of the prisms over the inscribed and the circumscribed regular polygon: the truth lies
-/// between.
+/// Convex hulls of the prisms over the inscribed and the circumscribed regular polygon. The truth lies
+/// between them.
 class HullShape final : public Bullet {
  public:
   HullShape(int sides, unsigned share)

@@ -16,19 +16,19 @@ namespace {
 // The header is the same for both precisions.
 static_assert(sizeof(ccd_real_t) == 8);
 
-/// Mpr_tolerance: a length. What CCD_INIT sets, and what users choose who need more.
+/// Values of mpr_tolerance, a length: the default of CCD_INIT, and one for users who need more precision.
 constexpr double default_tol = 1e-4;
 constexpr double fine_tol = 1e-10;
-/// Two points nearer than this, a length, are one to libccd: the square root of what it takes for zero.
+/// libccd takes two points nearer than this length as one. It is the square root of its threshold for zero.
 constexpr double zero_tol = 0x1p-26;
-/// Steps of GJK, which may go in circles: what FCL and ODE give it. CCD_INIT leaves them without bound.
+/// The cap on steps of GJK, which may go in circles. FCL and ODE use it too. CCD_INIT sets no cap.
 constexpr unsigned long gjk_cap = 500;
 
 constexpr std::string_view mpr_source = "ccd/ccd.h: mpr_tolerance, Boundary tolerance for MPR algorithm";
 constexpr std::string_view gjk_source =
     "ccd/vec3.h: ccdIsZero, below CCD_EPS 2.2e-16, asked of squared lengths; GJK reads no tolerance";
 
-// The text is part of the programs that `daylight export` writes: both give libccd the same bits.
+// This text is part of the programs that `daylight export` writes, so both give libccd the same bits.
 #include "oracles/methods/ccd_support.inc"
 
 /// The same point, summed in another order: y, z and x in the place of x, y and z.
@@ -62,7 +62,7 @@ void direction_of_centers(const void* a, const void* b, ccd_vec3_t* direction) {
 
 using Intersect = int(const void*, const void*, const ccd_t*);
 
-/// Yes or no of one of libccd's two algorithms.
+/// Returns yes or no from one of libccd's two algorithms.
 class Ccd final : public Method {
  public:
   Ccd(std::string_view name, Intersect* intersect, const ccd_t& settings, const Claim& claim)

@@ -19,17 +19,17 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr LineProgram::Cap answer_cap{call_cpu_cap, 20 * call_cpu_cap};  // as any call of a foreign method
+constexpr LineProgram::Cap answer_cap{call_cpu_cap, 20 * call_cpu_cap};  // as in any call of a foreign method
 
-/// Until the first answer: interpreters and engines start slowly.
+/// The cap until the first answer. Interpreters and engines start slowly.
 constexpr LineProgram::Cap start_cap{milliseconds(10'000), milliseconds(20'000)};
-/// Likewise for the first start of all: nothing is in the machine's memory yet.
+/// The cap for the first start of all, when nothing is in the machine's memory yet.
 constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60'000)};
 
-/// One apart, the plainest there is.
+/// The simplest pair that is disjoint.
 const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
 
-/// Returns those of its words that are files: `mine.py` of "python3 -u mine.py --fast".
+/// Returns the words of its command that are files: `mine.py` of "python3 -u mine.py --fast".
 std::vector<std::string> files_of(const Guest& guest) {
   std::vector<std::string> files;
   std::istringstream words(guest.what);
@@ -41,8 +41,8 @@ std::vector<std::string> files_of(const Guest& guest) {
   return files;
 }
 
-/// Returns the stem of the first word that looks like a file of source ("mine" of "python3 -u mine.py
-/// --fast"), else of the first word.
+/// Returns the stem of the first word that looks like a source file ("mine" of "python3 -u mine.py --fast"),
+/// else of the first word.
 std::string name_after(const std::string& command) {
   std::string first;
   for (std::size_t at = 0; at < command.size();) {
@@ -95,8 +95,8 @@ class CommandMethod final : public Method {
     return earlier_ + (program_ ? program_->cpu_time() : std::chrono::nanoseconds(0));
   }
 
-  // Many lines are under way, so where one is not answered it is not known for sure whose fault that is: the
-  // next pair is asked alone, of a program that is new, and what it says then is believed.
+  // Many lines are under way. If one is not answered, the pair at fault is not known for sure. So the next
+  // pair is passed alone to a new program, and its answer counts.
   std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
     if (pairs.size() == 1 || !program_ || !program_->ours() || program_->has_answered_more()) {
       answers[0] = ask(pairs[0]);
@@ -128,11 +128,11 @@ class CommandMethod final : public Method {
     const MethodAnswer failed =
         more ? failed_answer(Failure::malformed, "said more than one line to a question") : answers[at];
     const MethodAnswer alone = exchange(pairs[at]);
-    answers[at] = broke(alone) ? alone : failed;  // where it is not the pair's fault, somebody asks again
+    answers[at] = broke(alone) ? alone : failed;  // if it is not the pair's fault, the caller asks again
     return at + 1;
   }
 
-  /// Its time holds the way there and back through the pipe.
+  /// Its time includes the way through the pipe and back.
   Call prepare_all(std::span<const Pair> pairs) override {
     return [this, pairs = std::vector(pairs.begin(), pairs.end())](std::size_t i) {
       const MethodAnswer answer = ask(pairs[i]);
@@ -141,13 +141,13 @@ class CommandMethod final : public Method {
   }
 
  private:
-  /// Of rounded solids a common point is not looked at: it need not be one of their cores.
+  /// A common point of rounded solids is ignored, because it need not be a point of their cores.
   static MethodAnswer of_pair(const Pair& pair, MethodAnswer answer) {
     if (is_rounded(pair) && answer.witness == CertificateKind::point) answer.witness = CertificateKind::none;
     return answer;
   }
 
-  /// Whether the program cannot be talked to any more.
+  /// Returns whether the program can no longer be used.
   static bool broke(const MethodAnswer& answer) {
     return answer.failure == Failure::crash || answer.failure == Failure::hang ||
            answer.failure == Failure::malformed;
@@ -158,7 +158,7 @@ class CommandMethod final : public Method {
     program_.reset();
   }
 
-  /// Starts the program and asks about an easy pair: what it needs to get ready is no pair's fault.
+  /// Starts the program and asks about an easy pair, so that the time to get ready counts for no pair.
   MethodAnswer start(const LineProgram::Cap& cap) {
     program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
     program_->send(format_pair(easy) + '\n');
@@ -214,7 +214,7 @@ class CommandMethod final : public Method {
 
   Guest guest_;
   GuestHello hello_;
-  bool introduced_ = false;  ///< what it says of itself when started again changes nothing
+  bool introduced_ = false;  ///< a later hello of a new start changes nothing
   std::unique_ptr<LineProgram> program_;
   std::chrono::nanoseconds earlier_{0};  ///< of programs that have ended
 };

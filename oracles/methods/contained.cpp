@@ -26,11 +26,11 @@ MethodAnswer cannot_be_called_so() {
   return answer;
 }
 
-/// Lines that a program is sent before the first of them must be answered.
+/// The number of lines that are sent to a program before the first of them must be answered.
 constexpr std::size_t ahead_cap = 64;
 
-/// A batch of one would show no mix-up of pairs or lanes: before it goes this one, a wall beside a rim, with
-/// which our kernel is busy for three steps.
+/// A batch of one would show no mix-up of pairs or lanes, so this pair goes before it. It is a wall beside a
+/// rim, with which our kernel is busy for three steps.
 const Pair company{{Vector3(0, 0, 0), Vector3(0, 0, 1), 5, 1}, {Vector3(-5, 5, 1), Vector3(1, -5, 1), 1, 10}};
 
 }  // namespace
@@ -73,7 +73,7 @@ static Caps caps_of_libraries(Caps caps) {
   return caps;
 }
 
-/// The workers, and which of them asks which method.
+/// The workers, and the methods that each of them asks.
 class Asker::Parts {
  public:
   Parts(std::span<const std::unique_ptr<Method>> methods, const Caps& caps)
@@ -82,7 +82,7 @@ class Asker::Parts {
   std::vector<ContainedAnswer> ask(std::span<const Pair> pairs, std::span<const Question> questions) {
     std::vector<ContainedAnswer> answers(questions.size());
     hangs_.assign(methods_.size(), 0);
-    // Those of one worker together, so that blocks are full.
+    // The questions for one worker stay together, so that blocks are full.
     std::map<Worker*, std::vector<std::size_t>> of_worker;
     std::vector<Worker*> in_order;
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -148,7 +148,7 @@ class Asker::Parts {
 
   void ask_here(std::span<const std::size_t> queue, std::span<const Pair> pairs,
                 std::span<const Question> questions, std::vector<ContainedAnswer>& answers) {
-    std::size_t stretch = ahead_cap;  // few at a time after a failure, which the next are likely to share
+    std::size_t stretch = ahead_cap;  // few after a failure, because the next ones are likely to share it
     for (std::size_t at = 0; at < queue.size();) {
       const Question& q = questions[queue[at]];
       std::size_t end = at + 1;
@@ -173,7 +173,7 @@ class Asker::Parts {
     }
   }
 
-  /// Asks all of them, or those up to a failure.
+  /// Asks about all pairs, or about the pairs up to a failure.
   static std::vector<ContainedAnswer> ask_stretch(Method& method, std::span<const Pair> pairs,
                                                   CallMode mode) {
     const std::chrono::nanoseconds start = method.cpu_time();

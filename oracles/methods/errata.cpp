@@ -45,7 +45,7 @@ constexpr Erratum table[] = {
     {"book-equal-eigenvalues", none, Fault::equal_eigenvalues},
 };
 
-/// "seed2017", "seed2008", "seedbook".
+/// Returns "seed2017", "seed2008" or "seedbook".
 std::string stem_of(const Erratum& erratum) {
   return "seed" + std::string(erratum.id.substr(0, erratum.id.find('-')));
 }

@@ -26,7 +26,7 @@ constexpr std::string_view distance_source =
     "stop "
     "distance iteration";
 
-/// A tolerance that FCL offers as a default, and one that its users choose who need more.
+/// FCL's default tolerance, and one for users who need more precision.
 constexpr double default_tol = 1e-6;
 constexpr double fine_tol = 1e-10;
 
@@ -43,7 +43,7 @@ std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Cylinder& c) {
   return std::make_unique<fcl::Cylinderd>(c.radius, c.height);
 }
 
-/// A solid as FCL keeps it. Whether a formula or GJK is asked FCL chooses by the kinds of both.
+/// A solid as FCL keeps it. FCL selects a formula or GJK by the kinds of both solids.
 struct Solid {
   explicit Solid(const Cylinder& c) : shape(shape_of(c)) {
     pose.linear() = rotation_to(unit_axis(c.axis));
@@ -54,7 +54,7 @@ struct Solid {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
 };
 
-/// fcl::collide without contacts: yes or no.
+/// Calls fcl::collide without contacts, which returns yes or no.
 class Collide final : public Method {
  public:
   Collide(std::string_view name, fcl::GJKSolverType solver, double tolerance) : name_(name) {
@@ -91,8 +91,8 @@ class Collide final : public Method {
   fcl::CollisionRequestd request_;
 };
 
-/// fcl::distance with nearest points. Never with signed distance: there Debian's build, which has its
-/// assertions on, aborts on overlapping pairs.
+/// Calls fcl::distance with nearest points, never with signed distance. Debian's build has its assertions
+/// on, and with signed distance it aborts on overlapping pairs.
 class Distance final : public Method {
  public:
   Distance(std::string_view name, double tolerance) : name_(name) {
@@ -108,7 +108,7 @@ class Distance final : public Method {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }
 
-  // The nearest points are its witness: they are the ends of a separating direction.
+  // The nearest points are the witness, because they are the ends of a separating direction.
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     fcl::DistanceResultd result;
@@ -132,8 +132,8 @@ class Distance final : public Method {
   }
 
  private:
-  // Where FCL finds no distance it says -1: an overlap, of unknown depth. Where it gives up it leaves the
-  // nearest points as they were: uninitialised memory, another answer each time.
+  // If FCL finds no distance, it returns -1, which means an overlap of unknown depth. If it gives up, it
+  // leaves the nearest points uninitialised, and they differ each time.
   double measure(const Solid& a, const Solid& b, fcl::DistanceResultd& result) const {
     for (Vector3& point : result.nearest_points) point.setZero();
     return fcl::distance(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result);

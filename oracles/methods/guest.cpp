@@ -20,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes: what the tables have room for.
+/// The cap on the bytes of a name, for which the tables have room.
 constexpr std::size_t name_cap = 40;
 
-constexpr char separator = '\t';  // of what format_guests writes; no guest has one in it
+constexpr char separator = '\t';  // of the fields that format_guests writes. No guest contains it
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Letters, digits and, but at the beginning, - _ and dot: a list of names and an option stay readable.
+/// Letters and digits, and after the first one also - _ and dots. Lists of names and options stay readable.
 bool will_do(std::string_view name) {
   return !name.empty() && name.size() <= name_cap && is_letter_or_digit(name[0]) &&
          std::all_of(name.begin(), name.end(),
@@ -42,9 +42,8 @@ void check_name(const std::string& name) {
                    " letters, digits, - _ and dots");
 }
 
-/// Returns how long the name is where `text` begins with one, perhaps ':' and one of its library's, and '=',
-/// else 0. FOO=1 is a variable of the
-/// shell's.
+/// If `text` begins with a name and '=', returns the length before '='. The name may contain ':' and the
+/// name of a method of its library. Otherwise returns 0, as for FOO=1, a variable of the shell.
 std::size_t given_name(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || text.empty() || text[0] < 'a' || text[0] > 'z') return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of 2008 and the page of the book: put right by each way of the circle; and literally, as printed,
-// mended, and with single faults.
+// The text of 2008 and the page of the book. They exist as corrected, with each way of the circle, and
+// literally: as printed, mended, and with single faults.
 #include <string>
 
 #include "oracles/methods/errata.hpp"
@@ -22,12 +22,12 @@ struct Setting {
   double relative;  ///< of the claim
 };
 
-// Claims: above the largest certain margins seen, relative to the size, on 6000 (polynomial) or 20000 pairs
-// of each family. polynomial-polish: 1.6e-7, lattice_dust; real1e-6 and real1e-12: 0.065, needle_and_disk,
-// where roots are nearly double and come as complex pairs; projection, arc0 and seedbook: none, but for exact
-// touching; arc1e-8: 5e-12, close_contacts_by_angle; arc1e-1, 1e-2: 4.5e-3 and 5.8e-5, needle_and_disk;
-// arc1e-3, 1e-5: 1e-9 and 1e-12, touching_side_rim. The literal ones are held to what exact arithmetic would
-// make of them.
+// Claims lie above the largest certain margins seen, relative to the size, on 6000 (polynomial) or 20000
+// pairs of each family. The literal methods must be as good as exact arithmetic would make them. The margins:
+//     polynomial-polish: 1.6e-7, lattice_dust. projection, arc0, seedbook: none, except for exact touching.
+//     real1e-6, real1e-12: 0.065, needle_and_disk. Roots there are nearly double and come as complex pairs.
+//     arc1e-1, arc1e-2: 4.5e-3 and 5.8e-5, needle_and_disk. arc1e-8: 5e-12, close_contacts_by_angle.
+//     arc1e-3, arc1e-5: 1e-9 and 1e-12, touching_side_rim.
 constexpr Setting settings[] = {
     {"seed2008-polynomial-polish0", CircleWay::polynomial, CriticalWay::normalised, {{}, 0, 1e-3}, 1e-5},
     {"seed2008-polynomial-polish1", CircleWay::polynomial, CriticalWay::normalised, {{}, 1, 1e-3}, 1e-5},
@@ -50,7 +50,7 @@ constexpr Setting settings[] = {
     {"seedbook", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13},
 };
 
-/// What the settings mean, and what of them is no document's.
+/// The meaning of the settings, and the part of them that is in no document.
 constexpr std::string_view sources[] = {
     "solver/literature/separation_2008.hpp: the text itself names no error; the relative part is ours, above "
     "the "
@@ -67,14 +67,14 @@ std::unique_ptr<Method> method_of(std::string_view name, const Setting& s) {
   return std::make_unique<LiteratureMethod>(
       name, "2008-03-02",
       Claim{.relative = s.relative, .source = sources[static_cast<std::size_t>(s.circle)], .assumed = true},
-      // Where section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
+      // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
       s.circle == CircleWay::polynomial ? 16 : 1, s.options.literal,
       [=](const Prepared& a, const Prepared& b) {
         return separation_2008(a, b, s.circle, s.critical, s.options);
       });
 }
 
-/// The document to the letter, with these faults.
+/// The literal document, with these faults.
 std::unique_ptr<Method> literal_method(Document document, const std::string& name,
                                        literature::Faults faults) {
   const bool book = document == Document::book;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of 2017: put right by both of its minimisers at several caps; and literally, as printed, mended,
-// and with single faults.
+// The text of 2017. It exists as corrected, with both of its minimisers at several caps, and literally: as
+// printed, mended, and with single faults.
 #include <string>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 
 using literature::Minimiser;
 
-/// The steps of each search along a line, and the lines (rounds of lines) of each search in a cell.
+/// The number of steps of each search along a line, and of lines (rounds of lines) of each search in a cell.
 struct Setting {
   std::string_view name;
   Minimiser minimiser;
@@ -22,8 +22,8 @@ struct Setting {
   unsigned share;
 };
 
-// Shares: 64 steps take 25 us where nothing separates, 32 steps 12 us, and twice to five times that next to
-// touching. Claims: above the largest margin at which a setting was wrong, table in
+// Shares: 64 steps take 25 us if nothing separates, 32 steps take 12 us. Next to touching they take two to
+// five times that. Claims lie above the largest margin at which a setting was wrong, in the table of
 // solver/literature/readings.md.
 constexpr Setting settings[] = {
     {"seed2017-cg-steps-4", Minimiser::conjugate_gradients, 4, 2e-2, 1},
@@ -45,7 +45,7 @@ std::unique_ptr<Method> method_of(std::string_view name, Minimiser minimiser,
       [=](const Prepared& a, const Prepared& b) { return separated_cylinders(a, b, minimiser, options); });
 }
 
-/// The text says that what only touches is apart, so that much is no fault of it.
+/// The text defines touching solids as apart, so that answer is not one of its faults.
 constexpr Claim claim_of_text{
     .relative = 1e-13,
     .source =
@@ -53,7 +53,7 @@ constexpr Claim claim_of_text{
         "and what only touches counts as that. The relative part, for rounding, is ours.",
     .assumed = true};
 
-/// The document to the letter, with these faults.
+/// The literal document, with these faults.
 std::unique_ptr<Method> literal_method(std::string_view name, Minimiser minimiser,
                                        literature::Faults faults) {
   return method_of(name, minimiser, {.faults = faults, .literal = true, .touching_apart = true},

@@ -18,12 +18,12 @@ namespace {
 
 static_assert(sizeof(mjtNum) == 8);
 
-/// Mpr_tolerance, a length, and how many steps go with it: MuJoCo's defaults, and what users choose who need
-/// more.
+/// Values of mpr_tolerance, a length, and the number of steps for each: MuJoCo's defaults, and values for
+/// users who need more precision.
 constexpr double default_tol = 1e-6, fine_tol = 1e-10;
 constexpr int default_cap = 50, fine_cap = 500;
 
-/// The default ones also write MUJOCO_LOG.TXT into the working folder.
+/// The default handlers also write MUJOCO_LOG.TXT into the working folder.
 void install_handlers() {
   mju_user_error = [](const char* text) {
     std::fprintf(stderr, "%s\n", text);
@@ -39,7 +39,7 @@ struct DeleteData {
   void operator()(mjData* data) const { mj_deleteData(data); }
 };
 
-/// Two cylinders; their sizes and poses are written for each pair. Throws std::runtime_error.
+/// Makes two cylinders. Their sizes and poses are set for each pair. Throws std::runtime_error.
 std::unique_ptr<mjModel, DeleteModel> make_model() {
   constexpr char file[] = "pair.xml";
   const std::string text =
@@ -91,8 +91,8 @@ class Solid {
   Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation_;
 };
 
-/// MuJoCo's collider of two kinds, without what surrounds it in mj_collision: the search for near pairs
-/// and what the solver of contacts wants to know.
+/// MuJoCo's collider of two kinds. It leaves out the other parts of mj_collision, which search for near
+/// pairs and prepare data for the solver of contacts.
 class Collider {
  public:
   Collider(double tolerance, int iterations) {
@@ -105,7 +105,7 @@ class Collider {
   }
 
   Verdict collide(const Solid& a, const Solid& b) {
-    if (a.type() > b.type()) return collide(b, a);  // its table has the lesser type first
+    if (a.type() > b.type()) return collide(b, a);  // MuJoCo's table has the lesser type first
     a.write_to(*model_, *data_, 0);
     b.write_to(*model_, *data_, 1);
     mjContact contacts[mjMAXCONPAIR];
@@ -119,8 +119,8 @@ class Collider {
   std::unique_ptr<mjData, DeleteData> data_;
 };
 
-/// Yes or no: whether the collider makes a contact. Not asked for distances: with a margin it tells how deep
-/// the solids, grown by it, are along one direction that MPR finds, up to half off on plain pairs.
+/// Returns whether the collider makes a contact. It is not used for distances. With a margin, it returns the
+/// depth of the grown solids along one direction that MPR finds. That is up to half off on plain pairs.
 class Mujoco final : public Method {
  public:
   Mujoco(std::string_view name, double tolerance, int iterations)

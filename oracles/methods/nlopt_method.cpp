@@ -13,35 +13,35 @@
 namespace cyl {
 namespace {
 
-/// A way to spend a budget of evaluations of f: `global` on each of the three charts, then `local` at most on
-/// each round of polishing.
+/// How a method spends its budget of evaluations of f: `global` on each of the three charts, then at most
+/// `local` on each round of polishing.
 struct Setting {
   std::string_view name;
   nlopt_algorithm algorithm;
   int global;
   int local;
-  bool stop_at_sign;  ///< ends with the first direction of negative f: a verdict, not the distance
+  bool stop_at_sign;  ///< ends with the first direction of negative f, without a distance
   unsigned share;
   double relative;  ///< of the claim
 };
 
-/// The seed of NLopt's generator, which is the thread's own: set before each pair, or the answer would depend
-/// on the pairs before it.
+/// The seed of NLopt's generator, which belongs to the thread. It is set before each pair. Otherwise an
+/// answer would depend on the pairs before it.
 constexpr unsigned long random_seed = 1;
 
 /// First steps of the rounds of polishing, in chart coordinates. A simplex that has collapsed on a kink of f
 /// starts anew, smaller, in the next round.
 constexpr double polish_steps[3] = {0x1p-3, 0x1p-8, 0x1p-16};
 
-/// Half the side of the chart that polishing may use. Wider than the face (1), so that a minimum on an edge
-/// of the cube is inside.
+/// Half the side of the chart that polishing may use. It is wider than the face (1), so that a minimum on an
+/// edge of the cube is inside.
 constexpr double polish_reach = 2;
 
-/// A step in chart coordinates below which polishing is over: two ulp of 1.
+/// Polishing ends at steps below this, in chart coordinates: two ulp of 1.
 constexpr double polish_step_tol = 0x1p-51;
 
-/// The same for the local searches inside MLSL: near enough to tell one basin from another; polishing does
-/// the rest.
+/// The same for the local searches inside MLSL. It is small enough to distinguish basins. Polishing does the
+/// rest.
 constexpr double basin_step_tol = 0x1p-20;
 
 /// A pair scaled by a power of two so that its largest length is near 1, with the best direction seen so
@@ -58,7 +58,7 @@ struct Problem {
   Vector3 best_direction{0, 0, 1};
 };
 
-// Half the offset is formed first: the offset itself may overflow.
+// The offset may overflow, so half of it is formed first.
 Problem scale(const Pair& pair) {
   const Cylinder* const solids[] = {&pair.a, &pair.b};
   const Vector3 half_delta = 0.5 * pair.b.center - 0.5 * pair.a.center;
@@ -85,9 +85,9 @@ Vector3 direction_of(int chart, const double* x) {
   return d.normalized();
 }
 
-// f(D)/|D| of Equation (6) with D on a face of the cube |x|, |y|, |z| <= 1: f(-D) = f(D), so three faces are
-// the whole sphere, and no chart has a pole. |P D| is the sine between D and the axis, taken as a cross
-// product: no cancellation near the axis.
+// Evaluates f(D)/|D| of Equation (6) with D on a face of the cube |x|, |y|, |z| <= 1. Because f(-D) = f(D),
+// three faces are the whole sphere, and no chart has a pole. |P D| is the sine between D and the axis. It is
+// taken as a cross product, which does not cancel near the axis.
 double evaluate(unsigned, const double* x, double*, void* data) {
   Problem& p = *static_cast<Problem*>(data);
   const Vector3 d = direction_of(p.chart, x);
@@ -115,10 +115,10 @@ Optimizer make_optimizer(nlopt_algorithm algorithm, Problem& p, double reach, in
   return opt;
 }
 
-// The codes that nlopt_optimize returns (budget reached, roundoff limited, failure) say nothing about the
-// minimum: the best direction is the one the objective itself has seen. Of NLopt's local methods without
-// derivatives, Nelder-Mead copes best with the kinks of f: in one pair of a hundred SBPLX and COBYLA stop 10
-// to 10000 times farther from the minimum.
+// The codes that nlopt_optimize returns (budget reached, roundoff limited, failure) give no information on
+// the minimum. The objective itself keeps the best direction. Nelder-Mead copes best with the kinks of f
+// among NLopt's local methods without derivatives. In one pair of a hundred, SBPLX and COBYLA stop 10 to
+// 10000 times farther from the minimum.
 void minimise(Problem& p, const Setting& s) {
   nlopt_srand(random_seed);
   double x[2];
@@ -147,12 +147,12 @@ void minimise(Problem& p, const Setting& s) {
   }
 }
 
-// Shares: an answer of 600 evaluations takes 0.15 ms, of 1200 0.3 ms, of 6000 by DIRECT 2.6 ms, and all other
-// methods together take 0.1 ms on a pair.
+// Shares: an answer takes 0.15 ms with 600 evaluations, 0.3 ms with 1200, and 2.6 ms with 6000 of DIRECT.
+// All other methods together take 0.1 ms on a pair.
 //
-// Claims: the largest errors seen, relative to the size, on 2500 pairs each of random solids, needles, disks
-// and solids along the axes were 4e-2 (direct-600, crs-1200), 7e-4 (mlsl-1200) and 1.4e-5 (direct-6000); nine
-// in ten were below 2e-10, and all above 2e-4 were depths of overlaps.
+// Claims: the largest errors seen, relative to the size, were 4e-2 (direct-600, crs-1200), 7e-4 (mlsl-1200)
+// and 1.4e-5 (direct-6000). They come from 2500 pairs each of random solids, needles, disks and solids along
+// the axes. Nine in ten errors were below 2e-10, and all above 2e-4 were depths of overlaps.
 constexpr Setting settings[] = {
     {"nlopt-direct-600", NLOPT_GN_DIRECT_L, 120, 80, false, 64, 1e-1},
     {"nlopt-direct-6000", NLOPT_GN_DIRECT_L, 1800, 200, false, 1024, 1e-3},
@@ -161,7 +161,7 @@ constexpr Setting settings[] = {
     {"nlopt-sign-600", NLOPT_GN_DIRECT_L, 120, 80, true, 64, 1e-1},
 };
 
-// For curves. Their claims promise nothing: a size is above every error there is.
+// These are for curves. Their claims promise nothing, because no error is greater than the size.
 constexpr Setting more_settings[] = {
     {"nlopt-direct-150", NLOPT_GN_DIRECT_L, 30, 20, false, 16, 1},
     {"nlopt-direct-300", NLOPT_GN_DIRECT_L, 60, 40, false, 32, 1},
@@ -201,7 +201,7 @@ class Nlopt final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = p.best < 0 ? Verdict::disjoint : Verdict::intersecting;
-    // Said only where it is the minimum that was looked for and no overflow.
+    // A distance is returned only if the minimum was searched for, and if it does not overflow.
     answer.distance = -std::scalbn(p.best, p.exponent);
     answer.has_distance = std::isfinite(answer.distance) && !(setting_.stop_at_sign && p.best < 0);
     if (p.best < 0) {

@@ -13,15 +13,15 @@ namespace {
 
 static_assert(sizeof(dReal) == 8);
 
-/// What ODE hands to the algorithm of libccd; its users cannot change it.
+/// The tolerance that ODE passes to the algorithm of libccd. Its users cannot change it.
 constexpr double mpr_tol = 1e-6;
 constexpr std::string_view mpr_source =
     "ode/src/collision_libccd.cpp: ccd.mpr_tolerance = (ccd_real_t)1E-6; ode/collision.h says nothing";
 
-/// ODE gives no more contacts of two cylinders, whatever is asked.
+/// ODE never returns more contacts of two cylinders than this.
 constexpr int contacts_cap = 8;
 
-/// Throws std::runtime_error. Never closed: a Call may hold solids for as long as the process lives.
+/// Throws std::runtime_error. ODE is never closed, because a Call may hold solids until the process ends.
 void initialise_once() {
   static const bool ready =
       dInitODE2(0) != 0 && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
@@ -41,7 +41,7 @@ dGeomID geom_of(const Cylinder& c) {
   return dCreateCylinder(nullptr, c.radius, c.height);
 }
 
-/// A solid as ODE keeps it, in no space and on no body. dCollide() has a function for each two kinds.
+/// A solid as ODE keeps it, in no space and on no body. dCollide() has a function for each pair of kinds.
 class Solid {
  public:
   explicit Solid(const Cylinder& c) : geom_(geom_of(c)) {
@@ -63,10 +63,10 @@ class Solid {
   dGeomID geom_;
 };
 
-/// dCollide: whether it makes a contact.
+/// Calls dCollide() and returns whether it makes a contact.
 class Ode final : public Method {
  public:
-  /// `flags`: the number of contacts asked for, and CONTACTS_UNIMPORTANT.
+  /// `flags` holds the number of contacts to find, and CONTACTS_UNIMPORTANT.
   Ode(std::string_view name, unsigned flags) : name_(name), flags_(static_cast<int>(flags)) {
     initialise_once();
   }

@@ -92,7 +92,7 @@ class Decide final : public Method {
   }
 };
 
-/// What `distance` is asked to hold, relative to size and the centres' distance.
+/// The error that `distance` may have, relative to the size and the distance of the centres.
 constexpr double distance_tol = 1e-13;
 
 class MeasureDistance final : public Method {
@@ -135,7 +135,7 @@ class Exact final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = truth.verdict;
-    // A certificate of rationals that no doubles hold stays behind; the verdict stands without it.
+    // A certificate of rationals that doubles cannot hold is left out. The verdict stands without it.
     answer.set_witness(truth.certificate);
     return answer;
   }
@@ -161,7 +161,7 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   answer.verdict = measured.verdict;
   answer.steps = measured.iterations;
   answer.step_cap = distance_step_cap;
-  // Where its bounds stay apart it says so, and no number.
+  // If its bounds stay apart, it reports that and returns no number.
   const Vector3 delta = pair.b.center - pair.a.center;
   const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
                        std::hypot(delta.x(), delta.y(), delta.z());

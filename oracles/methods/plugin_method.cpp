@@ -27,11 +27,11 @@
 namespace cyl {
 namespace {
 
-/// Time in which a library must have loaded.
+/// The time in which a library must load.
 constexpr int load_cap_milliseconds = 20'000;
-/// Bytes of what it says of itself; a pipe holds as many.
+/// The cap on the bytes of its labels. A pipe holds as many.
 constexpr std::size_t label_cap = 32768;
-/// Methods of one library.
+/// The cap on the methods of one library.
 constexpr std::size_t methods_cap = 32;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -46,28 +46,28 @@ constexpr int own_symbols_first = RTLD_DEEPBIND;
 constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
 #endif
 
-/// Doubles behind those that a plug-in may write, and what stands in them.
+/// The number of doubles behind the ones that a plug-in may write, and their value.
 constexpr std::size_t guard_size = 16;
 constexpr double guard = -0x1.5a5a5a5a5a5a5p+77;
-/// Doubles that it may write.
+/// The number of doubles that it may write.
 constexpr std::size_t more_size = 7;
 
 bool is_untouched(const double* guards) {
   return std::all_of(guards, guards + guard_size, [](double x) { return x == guard; });
 }
 
-/// What a library says of itself.
+/// The description that a library gives of one of its methods.
 struct Label {
   std::string name, version, source;
   double relative = 0, absolute = 0;
-  bool batch = false;     ///< `ask_all` is there
-  bool many = false;      ///< `ask_many` is
+  bool batch = false;     ///< it has `ask_all`
+  bool many = false;      ///< it has `ask_many`
   bool rounding = false;  ///< a cylinder is nine numbers
   int shapes = 0;         ///< the sum of its DaylightShapes
   SizeRange sizes;
 };
 
-/// Bytes that are read of a text of a library's.
+/// The caps on the bytes that are read from a library's texts.
 constexpr std::size_t name_cap = 63, source_cap = 255;
 
 std::string text_of(const char* text, std::size_t cap) {
@@ -127,7 +127,7 @@ std::vector<const DaylightMethod*> load(const std::string& file) {
   return methods;
 }
 
-/// The labels of its methods as CBOR, or a text that says why there are none.
+/// Returns the labels of its methods as CBOR, or a text with the reason why there are none.
 nlohmann::json describe(const std::string& file) try {
   nlohmann::json labels = nlohmann::json::array();
   for (const DaylightMethod* method : load(file)) {
@@ -145,8 +145,8 @@ nlohmann::json describe(const std::string& file) try {
   return text_of(error.what(), source_cap);
 }
 
-/// Runs `work` in a process of its own, confined where the kernel does that, and returns the bytes it gives.
-/// Throws std::runtime_error that says how it ended without.
+/// Runs `work` in a process of its own, confined if the kernel supports that, and returns its bytes. Throws
+/// std::runtime_error with the way in which the process ended if there are none.
 std::string run_apart(const std::function<std::string()>& work) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
@@ -184,7 +184,7 @@ std::string run_apart(const std::function<std::string()>& work) {
   return bytes;
 }
 
-/// Reads them in a process of its own: the constructors of a library may do anything.
+/// Reads the labels in a process of its own, because the constructors of a library may do anything.
 std::vector<Label> read_labels(const std::string& file) {
   const nlohmann::json read = parse_cbor(run_apart([&] { return format_cbor(describe(file)); }));
   if (read.is_string()) throw std::runtime_error(read.get<std::string>());
@@ -199,7 +199,7 @@ bool any_given(const double* three) {
   return !std::all_of(three, three + 3, [](double x) { return std::isnan(x); });
 }
 
-/// Out of range where it is none, which contained.cpp finds.
+/// Returns a value out of range for an unknown word. contained.cpp finds it.
 Verdict verdict_of(int word) {
   return word >= 0 && word <= DAYLIGHT_UNDECIDED ? static_cast<Verdict>(word) : static_cast<Verdict>(255);
 }
@@ -235,7 +235,7 @@ class Plugin final : public Method {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
-    // What it may write, and behind that what it may not.
+    // The doubles that it may write, and behind them the ones that it may not.
     double more[more_size + guard_size];
     std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
     std::fill_n(more + more_size, guard_size, guard);
@@ -292,7 +292,7 @@ class Plugin final : public Method {
   }
 
  private:
-  /// Returns why the last call declined or failed, in its words; null where it has none.
+  /// Returns why the last call declined or failed, in its words. Returns null if it gives no reason.
   const char* reason() {
     const DaylightMethod& method = loaded();
     return has_second_part(method) && method.reason ? method.reason() : nullptr;
@@ -322,13 +322,13 @@ class Plugin final : public Method {
     return answer;
   }
 
-  /// Loads once a process, and only where it is asked: in a worker.
+  /// Loads once per process, and only in the worker that asks it.
   const DaylightMethod& loaded() {
     if (!method_) method_ = load(guest_.what).at(place_);
     return *method_;
   }
 
-  /// The bench asks whether there is such a way at all by no pairs, in its own process.
+  /// The bench passes no pairs, in its own process, to find out whether a method supports a way at all.
   const DaylightMethod* loaded(std::span<const Pair> pairs) { return pairs.empty() ? nullptr : &loaded(); }
 
   std::size_t number_count() const { return label_.rounding ? cylinder_number_count : core_number_count; }
@@ -352,7 +352,7 @@ class Plugin final : public Method {
   Label label_;
   std::string version_;
   const DaylightMethod* method_ = nullptr;
-  // Of ask_many().
+  // Buffers of ask_many().
   std::vector<double> flat_, more_;
   std::vector<int> words_;
 };

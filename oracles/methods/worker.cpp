@@ -26,13 +26,13 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// How often a running worker is looked at: a hang is noticed at most this late.
+/// The interval at which a running worker is checked. A hang is noticed at most this late.
 constexpr milliseconds longest_look_interval{50};
 
 /// How often a worker is started for one block that none takes up.
 constexpr int start_cap = 3;
 
-/// Time that the first thread of a process ran or could have run; 0 where the system does not tell.
+/// The time that the first thread of a process ran or could have run, or 0 if the system does not report it.
 nanoseconds busy_time_of(pid_t process) {
   char file[40];
   std::snprintf(file, sizeof file, "/proc/%d/schedstat", process);
@@ -57,7 +57,7 @@ class Worker::Memory {
   Shared<ResponseBlock> said{false};
 };
 
-/// A process, and what it alone has.
+/// A process and its own resources.
 class Worker::Process {
  public:
   Process(std::span<const std::unique_ptr<Method>> methods, bool confined, const Memory& memory)
@@ -110,14 +110,14 @@ Worker::~Worker() = default;
 
 struct Worker::Watched {
   bool lost = false;
-  std::string limit;  ///< that the question `at` broke, for which the worker was ended; else empty
+  std::string limit;  ///< the limit that question `at` exceeded, so that the worker was ended. Else empty
   std::size_t at = 0;
-  nanoseconds cpu{0};                                      ///< of that question
+  nanoseconds cpu{0};                                      ///< of question `at`
   std::vector<std::pair<std::size_t, nanoseconds>> waits;  ///< questions that slept, and how long
 };
 
 void Worker::post(std::span<const Pair> pairs, std::span<const Question> questions) {
-  if (process_ && !process_->kept().ours()) {  // it is of the process that this one was forked from
+  if (process_ && !process_->kept().ours()) {  // the process belongs to the one that this one was forked from
     process_.reset();
     memory_.reset();
   }
@@ -141,8 +141,8 @@ void Worker::post(std::span<const Pair> pairs, std::span<const Question> questio
 
 bool Worker::has_begun() const { return memory_->said->begun.load() == memory_->asked->number.load(); }
 
-// The times of a question start where the move of the cursor to it is noticed, so they never count what an
-// earlier call used.
+// The times of a question start when the move of the cursor to it is noticed. So they never count time that
+// an earlier call used.
 Worker::Watched Worker::watch() {
   const auto interval = std::clamp(caps_.call_cpu / 4, milliseconds(1), longest_look_interval);
   const auto& said = *memory_->said.operator->();
@@ -222,7 +222,7 @@ ContainedAnswer Worker::describe_loss(const Watched& watched) {
 
 std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<const Question> questions) {
   Watched watched;
-  // One that ended on what earlier questions left, before it took this block up, is no answer to it.
+  // If a process ends on earlier questions, before it takes up this block, a new one is started.
   for (int attempt = 0; attempt < start_cap; ++attempt) {
     post(pairs, questions);
     watched = watch();
@@ -242,13 +242,13 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
           SideEffect::slow,
           "waited for " + std::to_string(std::chrono::duration_cast<milliseconds>(waited).count()) + " ms");
   }
-  // Where many were asked in one call it is not known whose fault that is: the next block goes one by one.
+  // After a loss in one call for many, the question at fault is not known. The next block goes one by one.
   const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&
                            methods_[questions[said.size()].method]->has_batch_call();
   one_by_one_ = in_one_call;
   if (in_one_call) process_.reset();
   if (watched.lost && !in_one_call) {
-    // A call may end just before the kill meant for it: then no one is to blame.
+    // A call may end just before the kill meant for it. Then no call is at fault.
     const bool blamed = watched.limit.empty() || watched.at == said.size() || said.empty();
     if (said.size() < questions.size() && blamed) said.push_back(describe_loss(watched));
     process_.reset();

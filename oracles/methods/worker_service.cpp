@@ -24,8 +24,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// Bytes that a worker may have beyond what it has at the fork: a leak in foreign code ends as std::bad_alloc
-/// or a crash in the worker, not as the machine's out-of-memory killer.
+/// The bytes that a worker may use beyond its memory at the fork. A leak in foreign code then ends in
+/// std::bad_alloc or a crash of the worker, and the machine's out-of-memory killer stays out of it.
 constexpr rlim_t memory_cap = rlim_t{2} << 30;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -46,21 +46,21 @@ rlim_t address_space_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Threads of this process.
+/// The number of threads of this process.
 nlink_t count_threads() {
   struct stat s {};
   return stat("/proc/self/task", &s) == 0 ? s.st_nlink : 0;
 }
 
-// Signals that a terminal or a batch system sends to all are the parent's to handle, or the method that
-// happens to be asked would be blamed for them.
+// Terminals and batch systems send some signals to all processes. The parent handles these signals.
+// Otherwise the method that is asked at that moment would be blamed for them.
 void become_worker() {
   for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXFSZ}) std::signal(s, SIG_IGN);
   limit(RLIMIT_FSIZE, output_cap);
   if (!sanitized) limit(RLIMIT_AS, address_space_now() + memory_cap);
   std::setvbuf(stdout, nullptr, _IONBF, 0);
-  // Handlers run last in, first out: exit() in foreign code must not run those of the parent (which may
-  // remove its files).
+  // Handlers run last in, first out. exit() in foreign code must not run the handlers of the parent, which
+  // may remove its files.
   std::atexit([] { _exit(exit_called_code); });
 }
 
@@ -93,7 +93,7 @@ class Service {
   }
 
  private:
-  /// Threads that are there from then on are nobody's fault.
+  /// Threads that exist after this are not counted as side effects.
   void initialize() {
     for (std::size_t i = 0; i < asked_.count; ++i) {
       const std::size_t m = asked_.questions[i].method;
@@ -102,7 +102,7 @@ class Service {
       ready_[m] = true;
       try {
         methods_[m]->initialize();
-      } catch (...) {  // ask() will say it
+      } catch (...) {  // ask() will report it
       }
       write_control_words(words_);
       threads_ = count_threads();
@@ -116,7 +116,7 @@ class Service {
       while (end < asked_.count && asked_.questions[end].method == q.method &&
              asked_.questions[end].run == q.run)
         ++end;
-      // To read the CPU clock is a system call, to read the other none.
+      // To read the CPU clock takes a system call, to read the other clock takes none.
       const clockid_t clock = end - first > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
       const nanoseconds start = read_clock(clock);
       if (!answer_many(first, end))
@@ -133,8 +133,8 @@ class Service {
     }
   }
 
-  /// Asks in one call, and returns whether that was possible and without side effects, of which it would not
-  /// be known where they come from.
+  /// Asks in one call. Returns whether that was possible and without side effects. The question that causes
+  /// a side effect would not be known.
   bool answer_many(std::size_t first, std::size_t end) {
     const Question& q = asked_.questions[first];
     Method& method = *methods_[q.method];

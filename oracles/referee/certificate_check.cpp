@@ -24,12 +24,12 @@ double max_abs(const Vec3<double>& v) {
   return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
 }
 
-// 2^exponent where that is a normal double.
+// Returns 2^exponent, which must be a normal double.
 double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-// x 2^exponent; clears `exact` where that does not give x back.
+// Returns x 2^exponent. Clears `exact` if the way back does not give x.
 double scaled(double x, int exponent, bool& exact) {
   if (exponent > -1000 && exponent < 1000) {
     const double y = x * power_of_two(exponent);
@@ -45,7 +45,7 @@ Vec3<double> scaled(const Vec3<double>& v, int exponent, bool& exact) {
   return {scaled(v.x, exponent, exact), scaled(v.y, exponent, exact), scaled(v.z, exponent, exact)};
 }
 
-// The words of Hull are sets of what is 0: 1 along the axis, 2 across it.
+// A Hull is a set of coordinates that are 0 in it: bit 1 along the axis, bit 2 across it.
 static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2 &&
               static_cast<int>(Hull::center) == 3);
 bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
@@ -61,7 +61,7 @@ I length(const Vec3<I>& v) {
   return sqrt(square(v.x) + square(v.y) + square(v.z));
 }
 
-// f of the cores for a direction: radius |D x w| + height/2 |D.w| of both solids less |D.delta|.
+// f of the cores for a direction D: radius |D x w| + height/2 |D.w| of both solids, less |D.delta|.
 template <class I>
 I support_gap_of(const Vec3<I>& d, const Vec3<I>& w0, const I& radius0, const I& half0, const Vec3<I>& w1,
                  const I& radius1, const I& half1, const Vec3<I>& delta) {
@@ -190,11 +190,11 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
   return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= room_.lo;
 }
 
-// Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
-// axes give, which lies in the hulls exactly, so that what is 0 there need not be shown to be.
+// The points move by vectors that are known only as intervals. The exact unit axes give the point that is
+// meant. It lies in the hulls exactly, so a coordinate that is 0 there needs no proof.
 //
-// Two flat solids whose planes, or plane and line, cross at a point strictly inside both: a - b holds a ball
-// about 0, so f > 0 in every direction.
+// Two flat solids overlap if their planes, or a plane and a line, cross at a point strictly inside both.
+// Then a - b holds a ball about 0, so f > 0 in every direction.
 template <class R>
 bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
@@ -203,15 +203,15 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
            (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
   };
   if (hull_a != Hull::space && hull_b != Hull::space) {
-    const bool swap = hull_b != Hull::plane;  // `second` lies in a plane
+    const bool swap = hull_b != Hull::plane;  // now `second` lies in a plane
     const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
     const Hull hull = swap ? hull_b : hull_a;
     if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
     const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
-    const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first
+    const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first solid
     Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
-    y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything where the two may be parallel
+    y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything if the two may be parallel
     return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
   }
   if (hull_a != Hull::space) x = moved(a_, hull_a, x);
@@ -222,7 +222,7 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
 template class BasicFilter<double>;
 template class BasicFilter<long double>;
 
-// GMP rounds to double towards 0, to infinity where that is too large.
+// GMP rounds to double towards 0, and to infinity if the number is too large.
 Vec3<Interval> enclosed(const Rational3& v) {
   const auto c = [](const mpq_class& x) { return Interval::outward(x.get_d(), x.get_d()); };
   return {c(v.x), c(v.y), c(v.z)};
@@ -269,10 +269,10 @@ bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, i
 namespace {
 
 struct Sides {
-  int cap, wall;  // of either: -1 strictly inside, 0 on it, 1 outside
+  int cap, wall;  // of each: -1 strictly inside, 0 on it, 1 outside
 };
 
-// x.w/|w| against height/2 and |x x w|/|w| against radius, both squared, so that no square root is needed.
+// Compares x.w/|w| with height/2 and |x x w|/|w| with radius. Both are squared, to need no square root.
 Sides sides_of(const Cylinder& c, const Rational3& point) {
   const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
   const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2, radius(c.radius);
@@ -285,13 +285,13 @@ bool is_in(const Cylinder& c, const Rational3& point) {
   return sides.cap <= 0 && sides.wall <= 0;
 }
 
-// Of a flat solid: of its part of the plane or line. The point is in the solid.
+// A flat solid is taken as a part of its plane or line. The point must be in the solid.
 bool strictly_inside(const Cylinder& c, const Rational3& point, Hull hull) {
   const Sides sides = sides_of(c, point);
   return (level(hull) || sides.cap < 0) && (thin(hull) || sides.wall < 0);
 }
 
-// Planes, or a plane and a line.
+// Returns whether the hulls are two planes, or a plane and a line, that are not parallel.
 bool cross_at_an_angle(const Pair& pair, Hull hull_a, Hull hull_b) {
   const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis), normal = cross(w0, w1);
   if (hull_a == hull_b) return hull_a == Hull::plane && dot(normal, normal) != 0;
@@ -331,8 +331,8 @@ bool overlap_at(const Pair& pair, const Rational3& point) {
 }
 
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls) {
-  // Each plane x.normal = offset that a hull lies in: one for a plane, two for a line, three for a centre.
-  // Made orthogonal to the planes before it; what is left of a dependent one must have offset 0.
+  // A hull lies in planes x.normal = offset: in one if it is a plane, two if a line, three if a centre. Each
+  // is made orthogonal to the planes before it. If nothing is left of a normal, its offset must be 0 too.
   struct Plane {
     Rational3 normal;
     mpq_class offset;

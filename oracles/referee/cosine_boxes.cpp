@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// With t_i = D.w_i the cosines between a direction D and the axes, and s(t) = sqrt(1 - t^2),
+// Let t_i = D.w_i be the cosines between a direction D and the axes, and s(t) = sqrt(1 - t^2). Then
 //     f(D) = sum (h_i |t_i| + r_i s(t_i)) - D.delta.
-// On a box of cosines of fixed signs only the s(t_i) are not linear in D. They are concave: for any slope k,
-// s(t) >= k t + c with c the lesser of s - k t at the interval's two ends. So
+// In a box of cosines of fixed signs, all terms except s(t_i) are linear in D. s is concave. So for any
+// slope k, s(t) >= k t + c, if c is the lesser of s - k t at the two ends of the interval. Hence
 //     f(D) >= sum r_i c_i + z.D,   z = sum (+-h_i + r_i k_i) w_i - delta,
-// with the secant's slope as k. That is exact at the corners of the box, where f has its kinks (t = 0 and
-// t = +-1), and short by the square of the box's width elsewhere. The least z.D in the box is bounded by
-// duality: for l_i >= 0 with b_i the lower end of interval i, or l_i <= 0 with b_i the upper end,
+// with the secant's slope as k. This is exact at the corners of the box, which include the kinks of f (t = 0
+// and t = +-1). Elsewhere it is short by the square of the box's width. Duality bounds the least z.D in the
+// box. If l_i >= 0, let b_i be the lower end of interval i, else the upper end. Then
 //     z.D >= -|z - l_0 w_0 - l_1 w_1| + l_0 b_0 + l_1 b_1.
-// Every l gives a bound, so that nothing depends on how well l is chosen. It is chosen so that the D that the
-// right side is least at lies in the box: without l, on one side of the box, or at a corner. A corner where
-// no D has both cosines, with l of the right signs, shows that the box is empty.
+// Every l gives a valid bound, so a poor choice of l does no harm. l is chosen so that the right side is
+// least at a D in the box. Then l is 0, or D is on one side of the box, or at a corner. If no D has both
+// cosines of a corner, and l has the right signs there, the box is empty.
 //
-// In the frame (w_0, e, n), n along w_0 x w_1 towards b, c and q the cosine and sine between the axes, a
-// direction is (x, y, v) with t_0 = x and t_1 = c x + q y. Of D and its mirror image with -v the one with
-// v >= 0 has the lesser f. Only that half is searched.
+// The frame is (w_0, e, n), with n along w_0 x w_1 towards b. c and q are the cosine and sine between the
+// axes. A direction is (x, y, v), with t_0 = x and t_1 = c x + q y. If v >= 0, f is at most as great at D as
+// at its mirror image with -v. So only that half is searched.
 //
-// Boxes that hold the least value itself are closed by a local minimum, whose bound is exact on a cap
+// A local minimum closes the boxes that hold the least value. Its bound is exact on a cap
 // (direction_bounds.cpp). For the cap about D* = alpha w_0 + beta w_1 + v* n,
-//     D*.D = alpha t_0 + beta t_1 + v* v(t),
-// and v(t), the square root of a concave function, is concave: the least is at a corner of the box if all
-// four exist, and at least that of the linear part otherwise.
+//     D*.D = alpha t_0 + beta t_1 + v* v(t).
+// v(t) is concave, because it is the square root of a concave function. So the least value is at a corner of
+// the box if all four exist. Otherwise it is at least that of the linear part.
 #include "oracles/referee/cosine_boxes.hpp"
 
 #include <algorithm>
@@ -32,25 +32,25 @@
 namespace cyl {
 namespace {
 
-/// Sine between the axes. Below, boxes as small as the angle between them would be needed.
+/// The least sine between the axes. Below it, boxes as small as the angle between the axes would be needed.
 constexpr double least_tilt_tol = 0x1p-20;
-/// Slopes, and multipliers as multiples of the reach: longer ones lose more to rounding than they gain.
+/// Cap on slopes, and on multipliers relative to the reach. Above it, rounding loses more than they gain.
 constexpr double slope_cap = 0x1p20;
-/// Rounding for each unit of |l_i| or r_i |k_i| in a bound: fewer than 16 operations.
+/// The rounding error of a bound, for each unit of |l_i| or r_i |k_i|. There are fewer than 16 operations.
 constexpr double term_error = 16 * 0x1p-53;
-/// Cosine of the widest cap that a local minimum is asked to close.
+/// The cosine of the widest cap in which a local minimum is tried as a bound.
 constexpr double widest_cap_cosine = 0.5;
-/// Relative to the box's width: how far inside a kink of the other solid must lie to be split at.
+/// A box is split at a kink of the other solid that lies at least this far inside, relative to its width.
 constexpr double kink_share = 0x1p-6;
-/// Width of boxes from which another local minimum is looked for, and how many there may be.
+/// Boxes below this width start a search for another local minimum, up to this number of minima.
 constexpr double small_box_tol = 0.05;
 constexpr std::size_t minima_cap = 4;
-/// Sine within which a local minimum is looked for on a kink.
+/// A local minimum is searched for on a kink within this sine.
 constexpr double kink_sine = 0x1p-12;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// An interval of one cosine, of one sign, with s at its ends and the secant there.
+/// An interval of one cosine, which has one sign. It holds s at its ends, and the secant of s between them.
 struct Interval1 {
   double low, high, sine_low, sine_high, slope, intercept;
 };
@@ -65,7 +65,7 @@ Interval1 interval(double low, double sine_low, double high, double sine_high) {
 struct Box {
   std::array<Interval1, 2> t;
   double below;
-  double x, y, v;  ///< the direction that its bound is attained at
+  double x, y, v;  ///< the direction at which its bound is attained
   bool operator<(const Box& o) const { return below > o.below; }  // the least bound first
 };
 
@@ -77,7 +77,7 @@ class Boxes {
     const Vec w1 = normalized(p.axis1);
     c_ = dot(w0_, w1);
     const Vec rest = normalized(w1 - c_ * w0_);
-    e_ = normalized(rest - dot(rest, w0_) * w0_);  // what the difference lost of the right angle
+    e_ = normalized(rest - dot(rest, w0_) * w0_);  // restores the right angle, which the difference may lose
     n_ = cross(w0_, e_);
     if (dot(n_, p.delta) < 0) n_ = -1.0 * n_;
     q_ = dot(e_, w1);
@@ -219,7 +219,7 @@ class Boxes {
   std::array<Minimum, minima_cap> minima_;
   std::size_t count_ = 0;
   std::size_t boxes_ = 0;
-  bool better_ = false;       ///< than any local minimum
+  bool better_ = false;       ///< whether `best` improved after the last local minimum
   double closed_ = infinity;  ///< the least bound of boxes that are not in the queue any more
 };
 
@@ -248,10 +248,10 @@ class Dual {
   }
 
  private:
-  /// 1 below the interval, -1 above.
+  /// Returns 1 below the interval, -1 above it, and 0 inside.
   int side(std::size_t i, double t) const { return t < box_.t[i].low ? 1 : t > box_.t[i].high ? -1 : 0; }
 
-  /// l_0 w_0 + l_1 w_1 = (m0, m1) in the frame.
+  /// Tries the bound with l_0 w_0 + l_1 w_1 = (m0, m1) in the frame.
   void at(double m0, double m1) {
     const double l1 = m1 * inverse_q_, l0 = m0 - c_ * l1;
     const double b0 = l0 > 0 ? box_.t[0].low : box_.t[0].high, b1 = l1 > 0 ? box_.t[1].low : box_.t[1].high;

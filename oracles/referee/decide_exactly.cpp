@@ -31,7 +31,7 @@ Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylind
   return {};
 }
 
-// The points of two flat solids may all be of touching, and the point of a hull has yet to be found.
+// Two flat solids may only touch at their point, and a point in hulls must still be computed.
 Truth decide_exactly(const Cylinder& a, const Cylinder& b) {
   const Answer answer = decide(a, b);
   if (answer.proof == Proof::none) return judge({a, b});

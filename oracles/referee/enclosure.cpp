@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Enclosing the signed distance, -min of f over unit directions, by branch and bound over the sphere.
-//
-// f as in direction_bounds.cpp.
+// Encloses the signed distance, -min of f over unit directions, by branch and bound over the sphere. f is as
+// in direction_bounds.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,7 +80,7 @@ class Minimum {
 
   void find() {
     constexpr double everything = -std::numeric_limits<double>::infinity();
-    // f(D) = f(-D) - 2 D.delta: the half of the sphere towards b is enough, which has face 2 in its middle.
+    // f(D) = f(-D) - 2 D.delta, so the half of the sphere towards b is enough. Face 2 is in its middle.
     for (const int face : {2, 0, 1, 3, 4})
       for (const double s : {-0.5, 0.5})
         for (const double t : {-0.5, 0.5})
@@ -108,10 +107,10 @@ class Minimum {
  private:
   /// Cells of this half width are too wide for the bound by a minimum, in most cases.
   static constexpr double coarse_tol = 0.5;
-  /// How near to a kink a guess lies that belongs on it.
+  /// A guess within this sine of a kink belongs on the kink.
   static constexpr double guess_sine = 0x1p-12;
 
-  /// Rounds of a descent; along a valley that bends each gets no farther than a guess may.
+  /// Rounds of a descent. Along a bent valley each round gets no farther than a guess may.
   static constexpr int descent_cap = 32;
 
   Cap turned(Cap cap) const {
@@ -147,8 +146,8 @@ LeastValue parallel(const SearchPair<double>& p) {
   const Vec w = height < 0 ? -1.0 * axis : axis;
   const double along = std::fabs(height) - p.half0 - p.half1;
   const double radial = length(cross(p.delta, w)), across = radial - p.radius0 - p.radius1;
-  // Perpendicular to the axis again after the difference has lost digits. If nearly all were lost, any
-  // direction across is as good.
+  // This makes the direction perpendicular to the axis again after the difference has lost digits. If nearly
+  // all were lost, any direction across is as good.
   Vec out = p.delta - dot(p.delta, w) * w;
   if (length(out) > 0) out = normalized(out);
   out = out - dot(out, w) * w;
@@ -160,7 +159,7 @@ LeastValue parallel(const SearchPair<double>& p) {
   return {0, -distance, -distance, d};
 }
 
-// How far x, relative to a's centre, is from both solids together: the solids are no farther apart.
+// How far x, relative to a's centre, is from both solids together. The solids are at most so far apart.
 double way_to_both(const SearchPair<double>& p, const Vec& x) {
   const auto beyond = [](const Vec& axis, double radius, double half, const Vec& y) {
     const Vec w = normalized(axis);
@@ -192,7 +191,7 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
 
 // Encloses |distance| if one guess shows that it is within the given width. If the solids are apart, their
 // distance is at most the sum of the distances of a point from both. If they overlap, their depth is at most
-// f in any direction. Nearly touching pairs would else take all cells of the sphere.
+// f in any direction. Otherwise nearly touching pairs would take all cells of the sphere.
 std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict, double relative_width) {
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);

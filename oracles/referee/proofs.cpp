@@ -65,7 +65,7 @@ Rational3 rational(const Vec3<MpFloat>& v) {
 
 namespace {
 
-// The direction brought to coordinates of at most 1 by a power of two, then rounded to double.
+// Divides the direction by its greatest coordinate, then rounds it to double.
 std::optional<std::array<double, 3>> rounded_direction(const Rational3& d) {
   const mpq_class most = std::max({mpq_class(abs(d.x)), mpq_class(abs(d.y)), mpq_class(abs(d.z))});
   if (most == 0) return std::nullopt;
@@ -99,7 +99,7 @@ mpq_class times_power(mpq_class x, int exponent) {
   return x;
 }
 
-// In a unit near the size, so that a scene of another scale has the same guess.
+// Uses a unit near the size, so that a scaled scene has the same guess.
 Rational3 simplest_near(const Pair& pair, const Rational3& point, int bits) {
   const mpq_class size = exact_size(pair);
   const int unit = size > 0 ? std::ilogb(size_of(pair)) : 0;

@@ -122,8 +122,8 @@ Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& p
   return found;
 }
 
-// Touching, proved: contacts at rational points in rational directions are guessed as the simplest rationals
-// near the search's result, then proved by algebra.
+// Proves touching. The contact is guessed as the simplest rationals near the result of the search, then
+// proved by algebra. This finds contacts at rational points in rational directions.
 std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, const Rational3& direction,
                                     int bits) {
   const Rational3 guess = simplest_near(pair, point, bits);
@@ -135,8 +135,7 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
       t.certificate.vector = common->written;
       return t;
     }
-  // No rational point was found. One within 2^-200 size of both solids is what a search at this precision
-  // returns.
+  // No rational point was found. A search at this precision returns one within 2^-200 size of both solids.
   Rational3 near_point, near_direction;
   // not covered: touching solids show their point at any precision
   if (!search_in_multiprecision(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
@@ -224,8 +223,8 @@ mpq_class simple_near(double x) {
   return mpq_class(mpz_class(p1), mpz_class(q1));
 }
 
-// By algebra at simple points near the points that double found. Solids with a plane between them touch or
-// are disjoint, and no point is needed to decide that.
+// Proves by algebra at simple points near the points that double found. Solids with a plane between them
+// touch or are disjoint, and no point is needed to decide that.
 std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   // If lengths are extreme, double may have found nothing.
   const auto known = [](const Vec3<double>& v) {
@@ -248,7 +247,7 @@ std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   const auto plane =
       prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
   if (plane && plane->meet) return settled(Verdict::touching);
-  // As undecided as for the wide search is a gap that its cap does not show.
+  // A gap that the cap of the wide search does not show stays undecided here too.
   const auto numbers = numbers_of(pair);
   const auto tiny = [](double x) { return x != 0 && std::fabs(x) < 0x1p-1000; };
   if (plane && (std::none_of(numbers.begin(), numbers.end(), tiny) ||

@@ -6,7 +6,7 @@
 namespace cyl {
 namespace {
 
-// The rational square root of q, where it has one.
+// Returns whether q has a rational square root, and sets `root` to it.
 bool rational_root(const mpq_class& q, mpq_class& root) {
   if (!mpz_perfect_square_p(q.get_num_mpz_t()) || !mpz_perfect_square_p(q.get_den_mpz_t())) return false;
   root = mpq_class(sqrt(q.get_num()), sqrt(q.get_den()));
@@ -15,9 +15,9 @@ bool rational_root(const mpq_class& q, mpq_class& root) {
 
 }  // namespace
 
-// sqrt(q) = sqrt(q r)/r sqrt(r): where q r is a square, the term joins that of sqrt(r). Square roots of
-// rationals no two of which have a square as product are linearly independent over the rationals (Besicovitch
-// 1940); so the sum is 0 iff no term is left.
+// sqrt(q) = sqrt(q r)/r sqrt(r). So if q r is a square, the term joins that of sqrt(r). If no product of two
+// of the rationals is a square, their square roots are linearly independent over the rationals (Besicovitch
+// 1940). So the sum is 0 if and only if no term is left.
 void RootSum::add(const mpq_class& c, const mpq_class& q) {
   if (c == 0 || q == 0) return;
   mpq_class root;
@@ -77,7 +77,7 @@ int RootSum::sign() const {
   if (const int sign = sign_within(first_bits)) return sign;
   const RootSum sum = joined();
   if (sum.terms_.empty()) return 0;
-  // Not 0, so some precision shows the sign.
+  // The sum is not 0, so some precision shows its sign.
   for (int bits = first_bits;; bits *= 2)
     if (const int sign = sum.sign_within(bits)) return sign;
 }

@@ -20,14 +20,14 @@ Truth met_at(ExactVector on_a, ExactVector on_b, Stage stage, int bits) {
   return t;
 }
 
-/// How the length between a point of each core compares with the room.
+/// Compares the distance between a point of each core with the contact distance.
 int compare_with_room(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
   const Rational3 between = on_b - on_a;
   const mpq_class contact_distance = contact_distance_of(pair);
   return cmp(mpq_class(dot(between, between)), mpq_class(contact_distance * contact_distance));
 }
 
-/// A rational above the root of a positive one, by less than 2^-digits of it.
+/// Returns a rational above the square root of a positive one, by less than 2^-digits of the root.
 mpq_class root_above(const mpq_class& square, int digits) {
   const auto size = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
   const int half = digits + 1 + (size(square.get_den()) - size(square.get_num())) / 2;
@@ -36,8 +36,8 @@ mpq_class root_above(const mpq_class& square, int digits) {
   return times_power(mpq_class(root), -half);
 }
 
-/// What was found, moved into the core: into the hull exactly, then as far along the axis and across it as it
-/// is nearer to the surface than 2^-digits of what the core has there, be that ever so little.
+/// Moves the found point into the core. It moves into the hull exactly. Then it moves inward, if needed,
+/// until its distances from the caps and the wall are 2^-digits of the half height and of the radius.
 Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
   const Rational3 center = exact(c.center), w = exact(c.axis), x = project_to_hull(c, found) - center;
   const mpq_class share = 1 - times_power(1, -digits), ww = dot(w, w);
@@ -52,7 +52,7 @@ Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
   return center + along * w + across;
 }
 
-/// The centre and a double, as far as those are enough to be in the core.
+/// Writes the point as the centre plus a double. The caller checks that the result is still in the core.
 std::optional<ExactVector> written_short(const Cylinder& c, const Rational3& point) {
   const double head[3] = {c.center.x(), c.center.y(), c.center.z()};
   const Rational3 from_center = point - exact(c.center);
@@ -65,7 +65,7 @@ std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rati
   const auto shown = [&](const Rational3& x, const Rational3& y) {
     return in_each_exact(pair, x, y) && compare_with_room(pair, x, y) < 0;
   };
-  constexpr int double_digits = 50;  // what moves a point farther than rounding to double does
+  constexpr int double_digits = 50;  // moves a point farther than rounding to double does
   const auto short_a = written_short(pair.a, pulled_in(pair.a, on_a, double_digits));
   const auto short_b = written_short(pair.b, pulled_in(pair.b, on_b, double_digits));
   if (short_a && short_b && shown(exact(*short_a), exact(*short_b)))
@@ -93,7 +93,7 @@ struct DoublePoints {
   int exponent = 0;
 
   Vec3<MpFloat> lifted(const Vec3<double>& v) const {
-    const int half = exponent / 2;  // the whole may be no power of a double
+    const int half = exponent / 2;  // 2^exponent itself may not be a double
     const MpFloat unit = MpFloat(std::ldexp(1.0, half)) * MpFloat(std::ldexp(1.0, exponent - half));
     return unit * Vec3<MpFloat>{MpFloat(v.x), MpFloat(v.y), MpFloat(v.z)};
   }
@@ -110,8 +110,8 @@ DoublePoints nearest_in_double(const Pair& pair) {
   return r;
 }
 
-/// The best from starts all round the four rims. Two faces at a tiny angle are nearest at a corner of what
-/// one hides of the other, which is on a rim; other starts need not lead there.
+/// Returns the best result of starts all round the rims. Two faces at a tiny angle are nearest at a corner
+/// of the part that one hides of the other. That corner is on a rim, and other starts need not lead there.
 DoublePoints nearest_from_rims(const Pair& pair) {
   DoublePoints r = nearest_in_double(pair);
   const SearchPair<double> p = double_pair(pair, r.exponent);
@@ -135,8 +135,8 @@ DoublePoints nearest_from_rims(const Pair& pair) {
   return r;
 }
 
-/// Where the nearest points are looked for first; where that leads astray, which it does beside axes that are
-/// nearly parallel, next.
+/// The starts of the search for the nearest points, in the order in which they are tried. A start may lead
+/// astray if the axes are nearly parallel.
 enum class Start : unsigned char {
   double_points,
   corners,
@@ -160,7 +160,7 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
       const DoublePoints guess = nearest_in_double(pair);
       return refine_nearest(p, bits, guess.lifted(guess.found.on_a), guess.lifted(guess.found.on_b));
     }
-    // What one face hides of the other, at a tiny angle, may be so small that no other start leads there.
+    // At a tiny angle, one face may hide so small a part of the other that no other start leads there.
     case Start::corners: {
       DoublePoints unit;
       const std::array<Vec3<double>, 4> corners = crossings_of_rims(double_pair(pair, unit.exponent));
@@ -190,7 +190,7 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
     case Start::by_cells:
       break;
   }
-  // The direction in which the cells of the enclosure find the cores apart.
+  // Starts in the direction in which the cells of the enclosure find the cores apart.
   constexpr double cells_tol = 1e-9;  // of the size
   Pair cores = pair;
   cores.a.rounding = cores.b.rounding = 0;
@@ -199,7 +199,7 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
   return find_nearest(p, bits, farthest(p, attain_distance(cores, apart, cells_tol).direction));
 }
 
-/// Whether the point is in the core grown by the slack all round.
+/// Returns whether the point is in the core grown by the slack on all sides.
 bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& slack) {
   const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
   const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2 + slack,
@@ -207,7 +207,7 @@ bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& sl
   return along * along <= half * half * ww && dot(across, across) <= radius * radius * ww;
 }
 
-/// The points of a search wide enough for 2^-200 of the size, if it came that near.
+/// Returns the points of a search with enough bits for 2^-200 of the size, if it came that near.
 std::optional<Certificate> near_points(const Pair& pair, const Rational3& direction) {
   const mpq_class slack = times_power(exact_size(pair), -200),
                   contact_distance = contact_distance_of(pair) + slack;
@@ -225,10 +225,10 @@ std::optional<Certificate> near_points(const Pair& pair, const Rational3& direct
   return {};
 }
 
-// Beside a contact of faces the search comes near only slowly: simpler rationals are tried too.
+// Near a contact of faces the search approaches only slowly, so simpler rationals are tried too.
 std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
                                             int bits) {
-  // Far from touching it is not worth trying.
+  // If the solids are far from touching, it is not worth trying.
   const Rational3 between = on_b - on_a;
   const mpq_class size = exact_size(pair), contact_distance = contact_distance_of(pair);
   if (abs(mpq_class(dot(between, between) - contact_distance * contact_distance)) >
@@ -261,7 +261,7 @@ std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& o
   return t;
 }
 
-/// Of a and of b, in their hulls.
+/// Returns the points of a and of b, each in its hull.
 std::pair<Rational3, Rational3> points_of(const Pair& pair, const MethodAnswer& answer) {
   return {project_to_hull(pair.a, sum(answer.head, answer.tail), answer.hulls[0]),
           project_to_hull(pair.b, sum(answer.other_head, answer.other_tail), answer.hulls[1])};
@@ -290,7 +290,7 @@ std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& 
 std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter, Guess& guess) {
   int& exponent = guess.exponent;
   const SearchPair<double> p = double_pair(pair, exponent);
-  // Most pairs are told by a direction that separates the cores, or by their common point.
+  // For most pairs, a direction that separates the cores or a common point of the cores decides.
   const Found<double>& of_cores = guess.found = search(p, 53);
   const double apart[3] = {of_cores.direction.x, of_cores.direction.y, of_cores.direction.z};
   if (of_cores.has_direction && filter.separates(apart))
@@ -310,7 +310,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   const double direction[3] = {between.x, between.y, between.z};
   if (filter.separates(direction))
     return proved(Verdict::disjoint, exact_vector(direction, no_tail), Stage::filter, 53);
-  constexpr double inward = 1 - 0x1p-45;  // farther than rounding carries a point out
+  constexpr double inward = 1 - 0x1p-45;  // moves a point farther in than rounding carries it out
   const auto point = [&](const Cylinder& c, const Vec3<double>& from_center) {
     const auto in_scene = [&](double x) { return std::ldexp(inward * x, exponent); };
     return ExactVector{{c.center.x(), c.center.y(), c.center.z()},
@@ -319,7 +319,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   };
   const ExactVector on_a = point(pair.a, found.on_a), on_b = point(pair.b, found.on_b - p.delta);
   if (!filter.come_near(on_a, on_b, {})) return {};
-  // Of flat solids the points meant are those of their planes and lines nearest to these.
+  // For flat solids, the points meant are the nearest ones of their planes and lines.
   const auto written = [](const Cylinder& c, const ExactVector& v) {
     if (c.radius > 0 && c.height > 0) return exact_vector(v.head.data(), v.tail.data());
     return exact_vector(project_to_hull(c, exact(v)));
@@ -353,7 +353,7 @@ std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
     if (between.x != 0 || between.y != 0 || between.z != 0)
       if (auto t = prove_disjoint(pair, between, bits)) return t;
     if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
-    // What double found algebra has seen.
+    // Algebra has already tried the points that double found.
     const bool seen = start == Start::double_points && bits == first_multiprecision_bits;
     if (seen || bits > tangency_bits) continue;
     if (auto t = prove_rounded_touching(pair, on_a, on_b, bits)) return t;

@@ -30,7 +30,7 @@ Root3 along(const mpq_class& length, const Rational3& v) {
 
 bool at_most(const RootSum& a, const RootSum& b) { return (b - a).sign() >= 0; }
 
-// Where a solid touches its supporting plane square to D, relative to its centre.
+// The part of a solid that touches its supporting plane perpendicular to D, relative to its centre.
 struct Face {
   enum Kind { point, segment, disk } kind;
   Root3 center;
@@ -48,8 +48,8 @@ Face face(const Cylinder& c, const Rational3& d) {
   return {Face::point, along(radius, radial) + along(end, w), w, radius, half};
 }
 
-// Whether two faces in one plane share a point; `delta` leads from the centre of the first to that of the
-// second.
+// Returns whether two faces in one plane share a point. `delta` leads from the centre of the first to the
+// centre of the second.
 bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   if (f.kind < g.kind) return faces_meet(g, f, RootSum(-1) * delta);
   const RootSum square = dot(delta, delta);
@@ -86,7 +86,7 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   return is_zero(delta);
 }
 
-// A point that two faces in one plane share if they meet, from the centre of the first.
+// Returns a point that two faces in one plane share if they meet, relative to the centre of the first.
 Root3 shared_point(const Face& f, const Face& g, const Root3& delta) {
   if (f.kind < g.kind) return delta + shared_point(g, f, RootSum(-1) * delta);
   if (g.kind == Face::point) return delta;
@@ -145,7 +145,7 @@ int support_gap_sign(const Pair& pair, const Rational3& direction) {
 }
 
 mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
-  // Convergents of the continued fraction of x, until one is near enough.
+  // Tries the convergents of the continued fraction of x until one is near enough.
   mpz_class p0 = 0, q0 = 1, p1 = 1, q1 = 0;
   mpq_class rest = x;
   for (;;) {
@@ -155,14 +155,14 @@ mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
     p0 = p1, q0 = q1, p1 = p2, q1 = q2;
     mpq_class guess(p1, q1);
     guess.canonicalize();
-    if (abs(mpq_class(x - guess)) <= tolerance) return guess;  // the last is x
+    if (abs(mpq_class(x - guess)) <= tolerance) return guess;  // the last convergent is x
     rest = 1 / mpq_class(rest - whole);
   }
 }
 
 namespace {
 
-// What the candidates are made of: a line's length and its sense do not matter.
+// The vectors from which the candidates are made. A candidate is a line. Its length and sense do not matter.
 template <class R>
 struct Guess {
   Vec3<R> w0, w1, delta, x0, x1, near_direction;
@@ -171,10 +171,10 @@ struct Guess {
     return v - R(dot(v, axis) / dot(axis, axis)) * axis;
   }
 
-  // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
-  // meets; that of the two rims through the point (square to both rims' tangents), of a rim and a wall or a
-  // segment (square to tangent and axis); of segments on one line, any square to it; of two points in one
-  // place, any.
+  // The candidates are the normal of a cap, of two crossing walls, of two parallel walls, and of a wall at
+  // the point that it meets. Others are perpendicular to the tangents of two rims, or to the tangent of a
+  // rim and the axis of a wall or segment. If two segments lie on one line, any vector perpendicular to it
+  // serves. If two points are in one place, any vector serves.
   Vec3<R> candidate(int i) const {
     const R one(1), none(0);
     switch (i) {

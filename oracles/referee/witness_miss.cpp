@@ -32,7 +32,7 @@ MpFloat half_width(const Cylinder& c, const Vec& d) {
   return MpFloat(c.radius) * length(cross(d, w)) + MpFloat(c.height) / MpFloat(2) * abs(dot(d, w));
 }
 
-/// How far beyond a cap or a wall a point lies, whichever is farther.
+/// Returns how far a point lies beyond the caps or beyond the wall, the greater of the two.
 MpFloat beyond(const Cylinder& c, const Vec& point) {
   const Vec x = point - lifted(c.center), w = unit_axis_of(c);
   return std::max(abs(dot(x, w)) - MpFloat(c.height) / MpFloat(2), length(cross(x, w)) - MpFloat(c.radius));

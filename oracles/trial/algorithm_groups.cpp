@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::uint64_t group_seed = 7, pairs_per_cell = 4;
 
-/// The part, of the pairs on which the rarer wrong one of two is wrong, on which the other is wrong in the
-/// same way. Among all_methods(), those with one algorithm share 0.97 and more, others 0.92 at most.
+/// One of two methods is wrong on fewer pairs. This is the part of them on which the other is wrong in the
+/// same way. Among all_methods(), methods with one algorithm share 0.97 and more, others 0.92 at most.
 constexpr double shared_part_margin = 0.95;
-/// The part, of the pairs on which either is wrong, on which both are. Across libraries: 0.67 and more of
-/// those with one algorithm, 0.53 at most of others. Within one a setting may make the difference; below the
-/// smaller margin one is wrong so often that the other's pairs are among them by chance.
+/// The part of the pairs on which both are wrong, among the pairs on which either is. Across libraries, it is
+/// 0.67 or more for methods with one algorithm, at most 0.53 for others. Within one, a setting may make the
+/// difference. Below the smaller margin, one is wrong so often that it includes the other's pairs by chance.
 constexpr double alike_part_margin = 0.3, alike_part_across_margin = 0.6;
-/// Pairs on which both must be wrong to be told from luck: within a library, and across.
+/// The number of pairs on which both must be wrong to exclude luck: within a library, and across libraries.
 constexpr std::size_t least_wrong = 5, least_wrong_across = 20;
 
 enum class Outcome : unsigned char { nothing, right, wrong_disjoint, wrong_intersecting, failed };

@@ -15,9 +15,9 @@
 namespace cyl {
 namespace {
 
-/// In the scene's unit: below and above it a size counts as extreme.
+/// A size below or above these, in the scene's unit, counts as extreme.
 constexpr std::pair<double, double> plain_sizes_margin{1e-3, 1e3};
-/// Longer to shorter.
+/// The ratio of the longer length to the shorter.
 constexpr double plain_ratio_margin = 100;
 constexpr double small_margin = 1e-3;
 

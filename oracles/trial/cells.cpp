@@ -20,7 +20,7 @@ constexpr int decades = 16;  ///< of a sine or cosine, below 0.1
 constexpr int oblique_bin = decades + 1, right_bin = 2 * decades + 2;
 constexpr int infinite_bin = decades + 1;  ///< of the aspect, after all that is above 1e16
 
-/// Decades where scenes are, coarser where only scales are tried.
+/// Decades at the sizes of scenes, and coarser steps at sizes that only scaled pairs have.
 constexpr std::array scales{1e-200, 1e-100, 1e-50, 1e-20, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6,
                             1e-5,   1e-4,   1e-3,  1e-2,  1e-1,  1e0,   1e1,   1e2,  1e3,  1e4,  1e5,
                             1e6,    1e7,    1e8,   1e9,   1e10,  1e11,  1e12,  1e20, 1e50, 1e100};
@@ -30,7 +30,7 @@ std::string power_label(int exponent) {
   return fmt::format("1e{}", exponent);
 }
 
-/// The first end that x does not exceed; beyond the last where it exceeds all.
+/// Returns the index of the first end that x does not exceed, or the number of ends if it exceeds all.
 template <std::size_t n>
 int bin_of(double x, const std::array<double, n>& ends) {
   return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), x) - ends.begin());
@@ -65,7 +65,7 @@ int aspect_bin(const Pair& pair) {
 
 int margin_bin(const Pair& pair, Verdict truth, double size) {
   if (truth == Verdict::touching) return touching_bin;
-  // Points apart are infinitely many sizes apart.
+  // Two points that are apart are infinitely many sizes apart.
   return margin_decade(size > 0 ? std::abs(distance(pair.a, pair.b).value) / size
                                 : std::numeric_limits<double>::infinity());
 }

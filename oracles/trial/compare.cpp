@@ -16,8 +16,8 @@
 namespace cyl {
 namespace {
 
-/// Relative widths asked of an enclosure, in this order: a lower bound that has not reached the claim at the
-/// last of them counts as within the claim.
+/// The relative widths that enclosures are asked for, in this order. A lower bound that has not reached the
+/// claim at the last width counts as within the claim.
 constexpr double widths[] = {1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
 constexpr double widest = widths[0], narrowest = widths[std::size(widths) - 1];
 /// Relative. Covers the rounding of size_of (3 sums), of a claim (2 operations) and of a quotient, 2^-53
@@ -37,7 +37,7 @@ Enclosure relative_to(double size, const Enclosure& length) {
   return {length.lo / size * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
 }
 
-/// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
+/// Returns the pair's own margin, for faults that do not depend on it. Returns nothing if nothing is proved.
 std::optional<Enclosure> margin_of(Trial& trial) {
   if (!trial.decided()) return {};
   if (trial.truth.verdict == Verdict::touching) return Enclosure{0, 0};
@@ -73,17 +73,17 @@ std::optional<Finding> compare_verdict(Trial& trial, const Claim& claim, Verdict
   return {};
 }
 
-/// The least and the greatest |said - d| over d in `real`.
+/// Returns the least and the greatest error of `said` over all distances in `real`.
 Enclosure error_of(double said, const Enclosure& real) {
   return {std::max({0.0, real.lo - said, said - real.hi}), std::max(real.hi - said, said - real.lo)};
 }
 
-// Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
-// depends on how narrow others have made it. One that is much wider than asked for ended at the rounding of
-// doubles or at its cap on cells, and would again.
+// If an enclosure proves the distance neither right nor wrong, the narrowest one is asked for. So a finding
+// never depends on how narrow earlier questions made the enclosure. If one is much wider than asked for, it
+// ended at the rounding of doubles or at its cap on cells, and would do so again.
 std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   const double said = answer.distance, size = size_of(trial.pair), allowed = reach(claim, size);
-  // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
+  // A claim of 0/0 promises a rounded number, so one unit in the last place of the larger length is allowed.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
   const double finest = answer.error_bound > 0 ? std::min(most, answer.error_bound) : most;
@@ -118,7 +118,7 @@ bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * 
 
 bool same_hulls(const Hull* x, const Hull* y) { return x[0] == y[0] && x[1] == y[1]; }
 
-/// Whether the truth's certificate is this answer's own witness, so that it need not be checked again.
+/// Returns whether the truth's certificate is this answer's own witness, which then needs no second check.
 bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
   const ExactVector &v = truth.certificate.vector, &other = truth.certificate.second;
   return truth.certificate.kind == answer.witness && v.in_doubles() &&
@@ -128,7 +128,7 @@ bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
          same_hulls(truth.certificate.hulls.data(), answer.hulls);
 }
 
-/// Whether the witness, if any, proves the verdict that was said. A direction says nothing about touching.
+/// Returns whether the witness, if any, proves the verdict. A direction proves nothing about touching.
 bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& answer) {
   if (answer.witness == CertificateKind::none || answer.verdict == Verdict::undecided) return true;
   if (answer.verdict == Verdict::touching && answer.witness == CertificateKind::direction) return true;
@@ -157,12 +157,12 @@ FindingKind finding_of(Failure failure) {
   return FindingKind::crash;
 }
 
-// An absolute length asked of solids so large that their coordinates' own rounding exceeds it is no promise
-// anybody can keep.
+// No method can keep an absolute length for solids so large that the rounding of their coordinates exceeds
+// it. So the relative part is then at least claim_floor.
 double reach(const Claim& claim, double size) {
   const double relative = claim.absolute > 0 ? std::max(claim.relative, claim_floor) : claim.relative;
   if (relative == 0 || size == 0) return claim.absolute;
-  // Of subnormal solids the product may vanish.
+  // For subnormal solids the product may vanish.
   const double relative_part = std::max(relative * size, std::numeric_limits<double>::denorm_min());
   return (relative_part + claim.absolute) * (1 + rounding_error);
 }
@@ -194,14 +194,14 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   if (answer.has_distance)
     if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
   if (witness_holds(trial.pair, trial.truth, answer)) return {};
-  // Only who claims to be always right promises a proof. Of nearest points that are right within a tolerance
-  // the difference need not separate.
+  // Only a method that claims to be always right promises a proof. If nearest points are right within a
+  // tolerance, their difference need not separate.
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
   if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
   return wrong;
 }
 
-/// To sleep, and to leave threads to wait for the next call, is allowed; it is told.
+/// A method may sleep, and may leave threads that wait for the next call. Both are reported nevertheless.
 Severity severity_of(SideEffect effect) {
   return effect == SideEffect::slow || effect == SideEffect::thread ? Severity::resolution
                                                                     : Severity::contract;

@@ -14,7 +14,7 @@ namespace {
 
 enum class Part : unsigned char { side, rim, cap };
 
-/// Largest coordinate between 1 and 2; exact but for subnormal numbers.
+/// Scales the largest coordinate to between 1 and 2. This is exact except for subnormal numbers.
 Vector3 scaled(const Vector3& v) {
   const double most = v.cwiseAbs().maxCoeff();
   if (most == 0) return v;
@@ -39,8 +39,8 @@ Part part_along(const Cylinder& c, const Vector3& direction) {
   return Part::rim;
 }
 
-/// In sizes. What the search may leave open. Flat contacts are kinks of f: off one by an angle t, f is worse
-/// by about t heights or radii, so that the kink is found to less than flat_tol.
+/// The width that the search may leave open, relative to the size. Flat contacts are kinks of f. At an angle
+/// t from one, f is worse by about t heights or radii. So the search finds the kink to less than flat_tol.
 constexpr double direction_width_tol = 1e-11;
 
 }  // namespace
@@ -60,11 +60,11 @@ ContactFeature feature_along(const Pair& pair, const Vector3& direction) {
   return ContactFeature::rim_rim;
 }
 
-// Along outer's axis the inner reaches |d.w| + h/2 |cos| + r sin. Across it, in the plane square to w with x
-// along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r; the point
-// of them farthest from outer's axis lies in the quarter away from it, where its square distance
-//     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|,
-// is searched for the t of its maximum: a coarse look, then thirds.
+// Along outer's axis, the inner reaches |d.w| + h/2 |cos| + r sin. In the plane perpendicular to w, with x
+// along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r. Their
+// farthest point lies in the quarter away from outer's axis. A coarse search, then thirds, find its t, the
+// one with the greatest square distance
+//     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|.
 bool contains(const Cylinder& outer, const Cylinder& inner) {
   const Vector3 d = inner.center - outer.center;
   const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
@@ -110,7 +110,7 @@ std::optional<ContactFeature> contact_feature(const Pair& pair) { return contact
 AxesAngle axes_angle(const Pair& pair) {
   const Angle angle = angle_between(pair.a.axis, pair.b.axis);
   AxesAngle exactly{angle.sine, angle.cosine, false, false};
-  /// Sines and cosines above it are not 0: three coordinates of three roundings each, and the lengths.
+  /// Greater sines and cosines are not 0. It allows for three roundings per coordinate, and the lengths.
   constexpr double zero_error = 1e-15;
   if (angle.sine <= zero_error) {
     const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));

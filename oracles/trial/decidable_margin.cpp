@@ -11,10 +11,10 @@
 namespace cyl {
 namespace {
 
-/// Radii of balls that are tried: 8 a decade, from 1e-16 to 1 of the size.
+/// The radii of balls that are tried: 8 per decade, from 1e-16 to 1 times the size.
 constexpr int per_decade = 8, decades = 16;
 
-/// The greatest of those radii, relative to the size, at which the cores meet; 0 where they do at none.
+/// Returns the greatest radius tried at which the cores meet, relative to the size, or 0 if they never meet.
 template <class Meet>
 double greatest_margin(const Pair& pair, Meet meet) {
   int least = -1, most = per_decade * decades;  // met, not met

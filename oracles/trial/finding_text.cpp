@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Without the sign of zero.
+/// Writes a number without the sign of zero.
 std::string number(double x) { return format_double(x == 0 ? 0 : x); }
 
 std::string coordinate(const ExactVector& v, std::size_t i) {
@@ -23,7 +23,7 @@ std::string coordinate(const ExactVector& v, std::size_t i) {
                        exact.size());
   else if (!exact.empty())
     return exact;
-  // Two doubles whose sum is one, by the exact error of the sum, are shown as that one.
+  // If two doubles have a sum that is exactly one double, that double is shown. The error of the sum decides.
   const double sum = v.head[i] + v.tail[i], of_tail = sum - v.head[i];
   const double error = (v.head[i] - (sum - of_tail)) + (v.tail[i] - of_tail);
   if (v.tail[i] == 0 || error == 0) return number(sum);
@@ -34,7 +34,7 @@ std::string in_words(const ExactVector& v) {
   return fmt::format("({}, {}, {})", coordinate(v, 0), coordinate(v, 1), coordinate(v, 2));
 }
 
-/// In sizes.
+/// Relative to the size.
 constexpr double shown_margin = 1000;
 
 }  // namespace

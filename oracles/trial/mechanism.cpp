@@ -19,11 +19,11 @@
 namespace cyl {
 namespace {
 
-/// Of sizes beyond 2^+-this, products of eight lengths, such as squares of a determinant's, leave the
-/// doubles.
+/// If a size is beyond 2^+-this, products of eight lengths, such as squares of a determinant, leave the
+/// range of doubles.
 constexpr int product_exponent = 128;
-/// No fixed length of a library is beyond 2^+-this: what is right only there is so by accident, such as by
-/// numbers that vanish in single precision.
+/// A library has no fixed length beyond 2^+-this. A method that is right only there is right by accident,
+/// such as by numbers that vanish in single precision.
 constexpr int length_exponent = 64;
 
 /// Returns the pair with the first solid at the origin and the other moved along.
@@ -40,22 +40,22 @@ bool is_far(const Pair& p) {
   return near > offset_size_margin * size && apart <= near;
 }
 
-/// Returns e where 2^e <= size < 2^(e+1); for two points their distance counts as the size.
+/// Returns e with 2^e <= size < 2^(e+1). The distance of two points counts as their size.
 int exponent_of_size(const Pair& p) {
   double size = size_of(p);
   if (size == 0) size = (p.b.center - p.a.center).stableNorm();
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-/// Whether a number that follows the word is a code, as in "exit status 139", "GjkEpaResultState 1": it tells
-/// causes apart, while other numbers tell pairs apart.
+/// Returns whether a number after the word is a code, as in "exit status 139" or "GjkEpaResultState 1".
+/// Codes distinguish causes. Other numbers distinguish pairs.
 bool announces_code(std::string_view lower_word) {
   constexpr std::array words{"code", "error", "errno", "exception", "state", "status"};
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return lower_word.ends_with(w); });
 }
 
-/// Returns the first words of a text, joined by '-', without those that have a digit in them, codes excepted:
-/// these, and the words after the first few, tell one pair from another.
+/// Returns the first few words of a text, joined by '-'. It omits words that contain a digit, except codes.
+/// Like the later words, they distinguish pairs, not causes.
 std::string slug(std::string_view text) {
   constexpr int words_cap = 7;
   std::string out;
@@ -78,8 +78,8 @@ std::string slug(std::string_view text) {
   return out;
 }
 
-/// Returns the exponents k of the factors 2^k that are tried, from the nearest on: each twice the one before,
-/// and those that bring the size to 1 and to where products begin to leave the doubles.
+/// Returns the exponents k of the factors 2^k that are tried, from the nearest on. Each is twice the one
+/// before. Others bring the size to 1, or to the limits at which products begin to leave the doubles.
 std::vector<int> scales_to_try(const Pair& pair, bool larger) {
   std::vector<int> steps;
   for (int k = 1; k <= 1024; k *= 2) steps.push_back(k);
@@ -93,7 +93,7 @@ std::vector<int> scales_to_try(const Pair& pair, bool larger) {
   return steps;
 }
 
-/// Questions that are asked all together.
+/// Questions that are asked together.
 class Round {
  public:
   explicit Round(std::span<const std::unique_ptr<Method>> methods) : methods_(methods) {}
@@ -126,7 +126,7 @@ struct Scaling {
   std::size_t question;
 };
 
-/// Asks until one cannot be built, or only rounded: it would be another pair.
+/// Asks until a scaled pair cannot be built exactly. A rounded one would be another pair.
 std::vector<Scaling> ask_scaled(Round& round, std::size_t method, const Pair& pair, std::span<const int> ks) {
   std::vector<Scaling> asked;
   for (const int k : ks) {
@@ -137,7 +137,7 @@ std::vector<Scaling> ask_scaled(Round& round, std::size_t method, const Pair& pa
   return asked;
 }
 
-/// Returns the first that cures the failure, beside the last before it that does not.
+/// Returns the first factor that cures the failure, and the last factor before it that does not.
 std::optional<ScaleCure> first_cure(Round& round, const Trial& failing, int wrong,
                                     std::span<const Scaling> asked) {
   for (const auto& [k, question] : asked) {
@@ -147,9 +147,9 @@ std::optional<ScaleCure> first_cure(Round& round, const Trial& failing, int wron
   return {};
 }
 
-/// What is known of a failing pair on the way.
+/// The knowledge about a failing pair so far.
 struct Candidate {
-  Failing now;  ///< the pair, moved to the origin where it still fails there
+  Failing now;  ///< the pair, moved to the origin if it still fails there
   Classification found{};
   Trial failing{};
   bool done = false;
@@ -165,7 +165,7 @@ struct Candidate {
   }
 };
 
-/// Whether its verdict, which is wrong, is right about other solids that it says it models.
+/// Returns whether its wrong verdict is right about the solids that it models instead.
 bool is_right_about_its_model(const Method& method, const Trial& wrong) {
   const Pair model = method.modelled(wrong.pair);
   if (numbers_of(model) == numbers_of(wrong.pair) || !is_refuted_verdict(wrong.finding()->kind)) return false;
@@ -175,7 +175,7 @@ bool is_right_about_its_model(const Method& method, const Trial& wrong) {
          said == (truth == Verdict::intersecting);
 }
 
-/// As it is, and moved to the origin.
+/// Asks about the pair as it is, and moved to the origin.
 void ask_as_it_is(Candidate& c, Round& round) {
   c.asked = round.ask(c.now.method, c.now.pair);
   if (is_far(c.now.pair)) c.at_origin = round.ask(c.now.method, at_origin(c.now.pair));
@@ -199,7 +199,7 @@ void take_as_it_is(Candidate& c, Round& round, const Method& method) {
   if (c.found.capped) c.end(Mechanism::iteration_cap);
 }
 
-/// Larger, smaller; other settings.
+/// Asks about larger and smaller pairs, and asks other settings.
 void ask_changed(Candidate& c, Round& round, std::span<const std::unique_ptr<Method>> methods) {
   c.larger = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, true));
   c.smaller = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, false));
@@ -231,7 +231,7 @@ void take_changed(Candidate& c, Round& round) {
     c.end(found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
 }
 
-/// Brings both ends of a cure by scale together, until they are neighbours.
+/// Brings both ends of a cure by scale together until they are neighbours.
 void narrow(ScaleCure& cure, const Trial& failing, std::size_t method,
             std::span<const std::unique_ptr<Method>> methods, Asker& asker) {
   constexpr int parts = 8;
@@ -250,8 +250,8 @@ void narrow(ScaleCure& cure, const Trial& failing, std::size_t method,
   }
 }
 
-/// "a size of 12 (all lengths times 2^3; 1e-6 apart)": what the factor makes of the pair. Points have no
-/// size.
+/// Describes the pair times the factor, as in "a size of 12 (all lengths times 2^3; 1e-6 apart)". Points
+/// have no size.
 std::string scaled_in_words(const Trial& trial, int k) {
   Trial other(scaled(trial.pair, k), trial.truth);
   other.distance = {std::ldexp(trial.distance.lo, k), std::ldexp(trial.distance.hi, k)};
@@ -274,7 +274,7 @@ std::size_t group_representative(const GroupedMethods& of, std::size_t method) {
 bool cures(const Trial& failing, Trial& after) {
   if (!after.right() || after.meets() != failing.meets()) return false;
   if (failing.finding()->kind != FindingKind::distance_outside) return true;
-  // A claim has an absolute part: the error itself must shrink too.
+  // A claim has an absolute part, so the error itself must shrink too.
   const Claim half{.relative = failing.finding()->margin->lo / 2, .source = {}};
   return after.answer().has_distance && !compare(after, half, after.answer());
 }

@@ -15,18 +15,18 @@
 namespace cyl {
 namespace {
 
-/// Relative width at which depths are enclosed for `error`, a part of what is claimed of them.
+/// The relative width of enclosures of depths for `error`, a part of the error that a claim allows.
 constexpr double error_width = 1e-14;
 
-/// The length that `claim` allows the error of the distance: of |Delta| as well, as solver/distance.hpp does;
-/// of no claim all of it.
+/// Returns the error of the distance that `claim` allows. Its length includes |Delta|, as in
+/// solver/distance.hpp. If nothing is claimed, the whole length is allowed.
 double allowed(const Claim& claim, const Pair& pair) {
   const double length = size_of(pair) + length_of(pair.b.center - pair.a.center);
   return claim.relative == 0 && claim.absolute == 0 ? length : reach(claim, length);
 }
 
-/// The distance's error over its bound, at least and at most. Of a depth what is told bounds how much deeper
-/// the solids are; how much less deep, which no direction shows, the claim.
+/// Returns the least and the greatest error of the distance over its bound. For a depth, the bound limits
+/// how much deeper the solids are. No direction shows how much less deep they are, so the claim limits that.
 Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
   if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
   const double said = answer.distance, most = allowed(claim, trial.pair);

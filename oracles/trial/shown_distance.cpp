@@ -9,11 +9,11 @@
 namespace cyl {
 namespace {
 
-/// Of some forty operations in long double, relative to the lengths in them.
+/// The error of some forty operations in long double, relative to the lengths in them.
 constexpr long double wide_error = 0x1p-57L;
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-/// One solid in long double: its unit axis, its support, how far an offset from its centre is outside.
+/// One solid in long double: its unit axis, its support, and how far an offset from its centre is outside.
 struct WideSolid {
   explicit WideSolid(const Cylinder& c)
       : axis(c.axis.cast<long double>().normalized()),

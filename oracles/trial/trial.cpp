@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Relative widths of a distance that is only shown, and how much of itself it may be unsure of.
+/// The relative widths of a distance that is only shown, and the part of it that may stay unsure.
 constexpr double shown_widths[] = {1e-6, 1e-9, 1e-12, 1e-15};
 constexpr double shown_share = 1e-3;
 
@@ -22,7 +22,7 @@ bool same(const Pair& x, const Pair& y) {
   return std::memcmp(p.data(), q.data(), sizeof p) == 0;
 }
 
-/// x to three digits, or to as many more as tell it from y.
+/// Returns x to three digits, or to as many more as distinguish it from y.
 std::string told_from(double x, double y) {
   int digits = 3;
   while (digits < 17 && fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", y, digits)) ++digits;
