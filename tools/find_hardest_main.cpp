@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finds the cases of corpus/cases/hardest.jsonl. Each has the smallest margin that is not 0 for its contact
-// feature, lie of the axes and band of their small angle (corpus/pairs/close_contact.hpp). It draws contacts
-// and brings them to touch in 256 bits. Then it moves each coordinate of the second centre by up to `reach`
-// units in the last place to the least margin. To first order the places are a lattice. It tries two
-// coordinates, solves for the third, and prints the lines. Arguments: contacts per cell, seed.
+// feature, lie of the axes and band of their small angle (corpus/pairs/close_contact.hpp). The search draws
+// contacts and brings them to touch in 256 bits. Then it moves each coordinate of the second centre by up to
+// `reach` units in the last place to the least margin. To first order the places are a lattice. It tries two
+// coordinates and solves for the third. Prints the lines. Arguments: contacts per cell, seed.
 #include <fmt/core.h>
 
 #include <algorithm>
