@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The most shapes examined for the worst pair of a cause: two walks of a few seconds.
+/// The most shapes examined for the worst pair of a cause: two walks, which take a few seconds.
 constexpr std::size_t shapes_cap = 500;
 
 const Pair* simplest_of(const std::vector<const Subject*>& subjects,

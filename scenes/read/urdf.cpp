@@ -207,7 +207,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
   }
 }
 
-/// Returns the corners of a box or the vertices of a mesh. If there are none, throws std::runtime_error.
+/// Returns the corners of a box or the vertices of a mesh. Throws std::runtime_error with the reason if none.
 std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) {
   std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
   if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
