@@ -22,8 +22,7 @@ struct Tried {
   std::array<int, level_count> apart{}, within{};
 };
 
-/// Checks that no level is wrong if it decides. Levels cylinder and distance may be wrong within their
-/// bounds.
+/// Checks that no level is wrong if it decides. Only cylinder and distance may be, within their bounds.
 Tried expect_never_wrong(bool with_clearance) {
   Tried tried;
   for (const Family& family : families()) {
