@@ -26,7 +26,7 @@ struct AskOptions {
   std::uint64_t pairs = 20'000, seed = 1;
 };
 
-/// Pairs between two looks at the clock.
+/// The number of pairs between two looks at the clock.
 constexpr std::uint64_t shown_pairs = 1024;
 
 int write_questions(const AskOptions& options) {

@@ -46,8 +46,8 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
-/// Sets what the flag --curves stands for, where the command line does not say otherwise. 600 pairs: five
-/// margins of them are as many as `digits_low` needs.
+/// Sets the options that --curves stands for, unless the command line gives them. Five margins of the 600
+/// pairs have as many pairs as `digits_low` needs.
 void set_curves(const Command& command, BenchArguments& options) {
   const auto unless_given = [&](const char* name, auto& option, auto value) {
     if (!command.given(name)) option = value;
@@ -65,7 +65,7 @@ std::vector<std::unique_ptr<Method>> methods_for(const BenchArguments& options, 
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
 }
 
-/// Returns what is to be read beside the times of programs; empty where none is here.
+/// Returns a note on the times of programs. Empty if there are no programs.
 std::string through_pipes(const std::vector<Guest>& guests) {
   std::string names;
   for (const Guest& guest : guests)

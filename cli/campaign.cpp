@@ -44,11 +44,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The least run that is worth a self-check: in less, planting faults takes a share of the time that shows.
+/// The least run with a self-check. In less, planted faults take a noticeable part of the time.
 constexpr std::chrono::minutes least_self_check_budget{5};
 constexpr std::uint64_t least_self_check_pairs = 3'000'000;  // in five minutes, at 10,000 a second
 
-/// The wall time of a run that is given no limit of its own.
+/// The wall time of a run without a limit of its own.
 constexpr std::chrono::minutes default_budget{1};
 
 struct CampaignArguments {
@@ -62,7 +62,7 @@ struct CampaignArguments {
   GuestOptions guests;
 };
 
-/// What Workload refers to.
+/// Holds the data that Workload refers to.
 struct Selection {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
@@ -82,7 +82,7 @@ void print_list(const GuestOptions& guests) {
   for (const Family& family : campaign_families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
 }
 
-/// Reads "i/n", i from 0 to n - 1. Throws UsageError where the text is something else.
+/// Reads "i/n" with i from 0 to n - 1. Throws UsageError if the text has another form.
 void set_shard(const std::string& text, CampaignOptions& options) {
   const char* end = text.data() + text.size();
   const auto [slash, bad_index] = std::from_chars(text.data(), end, options.shard);
@@ -93,8 +93,8 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Returns whether a campaign draws such solids: without guests, all. With guests, what some guest supports,
-/// and what other methods support unless no guest supports cylinders.
+/// Returns whether a campaign draws such solids. Without guests it draws all. With guests it draws those
+/// that a guest supports, and those that other methods support if a guest supports cylinders.
 bool is_drawn(const Pair& pair, const std::vector<std::unique_ptr<Method>>& methods) {
   const auto supports = [&](const auto& m) { return m->supports_kinds(pair); };
   const auto guest = [](const auto& m) { return m->guest(); };
@@ -115,7 +115,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
   }
 }
 
-/// Plans a new run: everything from the command line.
+/// Plans a new run from the command line.
 CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selection) {
   CampaignOptions options;
   options.seed = arguments.seed ? *arguments.seed : std::random_device()();
@@ -124,7 +124,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
     options.out = fmt::format("runs/{:%Y%m%d-%H%M%S}-{}", fmt::localtime(std::time(nullptr)), options.seed);
   }
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
-  // Absolute: who resumes the run may stand elsewhere.
+  // The path is absolute, because the run may be resumed from another folder.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
   MethodSet set = with_guests(arguments.guests, arguments.methods);
   options.guests = format_guests(set.guests);
@@ -139,7 +139,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   return options;
 }
 
-/// Moves what `named` names, in that order, out of `all`; name_of() gives the name of one.
+/// Moves the elements that `named` names out of `all`, in that order. name_of() returns the name of one.
 template <class T, class NameOf>
 std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, NameOf name_of,
                     const std::string& run) {
@@ -153,12 +153,12 @@ std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, N
   return kept;
 }
 
-/// A budget that is spent stays a limit.
+/// Returns a limit even if the budget is spent.
 std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
   return budget.count() > 0 ? budget : spent_budget;
 }
 
-/// Returns every method there is and the run's guests; of those, one that is given anew is taken from there.
+/// Returns every method and the run's guests. A guest that the command line gives replaces that of the run.
 MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<std::string>& asked) {
   MethodSet set = with_guests(arguments.guests);
   for (const Guest& guest : set.guests) {
@@ -172,7 +172,7 @@ MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<s
   return set;
 }
 
-/// Plans to go on with a run: everything from its store but the limits, where the command line has some.
+/// Plans to continue a run from its store. Limits on the command line replace those of the store.
 CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& selection) {
   const RunStore store = RunStore::open(arguments.resume);
   const Config config = store.config();
@@ -239,8 +239,8 @@ std::string cost_in_words(const CampaignSummary& summary) {
              summary.progress.failed);
 }
 
-/// What the command line says of limits replaces what the run had, each for itself; one of time ends the
-/// other.
+/// Each limit on the command line replaces that limit of the run. A limit of time also ends the other limit
+/// of time.
 void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
   if (arguments.pairs) options.pairs = *arguments.pairs;
   if (!arguments.budget.empty()) {
@@ -258,7 +258,7 @@ void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
 }
 
 bool wants_self_check(const CampaignArguments& arguments, const CampaignOptions& options) {
-  if (options.shard != 0 || arguments.no_self_check) return false;  // the first shard's is enough
+  if (options.shard != 0 || arguments.no_self_check) return false;  // only the first shard has one
   if (arguments.self_check) return true;
   if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
   return options.budget >= least_self_check_budget || options.pairs >= least_self_check_pairs;
@@ -280,12 +280,12 @@ SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const Campa
   return {};
 }
 
-/// Keeps others from writing to the run as long as this process lives. Throws UsageError if one does already.
+/// Keeps others from writing to the run while this process lives. Throws UsageError if one writes to it.
 void hold(const std::string& run) {
   const int folder = open(run.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // closed with the process
   for (int tries = 0; folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++tries) {
     if (tries == 20) throw UsageError(run + " is written by another process");
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // one that was killed is still ending
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // a killed process may still be ending
   }
 }
 

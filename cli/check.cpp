@@ -28,8 +28,8 @@ namespace cyl {
 
 namespace {
 
-/// The number of lines that are answered together, at most: a foreign method's worker is forked once for all
-/// of them.
+/// The most lines that are answered together, because one worker of a foreign method is forked for all of
+/// them.
 constexpr std::size_t batch_cap = 1000;
 
 struct CheckOptions {
@@ -64,14 +64,14 @@ std::string describe(Verdict verdict, const Enclosure& d) {
                      format_end(apart ? d.hi : 0 - d.lo), apart ? "apart" : "deep");
 }
 
-/// The answer to the question that was asked.
+/// Adds the clearance, so that the line answers the question that was asked.
 std::string with_clearance(std::string line, const CheckOptions& options) {
   if (options.clearance == 0) return line;
   line.back() = ',';
   return line + "\"clearance\":" + format_double(options.clearance) + '}';
 }
 
-/// Returns the verdict as proved by the referee, to whom the solver's own certificate is offered first.
+/// Returns the verdict that the referee proves. It tries the certificate of the solver first.
 Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) {
   const Pair& pair = c.value->pair;
   const MethodAnswer offered[] = {solver.ask(pair)};
@@ -85,7 +85,7 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
                                      format_certificate(truth.certificate))};
 }
 
-/// Returns what the method itself said, proved by nobody.
+/// Returns the method's own answer, which has no proof.
 Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer,
                const CheckOptions& options) {
   const bool text = options.text;
@@ -120,7 +120,7 @@ class Checker {
     throw UsageError(message);
   }
 
-  /// Writes one line for each non-blank line in, written as soon as no more input is waiting.
+  /// Writes one line for each non-blank input line, as soon as no more input waits.
   void answer_all(std::istream& in, const std::string& file) {
     CaseReader reader(in);
     std::vector<CaseLine> batch;
@@ -141,7 +141,7 @@ class Checker {
   int exit_code() const { return invalid_ ? exit_invalid_input : undecided_ ? exit_undecided : exit_pass; }
 
  private:
-  /// With the clearance in the rounding of a, where it counts like any other.
+  /// Adds the clearance to the rounding of a, because all roundings count alike.
   CaseLine widened(CaseLine line) const {
     if (!line.value || options_.clearance == 0) return line;
     Cylinder& a = line.value->pair.a;
@@ -174,7 +174,7 @@ class Checker {
   void print(const Reply& reply) {
     invalid_ |= reply.verdict == Verdict::invalid;
     undecided_ |= reply.verdict == Verdict::undecided;
-    // A JSON line has its control characters escaped; a line of text may quote an id or a reason as they are.
+    // JSON escapes control characters. A line of text may quote an id or a reason with control characters.
     fmt::print("{}\n", options_.text ? escaped_controls(reply.line) : reply.line);
   }
 

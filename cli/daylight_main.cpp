@@ -25,7 +25,7 @@ int run(int argc, char** argv) {
         cyl::add_bench,   cyl::add_versions, cyl::add_scene,  cyl::add_near,     cyl::add_families,
         cyl::add_vectors, cyl::add_play})
     add(program);
-  // For those who build packages: not in --help.
+  // These options are for package builders and not in --help.
   const std::string_view asked = argc == 2 ? argv[1] : "";
   if (asked == "--man-page" || asked == "--bash-completion") {
     const std::string text =
@@ -46,8 +46,7 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-// Standard output is written through stdio alone, so that one flush at the end tells whether all of it
-// arrived.
+// Only stdio writes standard output, so that one flush at the end shows whether all of it arrived.
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);
   std::ios::sync_with_stdio(false);

@@ -53,7 +53,7 @@ class Exhibits {
 
 constexpr const char* errata_file = "solver/literature/errata.md";
 
-/// Returns the part of errata.md about an erratum, without its heading; nothing if there is none.
+/// Returns the part of errata.md about an erratum, without its heading. Empty if there is none.
 std::string section_of(const std::string& all, std::string_view id) {
   const std::string heading = fmt::format("\n### {}\n", id);
   const std::size_t begin = all.find(heading);
@@ -62,7 +62,7 @@ std::string section_of(const std::string& all, std::string_view id) {
   return all.substr(from, std::min(all.find("\n### ", from), all.find("\n## ", from)) - from);
 }
 
-/// Returns the text with one space instead of each line break and indentation.
+/// Returns the text with one space in place of each line break and indentation.
 std::string on_one_line(std::string_view text) {
   std::string line;
   for (const char c : text) {
@@ -98,8 +98,8 @@ bool print_pair(const Erratum& e, const Exhibits& exhibits, std::string_view sec
   return is_stated && known == truth.verdict && said != truth.verdict;
 }
 
-/// Of the first pairs of each family, those on which the verdict is proved wrong, and right without the
-/// fault.
+/// Counts among the first pairs of each family those on which the verdict is proved wrong, but right without
+/// the fault.
 void print_rate(const Erratum& e, const Exhibits& exhibits, std::uint64_t pairs) {
   Method& wrong = exhibits.method(wrong_method(e));
   Method& right = exhibits.method(right_method(e));

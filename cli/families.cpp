@@ -55,7 +55,7 @@ std::vector<Family> families_named(std::string_view spec, const PairFilter& is_w
   const auto all = campaign_families();
   if (spec.empty()) {
     std::vector<Family> kept(all.begin(), all.end());
-    // The pairs of a family are all of the same kinds.
+    // All pairs of a family have solids of the same kinds.
     std::erase_if(kept, [&](const Family& family) { return !is_wanted(family.generate(0, 0)); });
     return kept;
   }

@@ -33,8 +33,8 @@ struct FuzzArguments {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
 };
 
-/// Returns the path of a target: beside this executable, where that was built by clang, else in the folder of
-/// that build.
+/// Returns the path of a target: beside this executable if clang built that, else in the folder of the clang
+/// build.
 std::string program_of(const std::string& target) {
   const std::string name = "fuzz_" + target + "_libfuzzer";
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();

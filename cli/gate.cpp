@@ -52,8 +52,8 @@ struct GateArguments {
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
 
-/// One planted fault for so many pairs, at most so many faults: a second or two each, of the eight that so
-/// many pairs take.
+/// The pairs for which one fault is planted, and the most faults. A fault costs a second or two. So many
+/// pairs take eight seconds.
 constexpr std::uint64_t self_test_interval = 50'000, self_test_cap = 5;
 
 void print_laws() {
@@ -62,7 +62,7 @@ void print_laws() {
                law.statement, "", law.where);
 }
 
-/// Returns what failed as lines of a case file, to be kept beside the other cases.
+/// Returns the failures as lines of a case file, to be kept beside the other cases.
 std::string case_lines(const JudgedGate& gate) {
   std::string lines;
   for (const JudgedFailure& failure : gate.failures) {
@@ -91,7 +91,7 @@ int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Me
   return violation ? exit_findings : exit_pass;
 }
 
-/// Returns the options of `replay` that have it ask the same methods, and hold them to the laws that failed.
+/// Returns the options that make `replay` ask the same methods and check the laws that failed.
 std::string replay_options(const JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                            std::span<const Guest> guests) {
   std::string options = " --methods ", comma;
@@ -107,7 +107,7 @@ std::string replay_options(const JudgedGate& gate, std::span<const std::unique_p
   return options;
 }
 
-/// What a gate is held against, and what is to be said of it.
+/// The earlier results that a gate is compared with, and the remarks on them.
 struct Known {
   GateBase base;
   std::vector<Suppression> suppressions;
@@ -115,8 +115,8 @@ struct Known {
   std::size_t stale = 0;             ///< suppressions that no stored case shows any more
 };
 
-/// Where a guest's failures are shown: "FILE:LINE", for all, or "NAME=FILE:LINE". Throws UsageError where
-/// that is of no guest, or no file.
+/// Reads the place at which a guest's failures are shown: "FILE:LINE" for all, or "NAME=FILE:LINE". Throws
+/// UsageError if there is no guest or no such file.
 std::map<std::string, SourceLine> places_of(std::span<const std::string> options,
                                             std::span<const Guest> guests) {
   std::map<std::string, SourceLine> places;
@@ -139,7 +139,7 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
   return places;
 }
 
-/// Judges a report: what is known, what is missing against the base, how to add and show the guests.
+/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
 JudgedGate judge(GateReport report, Known& known, std::span<const std::unique_ptr<Method>> methods,
                  std::span<const Guest> guests, std::span<const Case> cases,
                  const std::map<std::string, SourceLine>& places) {
@@ -179,7 +179,7 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   });
 }
 
-/// Tries the gate on planted faults while there is time.
+/// Tests the gate with planted faults while there is time.
 SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_asked) {
   if (options.stopped()) {
     not_asked.push_back(fmt::format("self-check with planted faults, {}", why_not(options)));

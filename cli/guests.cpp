@@ -37,7 +37,7 @@ void add(MethodSet& set, const Guest& guest) {
   }
 }
 
-/// Those that `spec` names, before the guests.
+/// Adds the methods of documents that `spec` names, before the guests.
 void add_documents(MethodSet& set, std::string_view spec) {
   auto named = named_errata(set.methods, spec);
   set.methods.insert(set.methods.end() - static_cast<std::ptrdiff_t>(set.guests.size()),
@@ -52,7 +52,7 @@ double read_claim(const std::string& text) {
   return claim;
 }
 
-/// "NAME=1e-9", or "1e-9" for all.
+/// Reads "NAME=1e-9", or "1e-9" for all guests.
 void set_claim(Guest& guest, const std::vector<std::string>& claims) {
   for (const std::string& text : claims) {
     const std::size_t equals = text.find('=');
@@ -142,7 +142,7 @@ MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std
   MethodSet set = with_guests(options, spec);
   std::string missing;
   for (const std::string& target : targets) {
-    std::error_code none;  // of no name at all
+    std::error_code none;  // if the name is empty
     const auto of_buckets =
         std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/buckets/FILE
     for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {

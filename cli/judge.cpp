@@ -33,13 +33,13 @@ namespace {
 
 struct JudgeOptions {
   std::string answers, pairs, name, keep;
-  double claim = -1;  ///< negative: as the answers say, else 0
+  double claim = -1;  ///< negative: as the answers state, else 0
 };
 
-/// Lines told one by one; of more it is said how many.
+/// The most lines that are reported one by one. The others are only counted.
 constexpr std::uint64_t told_cap = 20;
 
-/// Tells of lines, so many of them and no more.
+/// Reports lines with errors, up to a limit.
 class ErrorPrinter {
  public:
   void operator()(const std::string& file, std::size_t line, const std::string& what) {
@@ -69,7 +69,7 @@ std::string failing_lines(const OfflineJudge& judged) {
   return lines;
 }
 
-/// The worst of each kind, wrong by more before wrong by less, with its proof.
+/// Prints the worst finding of each kind with its proof. A larger error counts as worse.
 void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
   std::map<std::tuple<Severity, FindingKind>, std::pair<const JudgedFinding*, std::uint64_t>> worst;
   for (const JudgedFinding& f : judged.findings()) {

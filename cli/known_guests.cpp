@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty if the system names no place.
+/// Returns the file of known guests. Empty if the system names no place for it.
 fs::path record_file() {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state && fs::path(state).is_absolute())
     return fs::path(state) / "daylight/guests";
@@ -25,7 +25,7 @@ fs::path record_file() {
   return {};
 }
 
-/// Only what starts a program, as one line.
+/// Returns what starts a program, as one line.
 std::string line_of(const Guest& guest) {
   return format_guests({{guest.kind, "", guest.what, guest.folder}});
 }

@@ -6,7 +6,7 @@
 namespace cyl {
 namespace {
 
-/// Text as troff has it: backslashes and hyphens escaped, no line that begins as a macro does.
+/// Returns text for troff: escapes backslashes and hyphens, and no line begins as a macro does.
 std::string troff(const std::string& text) {
   std::string out;
   bool begins = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// daylight-mutants: what the harness is worth. Lists the mutants and runs every detector on every one.
-// Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2
-// where one is not; 1 where the harness itself fails.
+// daylight-mutants measures what the harness is worth. It lists the mutants and runs each detector on each
+// one. Exit status 0: the unchanged program survives all, and each mutant that is not argued equivalent is
+// caught. 2: a mutant is not caught. 1: the harness itself fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,8 +36,8 @@ namespace {
 
 using namespace cyl;
 
-/// A campaign of its own seed, looked at after each step; a finding beyond a claim or a truth that nobody
-/// can prove ends it.
+/// A campaign with its own seed, which is examined after each step. A finding beyond a claim, or a truth
+/// that cannot be proved, ends it.
 constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 12'288, fuzz_step = 512;
 
 Evidence finding(const Mutant& mutant) {
@@ -53,8 +53,8 @@ Evidence finding(const Mutant& mutant) {
   return {};
 }
 
-/// The gate, as a merge would meet it but for a twentieth of its pairs: what it does not see in these, it may
-/// yet see in all.
+/// The gate as a merge meets it, but with a twentieth of the pairs. A fault that it misses here may still
+/// show in all pairs.
 constexpr std::uint64_t gate_pairs_each = 31'250;
 
 std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
@@ -69,7 +69,7 @@ std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
   return "undecided";
 }
 
-/// Becomes the unit tests. They read the number of the mutant from the environment.
+/// Becomes the unit tests, which read the number of the mutant from the environment.
 std::string failing_test(const std::string& program, const Mutant& mutant) {
   if (mutant.tests.empty()) return {};
   setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
@@ -89,7 +89,7 @@ json cell_of(const Detection& d) {
   return cell;
 }
 
-/// The row of a mutant: what it is, and those cells of `before` that were asked of it as it is.
+/// Returns the row of a mutant, with the cells of `before` that were asked of the same mutant.
 json row_of(const Mutant& mutant, const json& before) {
   json row = {{"mutant", mutant.number},
               {"file", mutant.file},
@@ -103,7 +103,7 @@ json row_of(const Mutant& mutant, const json& before) {
   return row;
 }
 
-/// The rows that a matrix wrote before, by number; none where there is no file.
+/// Returns the rows of an earlier matrix by number. Empty if there is no file.
 std::map<int, json> rows_before(const std::string& file) {
   std::map<int, json> rows;
   std::ifstream in(file);
@@ -147,7 +147,7 @@ struct MutantsMainArguments {
 };
 
 int matrix(const MutantsMainArguments& arguments) {
-  // No structured binding: clang 14 captures none.
+  // This is not a structured binding, because clang 14 cannot capture one.
   const std::vector<int>& only = arguments.only;
   const std::vector<std::string>& wanted = arguments.detectors;
   const std::string& file = arguments.json;
@@ -187,8 +187,8 @@ int matrix(const MutantsMainArguments& arguments) {
   fmt::print("    ");
   for (const Detector& detector : detectors) fmt::print("  {:15}", detector.name);
   fmt::print("\n");
-  // Each set of methods once without a fault, where anything is left to ask of it; all tests that any mutant
-  // names together.
+  // Each set of methods runs once without a fault if any question about it is left. All tests that any
+  // mutant names run together.
   std::vector<Mutant> chosen, controls;
   for (const Mutant& m : all_mutants())
     if (only.empty() || std::find(only.begin(), only.end(), m.number) != only.end()) chosen.push_back(m);
@@ -219,8 +219,7 @@ int matrix(const MutantsMainArguments& arguments) {
   return survivors.empty() && not_equivalent.empty() ? exit_pass : exit_findings;
 }
 
-/// Faults of each part, in an order in which any first few are of different parts; each is caught within a
-/// second or two.
+/// Faults of each part. The first few are always of different parts. Each is caught within a second or two.
 constexpr int self_test_mutants[] = {103, 301, 110, 204, 120};
 
 int self_test(std::size_t count, const std::string& corpus) {
@@ -251,7 +250,7 @@ struct Planted {
   std::vector<std::string> families;
 };
 
-/// One fault through a campaign's pairs until it is found; number 0 is the program as it is.
+/// Runs a campaign's pairs with one fault until it is found. Number 0 is the program without a fault.
 int self_check(const Planted& planted) {
   const auto mutants = all_mutants();
   const auto is_it = [&](const Mutant& m) { return m.number == planted.number; };

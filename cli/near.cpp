@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-/// The nearest pairs that are written: as many as a person may look through.
+/// The most nearest pairs that are written. A person may look through as many.
 constexpr std::size_t nearest_cap = 1000;
 
 struct NearArguments {

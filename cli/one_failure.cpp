@@ -27,10 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What building, and a program that does not end, may take.
+/// The time limit for a build and for a program that does not end.
 constexpr std::chrono::minutes build_cap{5};
 
-/// What a folder's build.sh prints and how it ends.
+/// The output of a folder's build.sh, and how it ends.
 struct Ran {
   std::string printed;
   int status = 0;
@@ -46,8 +46,8 @@ Ran run_build(const fs::path& folder) {
   return {child.bytes(), child.status()};
 }
 
-/// Returns whether the program, built and run in a folder of its own, shows the failure; false if it could
-/// not be built or asked. Throws std::runtime_error if it shows none.
+/// Returns whether the program, built and run in its own folder, shows the failure. False if it could not be
+/// built or asked. Throws std::runtime_error if it ran without a failure.
 bool shows_failure(const Export& files) {
   std::string name = (fs::temp_directory_path() / "daylight-export-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + " cannot be made");

@@ -30,7 +30,7 @@ constexpr const char* exit_codes =
     "  65  bad input, such as a line that is not a pair\n"
     "A claim is the tolerance that a method states. docs/exit-codes.md has the codes of each command.";
 
-/// --help: the name and value of each option, its help beside them, and its default behind that.
+/// Prints the name and value of each option for --help, then its description, and then its default.
 class HelpFormat final : public CLI::Formatter {
  public:
   HelpFormat() { column_width(27); }
@@ -48,20 +48,20 @@ class HelpFormat final : public CLI::Formatter {
   }
 };
 
-/// The check without the words that the parser would put behind the name of the value.
+/// Returns the check without the words that the parser would put after the name of the value.
 CLI::Validator unnamed(CLI::Validator check) { return check.description(""); }
 
 struct NameAndValue {
   std::string name, value;
 };
-/// Takes "--name VALUE" apart.
+/// Splits "--name VALUE" into its two parts.
 NameAndValue split(const std::string& declared) {
   const std::size_t space = declared.find(' ');
   if (space == declared.npos) return {declared, ""};
   return {declared.substr(0, space), declared.substr(space + 1)};
 }
 
-/// The whole number that `text` is. Throws the parser's error where it is none from `least` to `most`.
+/// Reads a whole number. Throws the parser's error if `text` is not one from `least` to `most`.
 std::uint64_t whole_number(const std::string& text, const std::string& name, std::uint64_t least,
                            std::uint64_t most) {
   std::uint64_t n = 0;
@@ -72,8 +72,8 @@ std::uint64_t whole_number(const std::string& text, const std::string& name, std
                                        " to " + std::to_string(most));
 }
 
-/// How many letters have to be put in, left out, changed or exchanged with their neighbour to make one of the
-/// other.
+/// Returns how many letters must be inserted, left out, changed or exchanged with their neighbour to turn
+/// one name into the other.
 std::size_t typing_errors(const std::string& x, const std::string& y) {
   std::vector<std::vector<std::size_t>> d(x.size() + 1, std::vector<std::size_t>(y.size() + 1));
   for (std::size_t i = 0; i <= x.size(); ++i) {
@@ -90,7 +90,7 @@ std::size_t typing_errors(const std::string& x, const std::string& y) {
   return d[x.size()][y.size()];
 }
 
-/// ". Do you mean 'check'?", or what there is where no name is like it.
+/// Returns ". Do you mean 'check'?". If no name is similar, returns the list of names.
 std::string suggestion(const std::string& typed, const std::vector<std::string>& names) {
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3);
   std::string best;
@@ -106,7 +106,7 @@ std::string suggestion(const std::string& typed, const std::vector<std::string>&
   return best;
 }
 
-/// What the parser could not place, in words.
+/// Describes the first word that the parser could not place.
 std::string misplaced(const CLI::App& command) {
   const std::string first = command.remaining().front();
   if (!first.starts_with("-")) return command.get_name() + " does not take '" + first + "'";
@@ -228,7 +228,7 @@ Command Program::command(const std::string& group, const std::string& name, cons
 
 int Program::run(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    // The parser would take the next word for its value.
+    // The parser would take the next word as the value.
     const std::string_view word = argv[i];
     if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
     std::cerr << app_->get_name() << ": " << word << " gives no value\n--help shows more\n";

@@ -33,7 +33,7 @@ using Methods = std::vector<std::unique_ptr<Method>>;
 
 constexpr const char* engines_file = "docs/results/engines.jsonl";
 
-/// The answer of an engine that this build does not have.
+/// The recorded answer of an engine that this build does not have.
 struct Recorded {
   std::string method, version, date;
   Claim claim;
@@ -41,13 +41,13 @@ struct Recorded {
 };
 
 struct Example {
-  std::string_view group;  ///< of what the page offers
+  std::string_view group;  ///< of the examples on the page
   Case known;
   std::optional<Recorded> recorded{};
-  std::vector<std::string> errata{};  ///< methods that are asked about this one alone
+  std::vector<std::string> errata{};  ///< methods that are asked about this example only
 };
 
-/// The cases whose pairs others got wrong.
+/// Returns the cases whose pairs other programs got wrong.
 std::vector<Example> cases_of_corpus() {
   std::vector<Example> all;
   for (Case& c : read_case_folder(in_source_tree("corpus/cases"))) {
@@ -82,7 +82,7 @@ Recorded recorded_of(const json& engine) {
   return said;
 }
 
-/// The worst pair of each engine of npm, with its answer as it was recorded.
+/// Returns the worst pair of each npm engine, with the recorded answer.
 std::vector<Example> worst_of_engines() {
   std::ifstream in(in_source_tree(engines_file));
   if (!in) throw std::runtime_error(fmt::format("cannot read {}", engines_file));
@@ -99,10 +99,10 @@ std::vector<Example> worst_of_engines() {
   return all;
 }
 
-/// Whether it is a collision library. NLopt is an optimizer.
+/// Whether the method is a collision library. NLopt is an optimizer.
 bool is_engine(const Method& method) { return method.foreign() && !method.name().starts_with("nlopt"); }
 
-/// The engines, and the methods that the errata name.
+/// Returns the engines and the methods that the errata name.
 Methods asked_methods(std::span<const Example> examples) {
   Methods methods = all_methods();
   std::erase_if(methods, [](const auto& method) { return !is_engine(*method); });

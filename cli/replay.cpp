@@ -23,7 +23,7 @@
 namespace cyl {
 namespace {
 
-/// The number of pairs that are asked together: a worker is forked once for all of them.
+/// The number of pairs that are asked together, because one worker is forked for all of them.
 constexpr std::size_t together_cap = 64;
 
 struct ReplayArguments {
@@ -33,7 +33,7 @@ struct ReplayArguments {
   GuestOptions guests;
 };
 
-/// Returns what became of a stored finding: "stands", or why not.
+/// Returns what became of a stored finding: "stands", or why it does not.
 std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
                     const Trial& now) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -130,8 +130,8 @@ class Replayer {
                  format_method_answer(b.answers[i]));
   }
 
-  /// Returns whether something is wrong beyond a claim: with a stored finding, by its own method; with a
-  /// case, by any.
+  /// Returns whether an answer is wrong beyond a claim. For a stored finding, only its own method counts.
+  /// For a case, any method does.
   bool stands_by_contract(const Target& target, const Trial& now) const {
     if (target.finding && target.finding->method == "corpus")
       return outcome(*target.finding, methods_, now).starts_with("stands");

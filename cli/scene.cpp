@@ -19,7 +19,7 @@
 namespace cyl {
 namespace {
 
-/// The number of cylinders of which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
+/// The most cylinders for which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
 constexpr std::size_t page_cap = 200;
 
 struct SceneArguments {
@@ -29,7 +29,7 @@ struct SceneArguments {
   SceneOptions question;
 };
 
-/// Reads "elbow=0.5". Throws UsageError where the text is no such thing.
+/// Reads "elbow=0.5". Throws UsageError if the text has another form.
 std::pair<std::string, double> parse_joint(const std::string& text) {
   const auto sign = text.find('=');
   double value = 0;

@@ -25,7 +25,7 @@ void point_latest_at(const fs::path& run) {
   const fs::path folder = fs::absolute(run).parent_path(), link = folder / "latest",
                  unfinished = folder / ".latest";
   if (folder.filename() != "runs" || (fs::exists(fs::symlink_status(link)) && !fs::is_symlink(link))) return;
-  std::error_code error;  // a file system without symbolic links does without
+  std::error_code error;  // a file system without symbolic links gets none
   fs::remove(unfinished, error);
   fs::create_directory_symlink(run.filename(), unfinished, error);
   if (!error) fs::rename(unfinished, link, error);

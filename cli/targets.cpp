@@ -27,7 +27,7 @@ Target of_finding(const std::string& run, FindingRecord finding) {
   return {label, line.value->pair, std::move(finding)};
 }
 
-/// Returns all cases of a file, or the one of a line.
+/// Returns all cases of a file, or the case on one line of it.
 std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> wanted) {
   std::vector<Target> targets;
   std::ifstream file;
@@ -45,7 +45,7 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
   return targets;
 }
 
-/// Returns "NAME:17" in its two parts.
+/// Splits "NAME:17" into its two parts.
 std::optional<std::pair<std::string, std::int64_t>> numbered(const std::string& name) {
   const std::size_t colon = name.rfind(':');
   if (colon == std::string::npos) return {};

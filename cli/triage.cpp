@@ -45,7 +45,7 @@ struct TriageArguments {
   GuestOptions guests;
 };
 
-/// Whether the run has the cause, and no earlier run has it, or none of the recent ones.
+/// Whether the run has the cause and no earlier run has it, or none of the recent ones.
 bool is_new(const Bucket& b) { return b.count > 0 && b.status != Recurrence::known; }
 
 int triage(const TriageArguments& arguments) {
@@ -93,7 +93,7 @@ int triage(const TriageArguments& arguments) {
   return exit_code(result);
 }
 
-/// Returns the bucket of the last triage with that key.
+/// Returns the bucket that has that key in the last triage.
 nlohmann::json bucket_of(const TriageArguments& arguments, const std::string& key) {
   const nlohmann::json buckets = buckets_json(arguments.run);
   for (const nlohmann::json& bucket : buckets)
@@ -102,7 +102,7 @@ nlohmann::json bucket_of(const TriageArguments& arguments, const std::string& ke
                                arguments.run, key, arguments.run, buckets.size()));
 }
 
-/// Returns what fails in a bucket, at its simplest.
+/// Returns the simplest failure of a bucket.
 OneFailure failure_in(const nlohmann::json& bucket) {
   return {bucket.at("method"), kind_of_word(bucket.at("kind")),
           parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Test vectors: pairs with what is true of them and what proves it, for tests of code that is elsewhere.
+// Test vectors for tests of code outside of this tree: pairs, the truth about them and its proof.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,14 +40,14 @@ using Long3 = Eigen::Matrix<long double, 3, 1>;
 /// The relative width of the distance that is searched.
 constexpr double direction_width = 1e-13;
 
-/// One vector, or one of a group that has the same truth.
+/// A vector, or a member of a group that has the same truth.
 struct Vector {
   std::string id, line;  ///< of JSON
-  std::string c;         ///< of the header of C; "" if it has no place there
+  std::string c;         ///< of the header of C; "" if it is not in there
   Verdict result = Verdict::undecided;
 };
 
-/// What is written of a vector beside its pair.
+/// The further data that is written with a vector and its pair.
 struct Extra {
   std::string like{}, change{}, source{};
   int prism_sides = 0;
@@ -57,13 +57,13 @@ struct Extra {
 
 Long3 wide(const Vector3& v) { return v.cast<long double>(); }
 
-/// All lengths that rounding errors are relative to.
+/// Returns the sum of all lengths that rounding errors are relative to.
 long double scale_of(const Pair& p) {
   return (wide(p.b.center) - wide(p.a.center)).norm() + p.a.radius + p.a.height + p.a.rounding + p.b.radius +
          p.b.height + p.b.rounding;
 }
 
-/// The gap that planes square to the direction show, but for rounding.
+/// Returns the gap that planes square to the direction show, up to rounding.
 long double gap_along(const Pair& p, const Vector3& direction) {
   const Long3 d = wide(direction).normalized();
   long double gap = std::abs(d.dot(wide(p.b.center) - wide(p.a.center)));
@@ -74,13 +74,13 @@ long double gap_along(const Pair& p, const Vector3& direction) {
   return gap;
 }
 
-/// The end of the interval that a direction proves: rounding errors are far below what is taken off.
+/// Returns the lower end that a direction proves. The part taken off is far above all rounding errors.
 double proved_below(const Pair& p, const Vector3& direction) {
   const auto low = static_cast<double>(gap_along(p, direction) - 0x1p-58L * scale_of(p));
   return std::nextafter(low, -std::numeric_limits<double>::infinity());
 }
 
-/// A direction whose gap is exactly 0, in numbers whose roots are rational.
+/// Returns a direction whose gap is exactly 0, if its numbers have rational roots.
 std::optional<Vector3> touching_direction(const Pair& p) {
   const Vector3 delta = p.b.center - p.a.center, normal = p.a.axis.cross(p.b.axis);
   const auto has_root = [](double square) { return std::sqrt(square) * std::sqrt(square) == square; };
@@ -107,7 +107,7 @@ Hull hull_of(const Cylinder& c) {
   return c.height == 0 ? Hull::plane : Hull::space;
 }
 
-/// A point of the core next to the centre with the offset.
+/// Returns a point of the core that is close to the centre plus the offset.
 std::optional<ExactVector> point_in(const Cylinder& c, const Vector3& offset) {
   for (const double share : {1.0, 1 - 0x1p-50, 1 - 0x1p-44, 1 - 0x1p-36, 1 - 0x1p-28}) {
     ExactVector x;
@@ -121,7 +121,7 @@ std::optional<ExactVector> point_in(const Cylinder& c, const Vector3& offset) {
   return {};
 }
 
-/// Two points of the cores, and no less than the distance that they show; nothing if none are found.
+/// Returns two points of the cores, and an upper bound of their distance. Nothing if none are found.
 std::optional<std::pair<Certificate, double>> nearest_points(const Pair& p) {
   Cylinder a = p.a, b = p.b;
   a.rounding = b.rounding = 0;
@@ -137,7 +137,7 @@ std::optional<std::pair<Certificate, double>> nearest_points(const Pair& p) {
   return std::pair(proof, std::nextafter(static_cast<double>(high), std::numeric_limits<double>::infinity()));
 }
 
-/// The members of a certificate's object.
+/// Returns the members of the JSON object of a certificate.
 std::string members(const Certificate& c) {
   const std::string text = format_certificate(c);
   return text.substr(1, text.size() - 2);
@@ -148,7 +148,7 @@ struct Proved {
   std::string certificate;
 };
 
-/// What the exact checker proves; nothing of what has no such proof.
+/// Returns what the exact checker proves. Nothing if it has no such proof.
 std::optional<Proved> prove(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) {
     std::string certificate = members(truth.certificate);
@@ -174,7 +174,7 @@ std::optional<Proved> prove(const Pair& pair, const Truth& truth) {
 
 // ---- classes -------------------------------------------------------------------------------------------
 
-/// The nearest float. Volatile, since g++ 12 at -O3 drops the two casts at the end of a vectorised loop.
+/// Returns the nearest float. It is volatile because g++ 12 -O3 drops both casts at a vectorised loop's end.
 double as_float(double x) {
   const volatile float nearest = static_cast<float>(x);
   return static_cast<double>(nearest);
@@ -198,7 +198,7 @@ bool is_everyday(const Pair& p) {
   return true;
 }
 
-/// By names of vectors/v1/flags.json, which says what each is and who met it.
+/// Uses the names of vectors/v1/flags.json, which explains each flag and lists who met it.
 std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature> feature, double margin) {
   std::string flags;
   const auto flag = [&](bool has, std::string_view name) {
@@ -241,10 +241,10 @@ std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature
 
 struct Turn {
   double w, x, y, z;
-  long double off;  ///< no point of the solid is farther from where the axis has it
+  long double off;  ///< the most that a point of the solid is off its place by the axis
 };
 
-/// The rotation that takes z to the axis, as a quaternion of length 1 within rounding.
+/// Returns the rotation that takes z to the axis, as a quaternion of length 1 within rounding.
 Turn turn_of(const Cylinder& c, bool in_floats) {
   Long3 axis = wide(c.axis).normalized();
   if (axis[2] < 0) axis = -axis;
@@ -261,7 +261,7 @@ Turn turn_of(const Cylinder& c, bool in_floats) {
   return q;
 }
 
-/// Corners of an n-sided prism inside or around the core.
+/// Returns the corners of an n-sided prism inside or around the core.
 std::string prism(const Cylinder& c, int sides, bool around) {
   const Vector3 w = c.axis.normalized(), u = w.unitOrthogonal(), v = w.cross(u);
   const double more = around ? 1 + 0x1p-20 : 1 - 0x1p-20;
@@ -277,7 +277,7 @@ std::string prism(const Cylinder& c, int sides, bool around) {
   return '[' + text + ']';
 }
 
-/// Numbers that are none of JSON become strings.
+/// Writes numbers that JSON does not have as strings.
 std::string solid(const Cylinder& c, const std::string& more = "") {
   const auto number = [](double x) {
     return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"';
@@ -311,7 +311,7 @@ std::optional<Vector> invalid_vector(const Pair& pair) {
 
 std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
   if (!is_legal(pair)) return {};
-  for (Cylinder* c : {&pair.a, &pair.b}) {  // no -0, which readers of JSON lose
+  for (Cylinder* c : {&pair.a, &pair.b}) {  // no -0, because readers of JSON lose it
     c->center += Vector3::Zero();
     c->axis += Vector3::Zero();
   }
@@ -386,7 +386,7 @@ Pair mirrored(Pair p) {
   return p;
 }
 
-/// Changes that no number is rounded by. Of a scaled pair the distance is scaled too.
+/// Changes that round no number. Scaling a pair also scales its distance.
 constexpr Change changes[] = {
     {"exchanged",
      [](Pair p) {
@@ -413,7 +413,7 @@ Pair in_floats(const Pair& p) {
   return pair_of(numbers.data(), cylinder_number_count);
 }
 
-/// Draws vectors in turn from sources of every kind; same seed, same vectors.
+/// Draws vectors in turn from sources of every kind. The same seed gives the same vectors.
 class Source {
  public:
   Source(std::uint64_t seed, const std::string& cases) : seed_(seed) {
@@ -421,7 +421,7 @@ class Source {
       if (c.file.ends_with("reported.jsonl")) reported_.push_back(std::move(c));
   }
 
-  /// The vectors of a turn of 20; k counts the rounds.
+  /// Returns the vectors of one of 20 turns. k counts the rounds.
   std::vector<Vector> draw(std::uint64_t turn, std::uint64_t k) const {
     if (turn < 7) return one(vector_of(stratum(turn, 1 + k % 12, k)));
     if (turn < 11) return one(vector_of(in_floats(stratum((4 * k + turn) % 7, 1 + k % 5, k + (1U << 20U)))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The work is done by oracles/guests/versions.py, beside the guests that it installs and compare.py, whose
-// judgement of engines it shares.
+// oracles/guests/versions.py does the work. It lies beside the guests that it installs and beside
+// compare.py, and judges engines with compare.py.
 #include <filesystem>
 #include <memory>
 #include <stdexcept>

@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// The greatest size and offset with --extremes: what a float holds of a world in metres, about.
+/// The greatest size and offset with --extremes: about what a float can hold for a world in metres.
 constexpr double extreme_size = 1e12;
 
 struct WorstArguments {
@@ -89,8 +89,8 @@ std::vector<std::unique_ptr<Method>> with_judge(std::vector<std::unique_ptr<Meth
   return methods;
 }
 
-/// Searches one method after the other, one feature after the other: what an early end leaves over goes to
-/// those that follow.
+/// Searches the methods one after the other, and the features of each in turn. If a search ends early, the
+/// later ones get the time that is left.
 class Searcher {
  public:
   explicit Searcher(const WorstArguments& arguments)
@@ -213,7 +213,7 @@ class Searcher {
     const std::string line =
         case_line(pair, "worst/" + id, fmt::format("{}, {}", remark, beside), arguments_.seed);
     fmt::print("{} {} ({}) {}\n", name, what, beside, line);
-    known_.insert(known_.begin(), pair);  // what is bad for one may be bad for the next
+    known_.insert(known_.begin(), pair);  // a bad pair for one method may be bad for the next
     if (out_.is_open()) out_ << line << '\n' << std::flush;
   }
 

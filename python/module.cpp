@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The Python module `daylight`: the solver on NumPy arrays, and campaigns over a Python callable. A solid is
-// eight float64: center (3), axis (3), radius, height, or nine with its rounding. Arithmetic runs without the
-// interpreter's lock; C-contiguous float64 is read where it lies.
+// eight float64 (center (3), axis (3), radius, height), or nine with its rounding. Arithmetic runs without
+// the interpreter's lock. C-contiguous float64 is read in place.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -66,7 +66,7 @@ Doubles solids(const std::string& name, const py::object& given) {
   return array;
 }
 
-// Two sets of solids of one shape, or one solid against a set.
+// Two sets of solids of the same shape, or one solid against a set.
 class Pairs {
  public:
   Pairs(const py::object& a, const py::object& b) : a_(solids("a", a)), b_(solids("b", b)) {
@@ -89,7 +89,7 @@ class Pairs {
   Cylinder a(py::ssize_t i) const { return cylinder_of(a_data_ + i * a_step_, a_width_); }
   Cylinder b(py::ssize_t i) const { return cylinder_of(b_data_ + i * b_step_, b_width_); }
   bool single() const { return shape_.empty(); }
-  /// An array of a number a pair, or of `width` numbers a pair.
+  /// Returns an array with one number per pair, or with `width` numbers per pair.
   template <class Number>
   py::array_t<Number> results(py::ssize_t width = 0) const {
     std::vector<py::ssize_t> shape = shape_;
@@ -109,14 +109,14 @@ class Pairs {
 
 using Codes = py::array_t<std::int8_t>;
 
-// One pair: a Verdict or Hull; many: int8.
+// Returns a Verdict or Hull for one pair, and int8 for many.
 py::object enum_of(const char* enumeration, const Pairs& pairs, const Codes& codes) {
   if (pairs.single())
     return py::module_::import("daylight").attr(enumeration)(static_cast<int>(*codes.data()));
   return codes;
 }
 py::object verdicts_of(const Pairs& pairs, const Codes& codes) { return enum_of("Verdict", pairs, codes); }
-// One pair: a float; many: float64.
+// Returns a float for one pair, and float64 for many.
 py::object numbers_of(const Pairs& pairs, const Doubles& numbers) {
   if (pairs.single()) return py::float_(*numbers.data());
   return numbers;
@@ -126,7 +126,7 @@ void put(double* to, py::ssize_t i, const Vector3& x) {
   for (py::ssize_t k = 0; k < 3; ++k) to[3 * i + k] = x[k];
 }
 
-// Prepared at a time: they stay in the first cache.
+// The number of solids prepared at a time, which stay in the first cache.
 constexpr py::ssize_t block_cap = 128;
 
 py::object intersect_arrays(const py::object& a, const py::object& b) {
@@ -232,7 +232,7 @@ py::object distance_arrays(const py::object& a, const py::object& b) {
 
 std::optional<Verdict> verdict_from(const py::object& said) {
   if (py::isinstance<py::str>(said)) return from_word<Verdict>(said.cast<std::string>());
-  // bool and numpy.bool_ alike.
+  // This accepts bool and numpy.bool_.
   if (said.attr("__class__").attr("__name__").cast<std::string>().starts_with("bool"))
     return said.cast<bool>() ? Verdict::intersecting : Verdict::disjoint;
   const int code = py::int_(said).cast<int>();
@@ -248,7 +248,7 @@ MethodAnswer broken(Failure failure, const std::string& reason) {
   return answer;
 }
 
-// What the callable says of a pair; what it throws is an answer too, but for what ends the program.
+// Returns the callable's answer for a pair. An exception is an answer too, unless it ends the program.
 MethodAnswer ask(const py::function& callable, const Doubles& a, const Doubles& b) {
   py::object said;
   try {
@@ -310,7 +310,7 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
     entry["severity"] = to_string(finding->severity);
     entry["margin"] = py::none();
     if (finding->margin) entry["margin"] = py::make_tuple(finding->margin->lo, finding->margin->hi);
-    // Made again: the callable may have written to its own.
+    // The arrays are made again, because the callable may have changed its own.
     entry["a"] = array_of(pair.a);
     entry["b"] = array_of(pair.b);
     entry["said"] = parse(format_method_answer(answer));
@@ -320,7 +320,7 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
   return findings;
 }
 
-// What help(daylight) shows; units, shapes and errors of the headers that they repeat.
+// The text of help(daylight). It repeats units, shapes and errors of the headers.
 constexpr const char* module_text = R"(Do two cylinders intersect? With proofs.
 
 A solid is eight float64: center (3), axis (3, any finite length but 0), radius,

@@ -112,7 +112,7 @@ void turn_leaders_round(Scene& scene) {
     }
     Link& leading = scene.links[leader];
     if (!leading.endless || multiplier == 0) continue;
-    std::size_t round = 1;  // turns of the leader after which this one has turned a whole number of times
+    std::size_t round = 1;  // turns of the leader after which this link has made whole turns
     const auto repeats = [&] {
       const double turned = multiplier * static_cast<double>(round);
       return turned == std::round(turned);
@@ -124,7 +124,7 @@ void turn_leaders_round(Scene& scene) {
       turns[leader] = common;
       continue;
     }
-    // What is drawn should at least show all that its own limits, or once round, allow.
+    // The drawn values cover at least the link's own limits, or one full turn.
     const double low = link.motion == Motion::slide ? link.low - offset : -std::numbers::pi,
                  high = link.motion == Motion::slide ? link.high - offset : std::numbers::pi;
     leading.low = std::min({leading.low, low / multiplier, high / multiplier});
@@ -145,7 +145,7 @@ bool drawn_in_full(const Scene& scene, std::size_t link) {
 }
 
 void let_follow(const Scene& scene, std::vector<double>& joints) {
-  // As often as one may mimic another that mimics: each round settles at least the next of a chain.
+  // A joint may mimic one that mimics another. Each round settles at least the next joint of a chain.
   for (std::size_t round = 0; round <= scene.links.size(); ++round) {
     bool changed = false;
     for (std::size_t i = 0; i < scene.links.size(); ++i) {

@@ -54,7 +54,7 @@ TEST(Joints, StayWithinLimitsAndMimic) {
   EXPECT_NE(draw_joints(scene, 7, 3), draw_joints(scene, 8, 3));
   const std::vector<std::pair<std::string, double>> at{{"travel", 0.8}};
   EXPECT_EQ(of(joints_at(scene, at), "balance"), 0.5 * 0.8 + 0.3);
-  EXPECT_EQ(of(joints_at(scene), "travel"), 0.1);  // 0 is beyond its limits
+  EXPECT_EQ(of(joints_at(scene), "travel"), 0.1);  // 0 is outside its limits
   const std::vector<std::pair<std::string, double>> mimic{{"balance", 0.8}};
   EXPECT_THROW(joints_at(scene, mimic), std::invalid_argument);
 }
@@ -73,7 +73,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
   EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
   EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
-  // The hook is fixed to the trolley: one body, but only the trolley is beside the boom.
+  // The hook is fixed to the trolley, so they are one body. But only the trolley is next to the boom.
   const PairRule each(scene, false, true);
   EXPECT_EQ(why(rule, "trolley", "hook"), Reason::same_body);
   EXPECT_EQ(why(all, "trolley", "hook"), Reason::same_body);
@@ -90,7 +90,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}}));
 }
 
-// What is welded to the world is the world, what floats on it is no part of it.
+// A link that is welded to the world is the world. A link that floats on it is not a part of it.
 TEST(Pairs, OfWeldedAndFloatingBodies) {
   const Scene scene = read_scene(folder + "walker.xml");
   const PairRule rule(scene, false);
@@ -162,7 +162,7 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"nothing", "a"}}));
 }
 
-// urdfdom drops a shape that it cannot parse, and says so at most: here it counts as not looked at.
+// urdfdom drops a shape that it cannot parse, and at most reports it. Here it counts as not looked at.
 TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
   const auto shape = [](const std::string& geometry, const std::string& place = "0 0 0") {
     return "<collision><origin xyz='" + place + "'/><geometry>" + geometry + "</geometry></collision>";
@@ -184,7 +184,7 @@ TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
   EXPECT_TRUE(scene.links.at(1).held);
 }
 
-// As Panda's collision model has it; the second cylinder has one sphere only, the third no match at an end.
+// This is like Panda's collision model. The second cylinder has one sphere, and the third has no match.
 TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
   const auto shape = [](const std::string& z, const std::string& geometry) {
     return "<collision><origin xyz='0 0 " + z + "' rpy='0 0 0'/><geometry>" + geometry +

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Finds the cases of corpus/cases/errata.jsonl: for each erratum that a pair can show, of the pairs of the
-// families that show it the one whose simplest form, in whole numbers, makes the shortest line. Writes the
-// lines to standard output, and for an erratum that no pair shows how many were tried to standard error.
-// Arguments: pairs a family, and the erratum's id where only one is meant.
+// Finds the cases of corpus/cases/errata.jsonl. For each erratum that a pair can show, it simplifies pairs
+// of the families that show it, in whole numbers, and takes the shortest line. Prints the lines. If no pair
+// shows an erratum, it reports to standard error how many were tried. Arguments: pairs per family, and the
+// id of an erratum if only one is meant.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t family_seed = 20170416;
 constexpr int simplified_cap = 8;  ///< pairs of a family that are simplified
 
-/// 10^k x for the least k <= 4 that makes all of `numbers` whole; 0 where none does.
+/// Returns 10^k for the least k <= 4 that makes all of `numbers` whole. Returns 0 if there is none.
 double whole_factor(std::initializer_list<double> numbers) {
   for (const double factor : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
     bool whole = true;
@@ -34,7 +34,7 @@ double whole_factor(std::initializer_list<double> numbers) {
 
 Vector3 rounded(const Vector3& x) { return x.array().round(); }
 
-/// The pair in units in which all its numbers are whole; axes have units of their own.
+/// Returns the pair in units in which all its numbers are whole. Each axis has its own unit.
 Pair in_whole_numbers(Pair p) {
   const auto& ca = p.a.center;
   const auto& cb = p.b.center;

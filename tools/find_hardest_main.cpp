@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds the cases of corpus/cases/hardest.jsonl: for every contact feature, lie of the axes and band of their
-// small angle (corpus/pairs/close_contact.hpp) the pair of the smallest margin that is not 0. Contacts are
-// drawn, brought to touch in 256 bits, and the second centre is moved by up to `reach` units in the last
-// place of each coordinate to where the margin is least: to first order that is a lattice, of which two
-// coordinates are tried and the third is solved for. Writes the lines to standard output. Arguments: contacts
-// a cell, the seed.
+// Finds the cases of corpus/cases/hardest.jsonl. Each has the smallest margin that is not 0 for its contact
+// feature, lie of the axes and band of their small angle (corpus/pairs/close_contact.hpp). The search draws
+// contacts and brings them to touch in 256 bits. Then it moves each coordinate of the second centre by up to
+// `reach` units in the last place to the least margin. To first order the places are a lattice. It tries two
+// coordinates and solves for the third. Prints the lines. Arguments: contacts per cell, seed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -32,11 +31,11 @@ namespace {
 
 constexpr int bits = 256;
 constexpr int reach = 400;  ///< units in the last place: 0.6 million places, a margin of 1e-22 or so
-constexpr std::size_t looked_at = 8;  ///< of the places of the least margin to first order, in 256 bits
+constexpr std::size_t looked_at = 8;  ///< places of least margin to first order, examined in 256 bits
 
 using Direction = Vec3<MpFloat>;
 
-/// Signed, in the unit of the pair, along the contact's normal: the gap, or to first order the depth.
+/// Signed, in the unit of the pair, along the contact's normal: the gap, or the depth to first order.
 struct Margin {
   double value;
   Direction normal;
@@ -51,8 +50,8 @@ MpFloat support(const Vec3<MpFloat>& axis, double radius, double height, const V
   return MpFloat(radius) * length(cross(d, unit)) + MpFloat(height / 2) * abs(dot(d, unit));
 }
 
-// In the direction that the referee's search in 256 bits ends in; of solids that overlap it ends in none, and
-// `near` is good enough, since f has its least there.
+// Uses the direction in which the referee's search in 256 bits ends. For solids that overlap, it ends in
+// none. Then `near` is good enough, because f has its least there.
 std::optional<Margin> margin_of(const Pair& pair, const std::optional<Direction>& near) {
   const PrecisionScope scope(bits);
   const MpFloat half(0.5);
@@ -69,12 +68,12 @@ std::optional<Margin> margin_of(const Pair& pair, const std::optional<Direction>
   return Margin{value.to_double(), d, {d.x.to_double(), d.y.to_double(), d.z.to_double()}};
 }
 
-/// The unit in the last place; 0 of 0, which stays.
+/// Returns the unit in the last place. Returns 0 for 0, which stays.
 double last_place(double x) {
   return x == 0 ? 0 : std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
 }
 
-/// Whether no number is as small as dust: a margin made of that is no feat.
+/// Whether no number is as small as dust. A tiny margin that comes from such a number does not count.
 bool is_plain(const Pair& pair) {
   constexpr double dust = 0x1p-80;
   const auto numbers = numbers_of(pair);
@@ -86,14 +85,14 @@ struct Place {
   std::array<int, 3> steps;
 };
 
-/// The places around b's centre where the margin is least and not 0, to first order.
+/// Returns the places around b's centre with the least margin that is not 0, to first order.
 std::vector<Place> least_places(const Pair& pair, const Margin& from) {
   std::array<long double, 3> change;
   for (int i = 0; i < 3; ++i) {
     change[static_cast<std::size_t>(i)] =
         static_cast<long double>(from.rounded[static_cast<std::size_t>(i)]) * last_place(pair.b.center[i]);
   }
-  std::size_t solved = 0;  // the coordinate that changes it most
+  std::size_t solved = 0;  // the coordinate that changes the margin most
   for (std::size_t i = 1; i < 3; ++i)
     if (std::abs(change[i]) > std::abs(change[solved])) solved = i;
   const std::size_t first = (solved + 1) % 3, second = (solved + 2) % 3;
@@ -136,8 +135,8 @@ void keep(Both& both, const Pair& pair, const Direction& near) {
   if (truth.verdict == expected && truth.bits > 53) hardest = Hardest{pair, relative, truth};
 }
 
-// First a hair apart, where the search finds the normal; then to where that margin is 0, as far as doubles
-// do.
+// First moves the solids a hair apart, because the search finds the normal there. Then moves them until that
+// margin is 0, as far as doubles can.
 void try_around(Both& both, Pair pair) {
   constexpr double hair = 1e-14;
   const Distance d = distance(pair.a, pair.b);

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Hangs and crashes cost much more than answers.
+/// The fewest pairs of a decade. They are few, because hangs and crashes cost much more than answers.
 constexpr std::uint64_t least_drawn = 50;
 
 bool could_fail(const Trial& p, FindingKind kind) {
@@ -30,8 +30,8 @@ bool could_fail(const Trial& p, FindingKind kind) {
   }
 }
 
-/// Puts a drawn pair within the ranges, its margin and its sign as in that decade; nothing where other parts
-/// meet then.
+/// Moves a drawn pair into the ranges, with a margin of the decade and its sign. Returns nothing if the pair
+/// then has another contact feature.
 std::optional<Pair> put_within(const Pair& drawn, std::span<const ParameterRange> ranges,
                                ContactFeature feature, int decade, std::uint64_t seed, std::uint64_t index) {
   RandomStream r("within ranges", seed, index);

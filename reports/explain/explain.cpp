@@ -19,7 +19,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// What is found beyond an end.
+/// Describes the answer that was found beyond an end.
 std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   if (!end.beyond) return "as far as tried";
   const Trial& p = *end.beyond;
@@ -30,7 +30,7 @@ std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   return "right";
 }
 
-/// The region of a parameter, where the explanation has regions.
+/// The region of a parameter, if the explanation has regions.
 const FailingRegion& region_of(const Explanation& e, Parameter parameter) {
   return e.regions[static_cast<std::size_t>(parameter)];
 }
@@ -41,7 +41,7 @@ std::string column_title(Parameter p) {
                                                               : "");
 }
 
-/// "calls solids up to 9.9e-07 apart intersecting", ...
+/// Returns "calls solids up to 9.9e-07 apart intersecting", ...
 std::string failure_in_words(const Explanation& e) {
   switch (e.asked.finding()->kind) {
     case FindingKind::wrong_intersecting:
@@ -79,7 +79,7 @@ bool helps(const Explanation& e, Transformation transformation) {
   });
 }
 
-/// The cause as triage has it, and what else cures the failure.
+/// Returns the cause that triage finds, and other changes that cure the failure.
 std::vector<std::string> causes(const Explanation& e) {
   using enum Mechanism;
   std::vector<std::string> found;
@@ -103,7 +103,7 @@ std::vector<std::string> causes(const Explanation& e) {
   return found;
 }
 
-/// Parameters along which the failure goes on on both sides as far as was tried.
+/// Returns the parameters along which the failure continues on both sides as far as was tried.
 std::vector<std::string> indifferent(const Explanation& e) {
   std::vector<std::string> found;
   for (const FailingRegion& r : e.regions)
@@ -112,13 +112,13 @@ std::vector<std::string> indifferent(const Explanation& e) {
   return found;
 }
 
-/// Whether the method itself, and not the truth or a refusal to answer, ends the failure there.
+/// Whether the method itself ends the failure there, and not the truth or a refusal to answer.
 bool method_ends_it(const Trial& asked, const RegionEnd& end) {
   return end.beyond && end.beyond->decided() && end.beyond->answer().status != Status::declined &&
          end.beyond->meets() == asked.meets();
 }
 
-/// A shape that it takes: the region, and which of its ends the method sets.
+/// A parameter that the failure depends on: its region, and which of the ends the method sets.
 struct Condition {
   const FailingRegion* region;
   bool low, high;
@@ -128,7 +128,7 @@ std::vector<Condition> conditions(const Explanation& e) {
   std::vector<Condition> found;
   for (const FailingRegion& r : e.regions) {
     if (r.parameter == Parameter::distance || r.parameter == Parameter::scale) continue;
-    // Far from the origin the centres' rounding makes another pair of it.
+    // Far from the origin, the rounding of the centres changes the pair.
     const bool low = method_ends_it(e.asked, r.low),
                high = r.parameter != Parameter::offset && method_ends_it(e.asked, r.high);
     if (low || high) found.push_back({&r, low, high});
@@ -136,7 +136,7 @@ std::vector<Condition> conditions(const Explanation& e) {
   return found;
 }
 
-/// "angle 0.0093 to 0.045", "height of a from 0.3".
+/// Returns "angle 0.0093 to 0.045", "height of a from 0.3".
 std::vector<std::string> in_words(const std::vector<Condition>& all) {
   std::vector<std::string> words;
   for (const auto& [r, low, high] : all)
@@ -149,8 +149,8 @@ std::vector<std::string> in_words(const std::vector<Condition>& all) {
   return words;
 }
 
-/// Where pairs are drawn: towards an end that the method does not set, no farther than such a factor from the
-/// pair.
+/// Returns the ranges from which pairs are drawn. An end that the method does not set is at most this factor
+/// from the pair.
 std::vector<ParameterRange> ranges(const std::vector<Condition>& all) {
   constexpr double near = 16;
   std::vector<ParameterRange> found;
@@ -187,7 +187,7 @@ std::string regions_table(const Explanation& e) {
   return text;
 }
 
-/// Of wrong verdicts the decades are marked that the method's claim allows.
+/// If verdicts are wrong, the table marks the decades that the method's claim allows.
 std::string curve_table(const Explanation& e) {
   const CalibrationCurve& c = *e.curve;
   const double size = size_of(e.asked.pair);

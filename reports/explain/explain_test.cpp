@@ -17,8 +17,8 @@ namespace {
 
 using json = nlohmann::json;
 
-/// Takes solids nearer than `tolerance` for intersecting, where the first centre is no farther from the
-/// origin than `place`.
+/// Answers intersecting for solids nearer than `tolerance`, if the distance of the first centre from the
+/// origin is at least `place`.
 std::unique_ptr<Method> blurred(std::string name, double tolerance, double place = 0) {
   const auto ask = [=](const Pair& pair) {
     const double blur = pair.a.center.norm() >= place ? tolerance : 0;
@@ -35,7 +35,7 @@ std::vector<std::unique_ptr<Method>> blurred_methods() {
   return methods;
 }
 
-/// 1e-4 apart, of size 8.
+/// Two solids 1e-4 apart, of size 8.
 Pair stacked() {
   Pair pair;
   pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};
@@ -75,7 +75,7 @@ TEST(FailingRegion, EndsWhereTheToleranceDoes) {
   EXPECT_GT(*r.high.ends_at, 1e-3);
   EXPECT_TRUE(r.high.beyond->right());
   EXPECT_EQ(r.high.beyond->truth.verdict, Verdict::disjoint);
-  // Below it ends because the solids meet.
+  // Below, the region ends because the solids meet.
   EXPECT_LT(r.low.fails_at, 1e-13);
   ASSERT_TRUE(r.low.beyond);
   EXPECT_NE(r.low.beyond->truth.verdict, Verdict::disjoint);
@@ -149,7 +149,7 @@ TEST(CalibrationCurve, StepsAtTheTolerance) {
   for (const CalibrationPoint& p : curve->points) {
     trials += p.trials;
     EXPECT_EQ(p.drawn, drawn_per_decade);
-    // Sizes are from 2 to 16.
+    // The sizes are from 2 to 16.
     if (p.decade <= 2) {
       EXPECT_EQ(p.failures, 0u) << p.decade;
     }
@@ -196,13 +196,13 @@ TEST(Cures, ToleranceScaleAndPlace) {
     c->radius *= 0x1p-20;
     c->height *= 0x1p-20;
   }
-  tiny.b.center.z() = 0x1.2p-19;  // apart by an eighth of the height: right at any other size
+  tiny.b.center.z() = 0x1.2p-19;  // an eighth of the height apart: right at any other size
   EXPECT_EQ(
       outcome(try_workarounds(methods, methods[0], try_method(methods[0], tiny)), Transformation::rescaled),
       WorkaroundOutcome::right);
 }
 
-/// Off by 2 % at every size: what the claim allows of small ones is no cure of the large.
+/// A distance 2 % off at every size. If the claim allows it for small pairs, that does not cure large ones.
 TEST(Cures, NotADistanceThatIsOffAsMuch) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("coarse",
@@ -243,8 +243,8 @@ TEST(Explain, SumsUp) {
   EXPECT_EQ(all["mechanism"], e.mechanism);
 }
 
-/// Takes solids whose axes are square to 1e-5 and that are no farther apart than a hundredth of the size for
-/// intersecting.
+/// Answers intersecting for solids whose axes are square to 1e-5, and whose distance is at most a hundredth
+/// of the size.
 std::vector<std::unique_ptr<Method>> square_blind() {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("square-blind", [](const Pair& pair) {
@@ -256,7 +256,7 @@ std::vector<std::unique_ptr<Method>> square_blind() {
   return methods;
 }
 
-/// Rims 0.01 apart, the axes square.
+/// Two rims 0.01 apart with square axes.
 Pair square() {
   Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 0}, {0, 1, 0}, 1, 2}};
   double low = 1, high = 3;
@@ -312,7 +312,7 @@ TEST(Explain, RefusesWhatDoesNotFail) {
   EXPECT_THROW(explain(methods, "nobody", kind, stacked()), std::invalid_argument);
 }
 
-/// Does not come back where a is the lower one.
+/// A method that does not return if a is the lower solid.
 TEST(Explain, AHangIsAskedAboutSeldom) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("hanging", [](const Pair& pair) {
@@ -328,7 +328,7 @@ TEST(Explain, AHangIsAskedAboutSeldom) {
   EXPECT_TRUE(parse_json(explanation_json(e))["curve"].is_null());
 }
 
-// A library as it is: FCL's own GJK stops at an absolute tolerance.
+// A real library: FCL's own GJK stops at an absolute tolerance.
 TEST(Explain, AFinding) {
   Pair pair;
   pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};

@@ -18,15 +18,15 @@ using enum Parameter;
 
 constexpr std::array parameters{distance, angle, radius_a, height_a, radius_b, height_b, scale, offset};
 
-/// Steps outwards: a factor of 4^12 = 1.7e7 for the solids, of 4^26, more than a double resolves, for
-/// distances and offsets.
+/// The most steps outwards. For the solids they reach a factor of 4^12 = 1.7e7. For distances and offsets
+/// they reach 4^26, which is more than a double resolves.
 constexpr int short_steps_cap = 12, long_steps_cap = 26;
-/// Lengths, relative to the size, at which steps from 0 begin.
+/// The first lengths of the steps that begin at 0, relative to the size.
 constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle = 0x1p-50;
-/// How near a distance is kept, relative to it and, for rounding, to the largest coordinate.
+/// The tolerance of a kept distance: relative to it, and for rounding relative to the largest coordinate.
 constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
 constexpr int moves_cap = 4;
-/// Radians by which b is turned to see whether the angle matters.
+/// Angles in radians by which b is turned to see whether the angle matters.
 constexpr std::array turns{-0.1, -0.03, 0.03, 0.1};
 
 double middle(const Enclosure& e) { return e.lo / 2 + e.hi / 2; }
@@ -48,13 +48,13 @@ std::optional<Located> locate(const Pair& pair, double relative_width) {
   return Located{distance, {d.direction[0], d.direction[1], d.direction[2]}};
 }
 
-/// Narrow enough to see `distance`; a penetrating pair costs more the narrower.
+/// Returns a width that resolves `distance`. For penetrating pairs, narrower widths cost more.
 double width_for(double distance, double size) {
   const double wanted = kept_tol / 10 * std::abs(distance) / size;
   return std::clamp(wanted, distance > 0 ? 1e-16 : depth_width_tol, 1e-4);
 }
 
-/// b moved along the direction of the distance until that is `wanted`; nothing where it does not get there.
+/// Moves b along the direction of the distance until the distance is `wanted`. Nothing if that fails.
 std::optional<Pair> at_distance(Pair pair, double wanted) {
   for (int i = 0; i < moves_cap; ++i) {
     const double size = size_of(pair);
@@ -69,10 +69,10 @@ std::optional<Pair> at_distance(Pair pair, double wanted) {
   return {};
 }
 
-/// The line of pairs that one parameter draws through the pair.
+/// The line of pairs that result if one parameter of the pair changes.
 class SearchPath {
  public:
-  /// Without a place the distance is not kept.
+  /// If `located` is empty, the distance is not kept.
   SearchPath(const Pair& pair, const std::optional<Located>& located, Parameter parameter)
       : pair_(pair), parameter_(parameter), size_(size_of(pair)) {
     if (located) {
@@ -105,7 +105,7 @@ class SearchPath {
     return length(p);
   }
 
-  /// From the pair's own value outwards, to smaller or to greater values.
+  /// Returns values from the pair's own value outwards, to smaller or to greater values.
   std::vector<double> steps_outwards(bool up) const {
     switch (parameter_) {
       case distance:
@@ -130,7 +130,7 @@ class SearchPath {
     }
   }
 
-  /// The pair at that value, if it can be built.
+  /// Returns the pair at that value, if it can be built.
   std::optional<Pair> at(double value) const {
     auto moved = moved_to(value);
     if (!moved || !is_legal(*moved)) return {};
@@ -153,7 +153,7 @@ class SearchPath {
     return steps;
   }
 
-  /// Away from touching by factors; towards it likewise, and beyond.
+  /// Steps away from touching by factors. Steps towards it also by factors, and then beyond it.
   std::vector<double> distances(bool up) const {
     const double sign = distance_ < 0 ? -1 : 1;
     std::vector<double> steps;
@@ -178,7 +178,7 @@ class SearchPath {
     if (other.dot(along_) < 0) other = -other;
     Vector3 across = other - other.dot(along_) * along_;
     angle_ = std::atan2(across.norm(), other.dot(along_));
-    // Parallel axes: away along the direction of the distance, or anyhow.
+    // If the axes are parallel, b turns in the direction of the distance, or in any direction.
     if (!(across.norm() > 0)) across = direction_ - direction_.dot(along_) * along_;
     if (!(across.norm() > 1e-3 * direction_.norm())) across = rotation_to(along_).col(0);
     across_ = across.normalized();
@@ -189,7 +189,7 @@ class SearchPath {
     switch (parameter_) {
       case distance:
         if (direction_.isZero(0)) return {};
-        // Outwards no other direction comes to be shorter; inwards one may.
+        // Outwards, the direction stays the shortest. Inwards, another one may become shorter.
         if (distance_ < 0 && value < distance_) return at_distance(p, value);
         p.b.center += (value - distance_) * direction_;
         return p;
@@ -236,7 +236,7 @@ double between(double x, double y) {
   return std::copysign(std::sqrt(std::abs(x)) * std::sqrt(std::abs(y)), x);
 }
 
-/// The end of a region on one side, found by rounds of questions.
+/// Finds the end of a region on one side, in rounds of questions.
 class Search {
  public:
   Search(const SearchPath& path, bool up, const Trial& failing) : path_(&path), up_(up) {
@@ -244,7 +244,7 @@ class Search {
     end_.failing = failing;
   }
 
-  /// The values to ask about next, from those that fail outwards; none where it is done.
+  /// Returns the next values to ask about, from the last that fails outwards. Empty if the search is done.
   std::vector<double> proposals() const {
     if (done_) return {};
     if (!end_.ends_at) return path_->steps_outwards(up_);
@@ -259,10 +259,10 @@ class Search {
     return values;
   }
 
-  /// Goes on outwards over what was answered; no more after the first that does not fail.
+  /// Goes outwards through the answers and stops after the first that does not fail.
   void take(double value, const Trial& said) {
     if (found_) return;
-    // Thin solids that are moved through each other are apart again.
+    // Thin solids that were moved through each other are apart again.
     const bool is_through =
         path_->parameter() == distance && value < 0 && said.truth.verdict == Verdict::disjoint;
     if (is_through) {
@@ -282,7 +282,7 @@ class Search {
     done_ = !end_.ends_at || is_narrow();
   }
 
-  /// What was aimed at is a distance only to rounding, and less where the solids overlap.
+  /// The value is a distance only up to rounding, and less exactly for overlaps. This encloses the distance.
   void end_as_enclosed() {
     end_.failing.narrow_distance();
     end_.fails_at = middle(end_.failing.distance);

@@ -40,7 +40,7 @@ std::string row(const char* name, const Cylinder& c, bool rounded) {
                      rounded ? fmt::format(" {} |", format_double(c.rounding)) : "");
 }
 
-/// "two spheres", "a capsule and a rounded cylinder".
+/// Returns "two spheres", "a capsule and a rounded cylinder".
 std::string solids_in_words(const Pair& pair) {
   const auto word = [](const Cylinder& c) {
     return std::string(to_string(kind_of(c))) + (kind_of(c) == SolidKind::rounded ? " cylinder" : "");
@@ -51,13 +51,13 @@ std::string solids_in_words(const Pair& pair) {
 
 bool within_claim(const Trial& p) { return p.finding()->severity == Severity::resolution; }
 
-/// Who was asked, and how to ask again.
+/// The library or guest that was asked, and how to ask it again.
 struct Recipient {
-  std::string what;     ///< for titles: `fcl::collide`, or the guest's name
+  std::string what;     ///< name in titles: `fcl::collide`, or the guest's name
   std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
-  std::string hulls;    ///< what is asked in place of cylinders, if anything is
-  std::string how;      ///< how to see it
-  std::string closing;  ///< of the issue
+  std::string hulls;    ///< the solids that replace cylinders in the question, if any do
+  std::string how;      ///< steps that show the answer
+  std::string closing;  ///< last lines of the issue
   AxesGiven axes = AxesGiven::of_unit_length;
   std::string program_name, program, build;
   std::vector<SentFile> files;
@@ -151,7 +151,7 @@ std::string truth_in_words(const Trial& p) {
                      format_double(-p.distance.hi), format_double(-p.distance.lo));
 }
 
-/// Prisms are asked in place of cylinders.
+/// Reports if prisms replace the cylinders in the question.
 std::string hull_in_words(const LibraryCall& call, const Trial& p) {
   if (call.settings.find("btConvexHullShape") == std::string_view::npos) return {};
   if (p.answer().verdict == Verdict::disjoint)
@@ -159,7 +159,7 @@ std::string hull_in_words(const LibraryCall& call, const Trial& p) {
   return "\nThe hulls are prisms inside the cylinders. If the cylinders are disjoint, so are the hulls.\n";
 }
 
-/// What a reader might think of first: is this not within the tolerance?
+/// Answers the first question of a reader: is this not within the tolerance?
 std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   if (p.answer().status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
   const bool within = within_claim(p);
@@ -172,7 +172,7 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
 
-/// Of a library that asks our support function.
+/// Writes a note if the library asks our support function.
 std::string sums_in_words(const Method& method, const Trial& p) {
   const auto hangs = hangs_on_our_sums(method.name(), p.finding()->kind, p.pair);
   if (!hangs) return {};
@@ -207,13 +207,13 @@ std::string other_in_words(const Trial& p, const Trial& other) {
          table_of(other.pair);
 }
 
-/// The system that gave the answer: "Linux x86_64".
+/// Returns the system that gave the answer: "Linux x86_64".
 std::string system_in_words() {
   utsname system;
   return uname(&system) == 0 ? fmt::format("{} {}", system.sysname, system.machine) : "";
 }
 
-/// The headings are those that trackers ask for in a report of a bug.
+/// The headings are the ones that trackers request in a bug report.
 std::string issue(const Recipient& to, const Trial& p, const Method& method, const Trial* other) {
   std::string text =
       fmt::format("# {}\n\n### Library and version\n\n{}. {}.\n\n", title(to, p), to.whom, system_in_words());
@@ -248,10 +248,10 @@ constexpr std::string_view as_told = "It ends as described above.";
 constexpr std::string_view by_its_exit =
     "It prints the answer. Its exit code is 1 while the answer is wrong, and 0 once it is right.";
 
-/// The margin from which a pair is shown alone, in claims: nearer to the claim's edge another is better.
+/// A pair with less margin, in claims, is near the edge of the claim. Then another pair is shown with it.
 constexpr double edge_margin = 10;
 
-/// Whether what is proved of the failure is hardly more than the claim allows, or within it.
+/// Whether the proved error is within the claim, or hardly more than the claim allows.
 bool at_edge(const Trial& p, const Claim& claim) {
   if (within_claim(p)) return true;
   const double size = size_of(p.pair);
@@ -290,7 +290,7 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
   return to;
 }
 
-/// "; this folder has its source: `mine.cpp`, to be linked with `-lmine`"
+/// Returns "; this folder has its source: `mine.cpp`, to be linked with `-lmine`".
 std::string sources_in_words(std::span<const SentFile> files, const std::string& flags) {
   std::string names;
   for (const SentFile& file : files) names += (names.empty() ? "`" : ", `") + file.name + '`';

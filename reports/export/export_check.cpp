@@ -16,7 +16,7 @@
 namespace cyl {
 namespace {
 
-/// The relative width of the distance at whose direction the solids are shown to be apart.
+/// The relative width of the distance. Its direction shows that the solids are apart.
 constexpr double direction_width = 1e-9;
 /// A relative length that pulls a rounded nearest point into its solid.
 constexpr double pull_margin = 0x1p-40;
@@ -36,7 +36,7 @@ bool meet(const Truth& truth) {
   return truth.verdict == Verdict::intersecting || truth.verdict == Verdict::touching;
 }
 
-/// With the direction of the distance in place of another, if it separates; it shows the widest gap.
+/// Uses the direction of the distance if it separates, because it shows the widest gap.
 std::string answer_of(const Pair& pair, Truth truth) {
   if (truth.verdict == Verdict::disjoint) {
     const Certificate widest = direction_of(attain_distance(pair, truth, direction_width));
@@ -64,7 +64,7 @@ std::string claims(const Trial& asked, AxesGiven axes) {
   return text + line("with the axes that the library gets", given, truth);
 }
 
-/// The point of the core next to the one given.
+/// Returns the point of the core that is nearest to the given point.
 std::optional<Rational3> point_in(const Cylinder& c, const Vector3& point) {
   const Pair twice{c, c};
   for (const double share : {1.0, 1 - pull_margin}) {
@@ -78,7 +78,7 @@ std::string said_line(const Pair& pair, const std::string& said) {
   return fmt::format("    {{\"pair\":{},\n     \"said\":{}}},\n", format_pair(pair), said);
 }
 
-/// A claim that the distance said is impossible, of the pair as asked; "" if no certificate shows it.
+/// Returns a claim that the returned distance is impossible for the pair as asked. "" if nothing proves it.
 std::string distance_claim(const Trial& asked, const Claim& claim) {
   if (!asked.finding() || asked.finding()->kind != FindingKind::distance_outside) return {};
   const double said = asked.answer().distance, tolerance = reach(claim, size_of(asked.pair));

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Seconds after which a program that does not come back is ended.
+/// Seconds before a program that does not return is ended.
 constexpr int patience = 20;
 
 constexpr std::string_view some_of_three = R"(/* Given, but not as finite numbers. */
@@ -45,14 +45,14 @@ std::string truth_for_guest(const Trial& asked) {
   return text;
 }
 
-/// Eight, or nine where one of the two is rounded.
+/// Returns eight numbers, or nine if one of the solids is rounded.
 std::string numbers_in_c(const Cylinder& c, const Pair& of) {
   return listed(numbers_of(c).data(), is_rounded(of) ? cylinder_number_count : core_number_count);
 }
 
 bool apart(const Trial& asked) { return asked.truth.verdict == Verdict::disjoint; }
 
-/// The least and the most that a distance may be said to be.
+/// Returns the least and the greatest distance that the claim allows.
 Enclosure allowed(const Trial& asked, const Claim& claim) {
   const double tolerance = reach(claim, size_of(asked.pair));
   const Enclosure real = asked.truth.verdict == Verdict::touching ? Enclosure{0, 0} : asked.distance;
@@ -113,7 +113,7 @@ std::string wrong_in_python(const Trial& asked, const Claim& claim) {
     case FindingKind::crash:
     case FindingKind::hang:
     case FindingKind::malformed:
-    case FindingKind::non_finite:  // no number of JSON
+    case FindingKind::non_finite:  // JSON has no such number
       return "False";
     case FindingKind::wrong_invalid:
       return "verdict == 'invalid'";
@@ -124,7 +124,7 @@ std::string wrong_in_python(const Trial& asked, const Claim& claim) {
   }
 }
 
-/// As a literal of Python: JSON's strings are, in ASCII.
+/// Returns a literal of Python. A string of JSON in ASCII is one.
 std::string python_literal(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
@@ -138,7 +138,7 @@ std::vector<std::string> words_in(const std::string& command) {
   return words;
 }
 
-/// Whether a folder is one of those in which programs are found by their name.
+/// Whether the folder is on PATH, so that its programs are found by their names.
 bool on_path(const fs::path& folder) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
@@ -147,8 +147,8 @@ bool on_path(const fs::path& folder) {
   return false;
 }
 
-/// Returns what a word of a command that names a file is sent as: a program of the system by its name alone,
-/// without a file; nothing of any other word.
+/// Returns the form in which a file that a command names is sent. A program of the system is sent by its
+/// name alone, without a file. Other words return nothing.
 std::optional<SentFile> file_of_word(const Guest& guest, const std::string& word) {
   const fs::path path = fs::path(guest.folder) / word;
   std::error_code fault;
@@ -159,8 +159,8 @@ std::optional<SentFile> file_of_word(const Guest& guest, const std::string& word
   return SentFile{path.string(), below ? fs::path(word).lexically_normal().string() : file_name(word)};
 }
 
-/// Returns the command as it is run in the folder that is sent. One whose words are not told apart by blanks
-/// alone is left as it is, but for the folder where it ran.
+/// Returns the command for the folder that is sent. If blanks do not divide its words, only the folder in
+/// which it ran is removed.
 std::string sent_command(const Guest& guest) {
   std::string sent = guest.what;
   for (const std::string& word : words_in(guest.what)) {
@@ -171,7 +171,7 @@ std::string sent_command(const Guest& guest) {
   return without_folders(sent, guest);
 }
 
-/// The files that a command names.
+/// Returns the files that a command names.
 std::vector<SentFile> programs_of(const Guest& guest) {
   std::vector<SentFile> programs;
   for (const std::string& word : words_in(guest.what))
@@ -228,8 +228,8 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
   return filled(template_text("plugin.c.in"), words);
 }
 
-// A plug-in is looked for where it is named, else beside the program, else built of its source: the folder is
-// sent to others, whose paths are not ours.
+// The script looks for a plug-in under its given name, then beside the program, and else builds it from its
+// source. Paths of this machine are not used, because others receive the folder.
 std::string guest_build(const Guest& guest, FindingKind kind, std::span<const std::string> sources) {
   std::string text = "#!/bin/sh\nset -e\nhere=$(cd -- \"$(dirname -- \"$0\")\" && pwd)\n";
   if (guest.kind == GuestKind::command)

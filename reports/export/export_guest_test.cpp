@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a guest does wrong, by the height of the first solid, and how its program ends.
+/// A fault of a guest, chosen by the height of the first solid, and how its program ends.
 struct Fault {
   FindingKind kind;
-  bool meet;  ///< the solids
+  bool meet;  ///< whether the solids meet
   const char *in_c, *in_shell;
   int status = 1;
 };
@@ -48,7 +48,7 @@ Pair asked_of(std::size_t fault) {
   return {{{0, 0, 0}, {0, 0, 2}, 1, height}, {{faults[fault].meet ? 1.0 : 4.0, 0, 0}, {0, 0, 1}, 1, 2}};
 }
 
-/// A plug-in and a program with these faults, in a folder of their own.
+/// A plug-in and a program with these faults, in their own folder.
 class Guests : Scratch {
  public:
   Guests() {
@@ -76,7 +76,7 @@ class Guests : Scratch {
   Guest command() const { return {GuestKind::command, "", "sh faulty.sh", folder.string()}; }
 };
 
-/// Opens a guest, which then has the name that it is called by.
+/// Opens a guest and gives it the name that it is called by.
 std::vector<std::unique_ptr<Method>> opened(Guest& guest) {
   OpenedGuest found = std::move(open_guest(guest).front());
   guest = found.guest;
@@ -105,7 +105,7 @@ void expect_every_fault_shown(Guest guest) {
   }
 }
 
-/// Whether a text holds a path of this machine, but for that of the shell.
+/// Whether a text holds a path of this machine, except that of the shell.
 bool has_path(const std::string& text) {
   return has(text, fs::temp_directory_path().string() + '/') ||
          has(text, fs::current_path().string() + '/') || has(text, DAYLIGHT_SOURCE_DIR);
@@ -179,7 +179,7 @@ TEST(Export, ANodeProgramIsSentWithItsImportsAndInstallsItsPackages) {
                                                     "import { createInterface } from 'node:readline';\n"
                                                     "for await (const q of createInterface({ input: "
                                                     "process.stdin })) console.log(turn(q, answer));\n";
-  // An npm that needs no network: it checks what it is asked, and makes the package.
+  // An npm that needs no network. It checks what it is asked for, and makes the package.
   const std::string npm =
       "mkdir -p bin; cat >bin/npm <<'END'\n#!/bin/sh\n"
       "case $5 in @engines/round@1.2.0) ;; *) exit 9 ;; esac\n"

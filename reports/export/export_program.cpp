@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-/// @a.radius@, @a.rotation@, ... of one solid.
+/// Adds @a.radius@, @a.rotation@ and the other words of one solid.
 void add_solid(Words& words, const std::string& name, const Cylinder& c) {
   const Vector3 axis = unit_axis(c.axis);
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = rotation_to(axis);
@@ -28,18 +28,18 @@ void add_solid(Words& words, const std::string& name, const Cylinder& c) {
                                listed(rows.data() + 6, 3) + ", 0";
 }
 
-/// Covers the roundings of cosine, quotient and product in a prism's vertex, as in the method.
+/// Covers the roundings of cosine, quotient and product in a vertex of a prism, as the method does.
 constexpr std::string_view outward = "(1 + 0x1p-50) / std::cos(3.141592653589793 / sides)";
 constexpr std::string_view inward = "1 - 0x1p-50";
 
-/// How a method's program is made of a template.
+/// How a template becomes the program of a method.
 struct Program {
   LibraryCall call;
   std::string source;  ///< the name of the template
-  Words words;         ///< of the template, beside those of the pair and of the finding
+  Words words;         ///< of the template, besides those of the pair and the finding
 };
 
-/// A word of several lines is an array of them.
+/// If a word has several lines, it is an array of them.
 std::string text_of(const nlohmann::json& word) {
   if (word.is_string()) return word.get<std::string>();
   return fmt::format("{}", fmt::join(word.get<std::vector<std::string>>(), "\n"));
@@ -79,12 +79,12 @@ std::string truth_line(const Trial& asked) {
   return text;
 }
 
-/// What stands after the call: prints and judges the answer.
+/// Returns the code after the call, which prints and judges the answer.
 std::string verdict_on(const LibraryCall& call, const Words& words, const Trial& asked,
                        const Method& method) {
   const FindingKind kind = asked.finding()->kind;
   std::string text;
-  // The headers of libccd do not tell its version.
+  // The headers of libccd do not contain its version.
   if (call.library == "libccd") text = fmt::format("  const char version[] = \"{}\";\n", method.version());
   const auto says = [&](const std::string& format, const std::string& values) {
     text += fmt::format("  std::printf(\"{} {} answers: {}\\n\", {}, {});\n", call.library,

@@ -43,13 +43,13 @@ std::string replaced(std::string text, const std::string& part, const std::strin
   return at == std::string::npos ? text : text.replace(at, part.size(), by);
 }
 
-/// With another certificate in the last of the claims: of two with one name Python takes the last.
+/// Adds a second certificate to the last claim. If a name occurs twice, Python takes the last one.
 std::string tampered(const std::string& check, const std::string& certificate) {
   return replaced(check, "}},\n]\n", "," + certificate + "}},\n]\n");
 }
 
-/// The program is built, shows the wrong answer and says so; the proof holds, and not with another
-/// certificate.
+/// Checks that the program is built, shows the wrong answer and reports it. The proof holds, but not with
+/// another certificate.
 void expect_shown(std::string_view method, FindingKind kind, const std::string& pair,
                   const std::string& no_certificate) {
   Export files = export_of(method, kind, pair_of(pair));
@@ -101,7 +101,7 @@ TEST(Export, BulletShowsIt) {
   expect_shown("bullet-cylinder-margin0", FindingKind::wrong_disjoint, flat_on_long, R"("point":[0,0,0.51])");
 }
 
-// GJK says intersecting of the coins if the sums of the support function go from the left, as ours do.
+// GJK answers intersecting for the coins if the support function sums from the left, as ours does.
 TEST(Export, LibccdShowsIt) {
   expect_shown("libccd-gjk", FindingKind::wrong_intersecting, coins, R"("direction":[0,1,0])");
   expect_shown("libccd-gjk", FindingKind::wrong_intersecting, tiny, R"("direction":[0,1,0])");
@@ -138,12 +138,12 @@ TEST(Export, TheIssueSaysWhatAReaderNeeds) {
     EXPECT_TRUE(has(issue, part)) << part << " is not in\n" << issue;
 }
 
-// What a program sets must be what the method claims; a method that is new must get a program.
+// A program must set what the method claims. A new method must get a program.
 TEST(Export, EveryMethodHasAProgram) {
   for (const auto& method : library_methods()) {
     const LibraryCall* call = find_library_call(method->name());
     ASSERT_NE(call, nullptr) << method->name();
-    // Each number is another; unit axes are (3, 2, 6) / 7 and (4, 4, 7) / 9.
+    // All numbers differ. The unit axes are (3, 2, 6) / 7 and (4, 4, 7) / 9.
     Trial asked(pair_of(R"({"a":{"center":[0.11,0.12,0.13],"axis":[3,2,6],"radius":0.21,"height":0.62},)"
                         R"("b":{"center":[1.01,1.12,1.13],"axis":[4,4,7],"radius":0.41,"height":1.46}})"));
     asked.distance = {-0.5, -0.25};
@@ -190,7 +190,7 @@ TEST(Export, RefusesWhatCannotBeSent) {
   EXPECT_THROW(export_of("fcl-indep", FindingKind::nondeterminism, pair_of(stacked)), std::invalid_argument);
 }
 
-// Of an axis (0, 3, 4) the library gets (0, 0.6, 0.8), whose doubles point elsewhere.
+// For an axis (0, 3, 4) the library gets (0, 0.6, 0.8), and the doubles of this point elsewhere.
 TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
   Trial asked(pair_of(R"({"a":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":10},)"
                       R"("b":{"center":[0,3,4],"axis":[1,0,0],"radius":0,"height":2}})"));
@@ -205,7 +205,7 @@ TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
   }
 }
 
-// Each way in which a distance can be shown to be impossible.
+// Checks each way of showing that a distance is impossible.
 TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   const auto methods = select_methods(own_methods(), "distance");
   const auto expect_proof = [&](const Pair& pair, double said, std::string_view words,
@@ -213,7 +213,7 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     Trial asked = try_method(methods[0], pair);
     asked.answers[0].distance = said;
     asked.findings = {Finding{FindingKind::distance_outside, Severity::contract, {}}};
-    // Beside an absolute length a claim is allowed the floor of a relative one.
+    // A claim with an absolute length also gets the floor of a relative one.
     const double size = size_of(pair);
     const Claim claim{.relative = size > 0 ? tolerance / size : 0,
                       .absolute = size > 0 ? 0 : tolerance,
@@ -225,7 +225,7 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     const Ran proof = Folder(files).run("python3 exact.py");
     EXPECT_EQ(proof.status, 0) << proof.printed << files.check;
     EXPECT_TRUE(has(proof.printed, words)) << proof.printed;
-    // A distance that is possible cannot be refuted.
+    // A possible distance cannot be refuted.
     const double real = asked.distance.lo / 2 + asked.distance.hi / 2;
     files.check =
         replaced(files.check, "\"distance\":" + format_double(said), "\"distance\":" + format_double(real));

@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-/// Returns what stands at `at`, if that is in the file.
+/// Returns the struct at `at` if the file contains all of it.
 template <class Struct>
 std::optional<Struct> read_at(std::string_view elf, std::uint64_t at) {
   Struct read;
@@ -24,14 +24,14 @@ std::optional<Struct> read_at(std::string_view elf, std::uint64_t at) {
   return read;
 }
 
-/// "-lccd" of "libccd.so.2"; nothing of what is linked without a word, or can only be had by its path.
+/// Returns "-lccd" for "libccd.so.2". Empty if the compiler links it by default, or only a path can name it.
 std::string flag_of(std::string_view name) {
   constexpr std::array common{"c", "m", "dl", "rt", "pthread", "stdc++", "gcc_s", "c++", "c++abi", "unwind"};
   const std::size_t end = name.find(".so");
   if (!name.starts_with("lib") || end == name.npos) return {};
   const std::string_view stem = name.substr(3, end - 3);
   if (std::find(common.begin(), common.end(), stem) != common.end()) return {};
-  // What a file says goes into a script.
+  // The name comes from a file and goes into a script, so only plain characters are allowed.
   const bool plain = std::all_of(stem.begin(), stem.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.';
   });

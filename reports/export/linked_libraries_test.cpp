@@ -17,7 +17,7 @@ std::string bytes_of(const char* file) {
 }
 
 TEST(LinkedLibraries, NamesThoseThatAreNotLinkedAnyway) {
-  // This program is linked with GoogleTest's and with the collision libraries.
+  // GoogleTest and the collision libraries are linked to this program.
   const std::string flags = ' ' + linked_libraries_of(this_program) + ' ';
   EXPECT_NE(flags.find(" -lccd "), flags.npos) << flags;
   EXPECT_EQ(flags.find(" -lm "), flags.npos) << flags;

@@ -19,10 +19,10 @@ std::string content_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// `import x from 'name'`, `import 'name'`, `import('name')` and `require('name')`.
+/// Matches `import x from 'name'`, `import 'name'`, `import('name')` and `require('name')`.
 const std::regex import_pattern(R"((?:from|import|require)\s*\(?\s*['"]([^'"]+)['"])");
 
-/// Returns the versions that package.json in `folder` states, by package; empty if it states none.
+/// Returns the version of each package that package.json in `folder` states. Empty if it states none.
 nlohmann::json dependencies_of(const fs::path& folder) {
   const nlohmann::json package = nlohmann::json::parse(content_of(folder / "package.json"), nullptr, false);
   const bool stated = package.is_object() && package.contains("dependencies");
@@ -47,7 +47,7 @@ NodeProgram node_program(const fs::path& file) {
       const std::string name = (*found)[1];
       const std::string below = (beside / name).lexically_normal().string();
       std::error_code none;
-      // A file above the folder is not sent: it would be written outside of the folder that is sent.
+      // A file above the folder is not sent, because it would be written outside of the folder that is sent.
       if (name.starts_with('.') && !below.starts_with("..") && fs::is_regular_file(folder / below, none))
         add(program.files, below);
       if (dependencies.contains(name) && dependencies[name].is_string())

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns FILE and LINE of "FILE:LINE id". A file's name may hold colons, so the first one that a line
-/// number follows counts.
+/// Returns FILE and LINE of "FILE:LINE id". The name of a file may contain colons. It ends at the first
+/// colon that a line number follows.
 std::optional<SourceLine> place_in(std::string_view origin) {
   for (std::size_t colon = origin.find(':'); colon != std::string_view::npos;
        colon = origin.find(':', colon + 1)) {
@@ -32,7 +32,7 @@ std::optional<SourceLine> place_in(std::string_view origin) {
   return {};
 }
 
-/// Returns the path from the current folder where the file lies below it.
+/// Returns the path from the current folder if the file lies below it. Otherwise returns the whole path.
 std::string from_here(const std::string& file) {
   const fs::path path = fs::path(file).lexically_normal();
   if (path.is_relative()) return path.string();
@@ -41,7 +41,7 @@ std::string from_here(const std::string& file) {
   return below.empty() || *below.begin() == ".." ? path.string() : below.string();
 }
 
-/// Returns the origin; a case of ours that somebody else's method fails on by its path from our folder.
+/// Returns the origin. If a guest fails on a case of ours, it contains the path from our folder.
 std::string origin_of(const JudgedFailure& failure) {
   const fs::path ours = fs::path(in_source_tree("corpus")).parent_path();
   if (failure.options.empty() || ours.empty() || !is_from_case(failure)) return one_line(failure.origin);
@@ -61,7 +61,7 @@ std::optional<SourceLine> place_of(const JudgedFailure& failure) {
   return place;
 }
 
-/// "fails 10 of 10 times", or "fails 3 of 10 times, not deterministically". Empty if it was not run again.
+/// Returns "fails 10 of 10 times", or "fails 3 of 10 times, not deterministically". Empty if not run again.
 std::string again_in_words(const JudgedFailure& failure) {
   if (failure.reruns == 0) return {};
   return fmt::format("fails {} of {} times{}", failure.failed_again, failure.reruns,

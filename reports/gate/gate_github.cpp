@@ -12,7 +12,7 @@
 namespace cyl {
 namespace {
 
-/// Each character of `special` as the percent sign and its two hexadecimal digits.
+/// Replaces each character of `special` with the percent sign and its two hexadecimal digits.
 std::string escaped(std::string_view text, std::string_view special) {
   std::string safe;
   for (const char c : text) {

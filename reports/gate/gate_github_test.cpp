@@ -13,7 +13,7 @@ TEST(GateGithub, OneCommandALine) {
   for (std::string line; std::getline(lines, line);) {
     errors += line.starts_with("::error file=");
     EXPECT_EQ(line.find('\r'), std::string::npos);
-    const std::size_t end = line.find("::", 2);  // of the properties: what is quoted in them opens no other
+    const std::size_t end = line.find("::", 2);  // the end of the properties, which escape colons
     ASSERT_NE(end, std::string::npos);
     EXPECT_EQ(occurrences(line.substr(0, end), ","), 2u) << line;
     EXPECT_NE(line.find("| daylight replay - --methods "), std::string::npos) << line;

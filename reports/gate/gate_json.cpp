@@ -21,7 +21,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// 16 hexadecimal digits: not every reader of JSON keeps 64 bits of a number.
+/// Returns 16 hexadecimal digits, because some readers of JSON do not keep 64 bits of a number.
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
 json counts(const AnswerCounts& c) {
@@ -148,7 +148,7 @@ GateBase read_base(const std::string& file) {
     for (const json& method : all.at("methods")) base.methods.push_back(method.at("name").get<std::string>());
     all.at("laws").get_to(base.laws);
     all.at("cases").get_to(base.cases);
-    std::uint64_t replayed = 0;  // cases, in full
+    std::uint64_t replayed = 0;  // cases that were asked in full
     for (const json& phase : all.at("phases")) {
       const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
       const std::uint64_t pairs = natural(phase, "pairs");
@@ -203,7 +203,7 @@ void note_gaps(JudgedGate& gate, const GateBase& base) {
     if (found == base.digests.end()) continue;
     const auto rounds =
         std::ranges::find(drawing_phases, phase.phase, [](const auto& p) { return p.first; })->second;
-    // If the time was over before, that was reported.
+    // If the time ran out before these rounds, that is already reported.
     if (phase.rounds == base.amount.*rounds && found->second != hex(phase.digest))
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }

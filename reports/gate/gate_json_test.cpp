@@ -122,7 +122,7 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   };
   JudgedGate now = gate;
   now.report.cases = {18, 17, 19};
-  // As it is written, which bytes that are no UTF-8 do not survive.
+  // The name is as it is written. Bytes that are not UTF-8 do not survive that.
   now.report.methods[1].name = parse_json(gate_json(gate))["methods"][1]["name"];
   EXPECT_EQ(gaps(now, file.path), std::vector<std::string>{}) << "more cases, in another order";
   JudgedGate other = now;

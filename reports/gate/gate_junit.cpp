@@ -17,7 +17,7 @@
 namespace cyl {
 namespace {
 
-/// Returns `text`, of one_line(), without U+FFFE and U+FFFF: XML does not have them, not even as references.
+/// Replaces U+FFFE and U+FFFF in `text`, a result of one_line(). XML allows neither, even as a reference.
 std::string xml(std::string text) {
   for (const std::string_view none : {"\xef\xbf\xbe", "\xef\xbf\xbf"})
     for (std::size_t at = 0; (at = text.find(none, at)) != std::string::npos;)
@@ -32,7 +32,7 @@ pugi::xml_node add(pugi::xml_node parent, const char* name,
   return node;
 }
 
-/// Lines that say all of one failure.
+/// Returns the lines that describe one failure in full.
 std::string details(const FailureView& f) {
   std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\nbucket: {}\n", f.what,
                                  f.pairs, f.origin, f.found, f.simplest, f.bucket);
@@ -45,7 +45,7 @@ struct Counts {
   std::size_t tests = 0, failures = 0, errors = 0;
 };
 
-/// Adds the attributes that a suite has, and all of them together.
+/// Adds the attributes that each suite has. The element of all suites has the same ones.
 void add_totals(pugi::xml_node node, const std::string& name, const Counts& counts) {
   node.append_attribute("name") = xml(name).c_str();
   node.append_attribute("tests") = counts.tests;
@@ -65,7 +65,7 @@ struct TestCase {
   std::vector<const JudgedFailure*> failures;
 };
 
-/// A test for each law, and after them one for each kept case on which the method failed.
+/// Returns a test for each law, and then one for each kept case on which the method failed.
 std::vector<TestCase> tests_of(const GateMethod& method, const JudgedGate& gate) {
   std::vector<TestCase> tests;
   for (const Law& law : all_laws()) tests.push_back({law_title(law), {}});
@@ -115,7 +115,7 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   return counts;
 }
 
-/// A suite of the gate itself: a test that is in error for each line of what was not asked.
+/// Adds a suite of the gate itself. It has a test in error for each line that reports a missing question.
 void add_not_asked(pugi::xml_node suites, const JudgedGate& gate, const Counts& counts) {
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, "daylight gate", counts);

@@ -22,7 +22,7 @@ json rule(const Law& law) {
           {"help", text(fmt::format("{} Scope: {}", law.statement, law.where))}};
 }
 
-/// Returns the path of a URI, RFC 3986: its unreserved characters and '/' as they are, all else in percent.
+/// Returns the path of a URI (RFC 3986). Unreserved characters and '/' stay, all others are percent-encoded.
 std::string uri_path(std::string_view path) {
   std::string uri;
   for (const char c : path) {

@@ -17,11 +17,10 @@
 namespace cyl {
 namespace {
 
-// Lines are put together from words, and a word is never cut.
+// A line breaks only between words.
 constexpr std::size_t line_width = 100;
 
-/// Breaks `text` into lines. Later ones stand below the first word of `text`, and in any case not at the
-/// margin.
+/// Breaks `text` into lines. Later lines are indented to the first word of `text`, by two columns at least.
 std::string wrapped(const std::string& first, const std::string& text) {
   const std::size_t indent = std::max<std::size_t>(first.size(), 2);
   std::string lines = first;
@@ -42,7 +41,7 @@ std::string wrapped(const std::string& first, const std::string& text) {
   return lines + '\n';
 }
 
-/// Returns 10^-decade as origins have it: 1e-09; but 1 for 1e-00.
+/// Returns 10^-decade in the form that origins have, such as 1e-09. Decade 0 becomes 1.
 std::string power(int decade) {
   return decade == 0 ? "1" : fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade));
 }
@@ -123,7 +122,7 @@ std::string failures_text(const JudgedGate& gate) {
   return text;
 }
 
-/// Returns whether a table is worth showing: whether cells differ in more than their number of pairs.
+/// Returns whether a table helps: cells must differ in more than their numbers of pairs.
 bool table_helps(const GateMethod& m) {
   if (std::ranges::none_of(m.cells, [](const GateCell& c) { return c.pairs + c.undecided > 0; }))
     return false;
@@ -180,7 +179,7 @@ std::string close_table(const GateMethod& m) {
     if (c.cell.decade == first_close_decade)
       text += fmt::format("\n{:<13} {:<12}", to_string(c.cell.lie), to_string(c.cell.band));
     const std::uint64_t wrong = c.wrong_gaps + c.wrong_overlaps, all = c.gaps + c.overlaps;
-    // What is wrong by more than the cell's margin counts for no cell: it may be more than all.
+    // `wrong` may exceed `all`, which leaves out undecided answers and pairs without a proved truth.
     text += fmt::format(
         "{:>6}", wrong > 0 ? fmt::format("{}!{}", wrong, std::max(all, wrong)) : fmt::format("{}", all));
   }
@@ -189,12 +188,12 @@ std::string close_table(const GateMethod& m) {
 
 bool is_wrong(const CloseGateCell& c) { return c.wrong_gaps + c.wrong_overlaps > 0; }
 
-/// Of the bounds of gaps and of overlaps, which are two questions, the worse.
+/// Gaps and overlaps are two questions with one bound each. Returns the worse bound.
 double bound_of(const CloseGateCell& c) {
   return std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps));
 }
 
-/// Names at most so many cells.
+/// The most cells that a text names.
 constexpr std::size_t cells_named_cap = 6;
 
 std::string named(const std::vector<const CloseGateCell*>& cells, bool bounds) {
@@ -207,12 +206,12 @@ std::string named(const std::vector<const CloseGateCell*>& cells, bool bounds) {
   return text;
 }
 
-/// A cell with less than such a part of the gaps or overlaps of the cell in the middle is rare.
+/// A cell is rare if it has less than this part of the gaps or overlaps of the median cell: a quarter.
 constexpr std::uint64_t rare_part = 4;
 
 std::string rate(double bound) { return fmt::format("<= {:.1e}", bound); }
 
-/// Returns "wrong beyond its claim on 3 of 70", or `right` with the number if none is wrong.
+/// Returns "wrong beyond its claim on 3 of 70". If none is wrong, returns `right` and the number.
 std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string& right) {
   return wrong == 0 ? fmt::format("{} {}", right, grouped(pairs))
                     : fmt::format("wrong beyond its claim on {} of {}", grouped(wrong), grouped(pairs));
@@ -226,7 +225,7 @@ std::string as_lines(const std::vector<std::string>& facts) {
   return text;
 }
 
-/// Returns what close contacts prove of the cells that the method claims. Empty if it was asked about none.
+/// Returns what close contacts prove about the claimed cells. Empty if the method was asked about none.
 std::string close_in_words(const GateMethod& method) {
   std::vector<const CloseGateCell*> empty, rare, full;
   std::vector<std::uint64_t> gaps, overlaps;
@@ -287,7 +286,7 @@ std::string rounded_in_words(const GateMethod& method) {
          as_lines(facts);
 }
 
-/// Returns what the random sample of all strata proves of the cells that the method claims.
+/// Returns what the random sample of all strata proves about the cells that the method claims.
 std::string strata_in_words(const GateMethod& method) {
   std::set<ContactFeature> features;
   std::set<int> decades;
@@ -315,7 +314,7 @@ std::string strata_in_words(const GateMethod& method) {
   const std::string name = one_line(method.name);
   std::vector<std::string> facts;
   if (cells > 0) {
-    // The decade d holds margins above 10^(-d-1), up to 10^-d.
+    // The decade d holds margins above 10^(-d-1) and up to 10^-d.
     facts.push_back(fmt::format("They cover {} of {} and {} of margin from {} to {}.",
                                 counted(cells, "combination"), counted(features.size(), "contact feature"),
                                 counted(decades.size(), "decade"), power(*decades.begin()),

@@ -27,7 +27,7 @@ bool is_our_path(const BenchRow& row) {
   return !row.foreign && row.method != "exact" && std::isfinite(row.median_ns);
 }
 
-/// The pass over a batch of about as many pairs.
+/// Returns the time of a memory pass over a batch of similar size.
 double memory_pass_ns(const LowerBounds& lower_bounds, const BenchRow& row) {
   return row.pairs < large_batch ? lower_bounds.memory_pass_ns : lower_bounds.large_memory_pass_ns;
 }
@@ -95,7 +95,7 @@ std::string lower_bounds_json(const LowerBounds& lower_bounds, std::span<const B
 }  // namespace
 
 std::string format_bench_table(std::span<const BenchRow> rows) {
-  std::map<std::pair<std::string, std::string>, double> unit;  // of (family, query)
+  std::map<std::pair<std::string, std::string>, double> unit;  // by family and query
   for (const BenchRow& row : rows) {
     if (row.method != "intersect") continue;
     unit[{row.family, row.query}] = row.median_ns;

@@ -33,8 +33,8 @@ bool is_counted(FindingKind k) {
 
 using MapPlace = std::tuple<std::string, std::size_t, int, int>;  // method, plane, x, y
 
-/// The first finding kept in each cell of each method. What is wrong with undecided or invalid pairs is in
-/// none.
+/// Returns the first kept finding in each cell of each method. Findings on undecided or invalid pairs are in
+/// no cell.
 std::map<MapPlace, std::int64_t> first_findings(const RunData& run) {
   std::map<MapPlace, std::int64_t> first;
   for (std::size_t i = 0; i < run.findings.size(); ++i) {
@@ -60,7 +60,7 @@ nlohmann::json counts_json(const CellCounts& c) {
           {"declined", c.declined}};
 }
 
-/// Counts of 0, which most are, are left out.
+/// Leaves out counts of 0, because most counts are 0.
 nlohmann::json map_json(const FailureMap& map) {
   nlohmann::json cells = nlohmann::json::array();
   for (const MapCell& c : map.cells) {

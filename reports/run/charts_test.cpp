@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Upright, side by side, at a margin in sizes (6).
+/// Two upright cylinders side by side with this margin, of size 6.
 Pair beside(double margin) {
   return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, {0, 0, 1}, 1, 2}};
 }
@@ -40,7 +40,7 @@ FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Ve
 
 MethodRecord method(const char* name) { return {name, "1", 0, 0, "", 1}; }
 
-/// A run of two methods on four kinds of pair, in a folder that is gone afterwards.
+/// A run of two methods on four kinds of pairs, in a folder that is removed afterwards.
 class Charts : public testing::Test {
  protected:
   void SetUp() override {
@@ -88,17 +88,17 @@ const MapCell* cell_at(const FailureMap& map, const Pair& pair, Verdict truth) {
 
 TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
   const std::vector<FailureMap> maps = failure_maps(read_run(folder, {}));
-  ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent one was not asked
+  ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent method was not asked
   EXPECT_EQ(maps[0].method, "good");
   EXPECT_EQ(maps[3].method, "bad");
   EXPECT_EQ(maps[3].plane, Plane::angle_margin);
   const MapCell* near = cell_at(maps[3], beside(3e-7), Verdict::disjoint);
   ASSERT_TRUE(near);
   EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));  // both sides of touching
-  EXPECT_EQ(near->finding, 3);                                    // not the distance, and not the undecided
+  EXPECT_EQ(near->finding, 3);                                    // not the distance, not the undecided pair
   const MapCell* far = cell_at(maps[3], beside(1), Verdict::disjoint);
   ASSERT_TRUE(far);
-  EXPECT_FALSE(far->finding);  // nothing wrong was counted there: it was seen in a dispute
+  EXPECT_FALSE(far->finding);  // no failure was counted there, only seen in a dispute
   EXPECT_FALSE(cell_at(maps[3], beside(0), Verdict::touching));
   EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
 }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a program, what it says on standard output dropped, and returns whether it went well.
+/// Runs a program and drops its standard output. Returns whether the program succeeded.
 bool runs_well(const std::vector<std::string>& command, const std::string& input = {}) {
   return Child(command, {.input = input}).wait() == 0;
 }
@@ -24,8 +24,8 @@ bool installed(const char* program) {
   return runs_well({"/bin/sh", "-c", "command -v \"$0\" >/dev/null 2>&1", program});
 }
 
-/// Runs a program that is told of files, whose names it does not take for options. Throws std::runtime_error
-/// where that fails.
+/// Runs a program on files. Their paths are absolute, so that it does not take them for options. Throws
+/// std::runtime_error if the program fails.
 void run(const std::vector<std::string>& options, const std::vector<fs::path>& files,
          const std::string& input = {}) {
   std::vector<std::string> command = options;

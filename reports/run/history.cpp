@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 using MethodFamily = std::pair<std::string, std::string>;
 
-/// What history needs of a run.
+/// The part of a run that the history needs.
 struct Past {
   std::string began, folder;
   bool shard = false;  ///< a part of a run

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Kinds by what becomes of them in the runs below.
+// Kinds, named by what becomes of them in the runs below.
 constexpr auto held = FindingKind::hang, lost = FindingKind::crash, old = FindingKind::exception,
                late = FindingKind::malformed, first = FindingKind::wrong_disjoint,
                seldom = FindingKind::nondeterminism, other = FindingKind::reported;

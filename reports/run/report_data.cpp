@@ -33,7 +33,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// What cannot be read is null.
+/// Returns null for text that cannot be read.
 json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
 
 // The run
@@ -57,8 +57,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The command that does this run again on a machine with the same build, where its guests run; empty where
-/// its families were weighted by earlier runs, which may be gone.
+/// Returns the command that repeats this run on a machine with the same build and guests. Empty if earlier
+/// runs, which may be gone, gave the weights of its families.
 std::string command_of(const RunData& run) {
   const Config& config = run.config;
   if (!value_of(config, "weights").empty()) return "";
@@ -79,7 +79,7 @@ std::string command_of(const RunData& run) {
 }
 
 json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
-  std::uint64_t pairs = 0;  // judged: of a shard, the next index tells of others' too
+  std::uint64_t pairs = 0;  // judged pairs; the next index of a shard also counts pairs of other shards
   for (const MethodTally& m : tallies)
     if (m.method == referee_row) pairs = m.total.asked;
   return {{"id", std::filesystem::canonical(run.folder).filename().string()},
@@ -161,19 +161,19 @@ json history_json(const History& history) {
 // Findings
 // -----------------------------------------------------------------------------------------------------------
 
-/// Findings on one pair.
+/// The findings on one pair.
 struct Shared {
   const FindingRecord* first = nullptr;
-  const FoundPair* pair = nullptr;             ///< that of `first`
-  std::set<std::string, std::less<>> methods;  ///< that have a finding on it
-  std::optional<Enclosure> margin;  ///< the signed distance's over the size, where a finding has that
+  const FoundPair* pair = nullptr;             ///< the pair of `first`
+  std::set<std::string, std::less<>> methods;  ///< methods that have a finding on it
+  std::optional<Enclosure> margin;             ///< the signed distance over the size, if a finding has it
 };
 
 json margin_json(const std::optional<Enclosure>& margin) {
   return margin ? json{number_json(margin->lo), number_json(margin->hi)} : json();
 }
 
-/// Every name once, in the order of their first use.
+/// Holds every name once, in the order of first use.
 class Names {
  public:
   std::size_t index(const std::string& name) {
@@ -188,7 +188,7 @@ class Names {
   json names_ = json::array();
 };
 
-/// Equal answers once, with everybody who gave them; the witnesses of those who had no finding are left out.
+/// Lists equal answers once, with all methods that gave them. Omits witnesses of methods without a finding.
 json said_on(const Shared& shared, Names& names) {
   json said = json::array();
   std::map<std::string, std::size_t> known;
@@ -198,7 +198,7 @@ json said_on(const Shared& shared, Names& names) {
     return at->second;
   };
   for_each_answer(parsed(shared.first->answers), [&](const json& answer, const auto& methods) {
-    std::optional<std::size_t> whole, bare;  // places, with witnesses and without
+    std::optional<std::size_t> whole, bare;  // places with witnesses and without
     for (const std::string& method : methods) {
       std::optional<std::size_t>& place = shared.methods.contains(method) ? whole : bare;
       if (!place) {
@@ -215,7 +215,7 @@ json said_on(const Shared& shared, Names& names) {
   return said;
 }
 
-/// null where the record holds no pair.
+/// Returns null if the record does not hold a pair.
 json case_of(const Shared& shared, Names& names) {
   const std::optional<Case>& line = shared.pair->line;
   if (!line) return nullptr;
@@ -250,7 +250,7 @@ void add_findings(json& report, const RunData& run) {
     if (added) shared.push_back({&f, &run.pairs[i], {}, {}});
     Shared& s = shared[at->second];
     s.methods.insert(f.method);
-    // Of a wrong distance the margin is its error.
+    // The margin of a wrong distance is its error.
     if (!s.margin && f.kind != FindingKind::distance_outside) s.margin = f.margin;
     case_at.push_back(at->second);
   }
@@ -290,7 +290,7 @@ void add_findings(json& report, const RunData& run) {
 // Causes
 // -----------------------------------------------------------------------------------------------------------
 
-/// The buckets of the last triage, with what people noted of them and where their pairs are.
+/// Adds the buckets of the last triage, with the notes on them and the places of their pairs.
 void add_causes(json& report, const RunData& run) {
   const std::map<std::string, CauseNote> notes = read_notes(notes_file_of(run.folder));
   std::map<std::string, std::size_t> by_standing;
@@ -316,7 +316,7 @@ void add_causes(json& report, const RunData& run) {
   report["changes"] = std::move(changes);
 }
 
-// Beside the store
+// Charts, self-checks and the report
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
@@ -334,10 +334,10 @@ json self_check_json(const std::vector<SelfCheckRecord>& checks) {
   return {{"green", failed.empty()}, {"text", failed.empty() ? format_self_checks(checks) : failed}};
 }
 
-/// Objects of a list as a list for each key, which compresses better. In `sparse` are the keys that some
-/// lack, with null for these. parts/columns.ts and page_data.py turn it back.
+/// Turns a list of objects into a list for each key, which compresses better. `sparse` has the keys that
+/// some objects lack, with null for these. parts/columns.ts and page_data.py reverse this.
 json columns_of(const json& objects) {
-  std::vector<std::string> keys;  // in the order of their first use
+  std::vector<std::string> keys;  // in the order of first use
   std::map<std::string, std::size_t> uses;
   for (const json& object : objects)
     for (const auto& [key, value] : object.items())

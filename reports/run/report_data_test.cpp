@@ -30,7 +30,7 @@ using json = nlohmann::ordered_json;
 
 const std::string hostile = "</script></code></style><img src=x onerror=alert(1)>\"'&\x01<!--@@STYLE@@$&";
 
-/// The objects of a list that the page holds as columns.
+/// Returns the objects of a list that the page holds as columns.
 json objects_of(const json& columns) {
   json objects = json::array();
   for (const char* kind : {"full", "sparse"})
@@ -48,7 +48,7 @@ class ReportData : public testing::Test {
     folder = fs::temp_directory_path() / ("daylight_report_" + std::to_string(getpid()) + "_" +
                                           testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
-    folder /= "run";  // alone in its folder: no earlier runs beside it
+    folder /= "run";  // alone in its folder, without earlier runs
     fs::create_directories(folder.parent_path());
   }
   void TearDown() override { fs::remove_all(folder.parent_path()); }
@@ -165,7 +165,7 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   EXPECT_TRUE(std::signbit(reported["pair"]["b"]["center"][0].get<double>()));
   EXPECT_EQ(reported["pair"]["b"]["center"][1].get<double>(), 5e-324);
   EXPECT_EQ(reported["pair"]["b"]["center"][2].get<double>(), 1.7976931348623157e308);
-  // The witness of "third", who has no finding here, is left out; the answers of the others stay as they are.
+  // The witness of "third" is left out, because it has no finding here. The other answers stay as they are.
   ASSERT_EQ(reported["said"].size(), 3u);
   EXPECT_EQ(reported["said"][0][0]["direction"][2], 0.1);
   EXPECT_EQ(reported["said"][2], parse_ordered_json(R"([{"verdict":"disjoint"},[2]])"));
@@ -205,7 +205,7 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
   EXPECT_NEAR(reported["nearest"]["b"][0].get<double>(), 1.5, 1e-9);
 }
 
-/// Two crossed cylinders, 2.55e308 deep in each other.
+/// Two crossed cylinders that overlap by 2.55e308.
 TEST_F(ReportData, KeepsAnEndBeyondTheDoubles) {
   RunStore store = RunStore::create(folder, {});
   FindingRecord f = finding(0, "fake", 0.5);

@@ -20,12 +20,12 @@
 namespace cyl {
 namespace {
 
-/// Names listed in a line.
+/// The most names in a line.
 constexpr std::size_t named_cap = 3;
 
 using Ranked = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// "ode 1804, mujoco 900 and 3 more", the most first; "none". The lines stay below 120 columns.
+/// Returns "ode 1804, mujoco 900 and 3 more", the most first, or "none". Lines stay below 120 columns.
 std::string most_of(Ranked counts) {
   std::stable_sort(counts.begin(), counts.end(),
                    [](const auto& x, const auto& y) { return x.second > y.second; });
@@ -36,7 +36,7 @@ std::string most_of(Ranked counts) {
   return text.empty() ? "none" : text;
 }
 
-/// Failures by method and kind: "ode crash 12".
+/// Returns failures by method and kind: "ode crash 12".
 Ranked failures_of(const RunData& run) {
   std::map<std::string, std::uint64_t> counts;
   for (const GroupRecord& g : run.groups) {

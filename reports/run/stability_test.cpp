@@ -25,7 +25,7 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   f.severity = Severity::contract;
   f.family = "f";
   Case line;
-  line.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.4, 0, 0}, {0, 0, 1}, 1, 2}};  // a tenth of 6 deep
+  line.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.4, 0, 0}, {0, 0, 1}, 1, 2}};  // 0.6 deep, of size 6
   f.pair = format_case(line);
   f.truth = R"({"verdict":"intersecting","stage":"filter"})";
   f.answers = "[]";

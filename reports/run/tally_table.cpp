@@ -16,7 +16,7 @@ constexpr int name_width = 30;
 constexpr std::array<std::string_view, 7> titles{"asked",        "declined",  "failed", "beyond claim",
                                                  "within claim", "undecided", "ns/pair"};
 
-/// Every cell as wide as its title, and two more; no narrower than counts of a long run.
+/// Makes each cell two columns wider than its title, and wide enough for the counts of a long run.
 std::string line_of(std::string_view name, const std::array<std::string, titles.size()>& cells) {
   std::string line = fmt::format("{:<{}}", name, name_width);
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -33,8 +33,8 @@ std::string row(const std::string& name, const Counts& c) {
 
 }  // namespace
 
-// A batch lists its rows in the order of the run, but a family or a method may appear only in a later batch;
-// the corpus and the referee come last in every batch, so they are moved behind whatever came after them.
+// A batch lists its rows in the order of the run, but a family or a method may first appear in a later
+// batch. The corpus and the referee come last in every batch, so this moves them behind all methods.
 std::vector<MethodTally> tally_methods(const std::vector<TallyRecord>& tallies) {
   std::vector<MethodTally> all;
   for (const TallyRecord& t : tallies) {

@@ -22,14 +22,14 @@ Counts count_verdicts(const Proofs& proofs) {
   return counts;
 }
 
-/// Three digits, rounded down: what is proved is not said to be more.
+/// Rounds down to three digits, so that the text does not claim more than is proved.
 std::string rounded_down(double x) {
   if (!(x > 0)) return fmt::format("{:.3g}", x);
   const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
   return fmt::format("{:.3g}", std::floor(x / unit) * unit);
 }
 
-/// " at shoulder=0.5 elbow=1", as --at takes it.
+/// Returns " at shoulder=0.5 elbow=1", in the form that --at takes.
 std::string joints_text(const Scene& scene, const MotionProof& proof) {
   std::vector<std::string> values;
   for (const std::size_t link : proof.between)

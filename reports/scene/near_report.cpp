@@ -48,7 +48,7 @@ std::string check_text(const ClosePairsCheck& check) {
       certificates.undecided, certificates_ms);
 }
 
-/// A field of CSV: quoted if it has to be.
+/// Returns a field of CSV, in quotation marks if it needs them.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return text;
   std::string quoted = "\"";

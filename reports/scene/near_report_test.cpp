@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written of many cylinders, as text and as JSON.
+// The report on many cylinders, as text and as JSON.
 #include "reports/scene/near_report.hpp"
 
 #include <gtest/gtest.h>

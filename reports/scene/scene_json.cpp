@@ -14,7 +14,7 @@ using json = nlohmann::ordered_json;
 
 std::string dump(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-/// A line a field, and of lists of objects a line each.
+/// Puts each field on a line. In a list of objects, each object has its own line.
 std::string layout(const json& all) {
   std::string text;
   for (const auto& [key, value] : all.items()) {
@@ -102,7 +102,7 @@ json sample_json(const Sample& sample) {
           {"on_b", vector_json(sample.on_b)}};
 }
 
-/// Only the joints that --at takes.
+/// Returns only the joints that --at takes.
 json joints_json(const Scene& scene, const std::vector<double>& values) {
   json joints = json::object();
   for (std::size_t i = 0; i < scene.links.size(); ++i) {
@@ -118,7 +118,7 @@ json pose_json(const Pose& pose) {
   return {{"center", vector_json(pose.translation())}, {"axes", std::move(axes)}};
 }
 
-/// What solids only hold, where it then is: boxes, and the boxes of meshes.
+/// Returns the poses of the shapes that solids only bound: boxes, and the boxes of meshes.
 json boxes_json(const Scene& scene, const Shown& shown) {
   json boxes = json::array();
   const std::vector<Pose> poses = pose_links(scene, shown.joints);
@@ -136,7 +136,7 @@ const char* motion_word(const Link& link) {
   return link.motion == Motion::turn ? "turn" : link.motion == Motion::slide ? "slide" : "fixed";
 }
 
-/// What forward kinematics needs of a link and of the joint that carries it.
+/// Returns what forward kinematics needs about a link and the joint that carries it.
 json link_json(const Link& link) {
   json all{{"name", link.name}, {"motion", motion_word(link)}, {"origin", pose_json(link.origin)}};
   if (link.parent) all["parent"] = *link.parent;
@@ -171,7 +171,7 @@ json shown_json(const Scene& scene, const Shown& shown) {
           {"boxes", boxes_json(scene, shown)},          {"pairs", std::move(pairs)}};
 }
 
-/// Of a refuted pair its joints; of a proved one the bound.
+/// The joints are those of a refuted pair. The bound is that of a proved one.
 json proof_json(const Scene& scene, const MotionProof& proof) {
   json joints = json::object();
   for (const std::size_t link : proof.between) joints[scene.links[link].joint] = proof.joints[link];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written of a study as JSON, and the page that is drawn from it.
+// The JSON of a study, and the page that is drawn from it.
 #include <gtest/gtest.h>
 
 #include "base/json.hpp"
@@ -61,7 +61,7 @@ TEST(SceneJson, KeepsToItsSchema) {
     EXPECT_FALSE(keeps_to("scene.json", good.patch(parse_json(planted)).dump())) << planted;
 }
 
-// Others can draw what was kept: every number comes back, in the order of the bodies and pairs.
+// Other programs can draw the kept data: every number comes back, in the order of the bodies and pairs.
 TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   const Scene scene = crane();
   const SceneOptions q = question("crane.urdf");
@@ -89,7 +89,7 @@ TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   }
 }
 
-// A box is drawn from its middle and directions: the crane's ground, which stands still.
+// A box is drawn from its middle and directions. This one is the crane's ground, which stands still.
 TEST(SceneJson, HoldsTheBoxes) {
   const json all = parse_json(written(crane(), question("crane.urdf")));
   std::size_t ground = 0;
@@ -105,7 +105,7 @@ TEST(SceneJson, HoldsTheBoxes) {
   }
 }
 
-// Others can move the robot: the tree of its joints, to the bit, with what each joint follows.
+// Other programs can move the robot: they get the tree of joints to the bit, and what each joint follows.
 TEST(SceneJson, HoldsTheJointTree) {
   std::size_t turns = 0, slides = 0, follow = 0;
   for (const char* file : {"crane.urdf", "porter.urdf", "hand.xml", "walker.xml"}) {
@@ -148,7 +148,7 @@ TEST(SceneJson, HoldsTheJointTree) {
   EXPECT_GT(follow, 0u);
 }
 
-// The same sentences as the text, so that no two tell different numbers.
+// The JSON has the same sentences as the text, so that their numbers cannot differ.
 TEST(SceneJson, HasTheSentencesOfTheText) {
   const Scene scene = crane();
   const SceneOptions q = question("crane.urdf");

@@ -55,10 +55,10 @@ TEST(Study, ToleratedFalseAlarmsMakeItCheaper) {
   };
   const auto strict = costly(0), lax = costly(0.5);
   EXPECT_GT(strict, 0);
-  EXPECT_EQ(lax, 0);  // more than two rounded ends are high
+  EXPECT_EQ(lax, 0);  // 0.5 exceeds the height of two rounded ends
 }
 
-// Rods end to end, 1.5 apart: the rounded ends of their capsules overlap, the balls around them do not.
+// Two rods end to end, 1.5 apart. The round ends of their capsules overlap, the balls around them do not.
 TEST(Study, TellsHowWrongAModelAloneIs) {
   const Scene scene =
       still_scene({{"low", {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
@@ -128,7 +128,7 @@ TEST(Study, TellsWhereAModelIsWrongByMost) {
   EXPECT_GT(least(&Score::missed), 5u);
 }
 
-// Two capsules whose balls overlap, 0.9 apart: balls do where each may be rounded by 0.5.
+// Two capsules 0.9 apart whose balls overlap. Balls suffice if each solid may be rounded by 0.5.
 TEST(Study, TellsWhatARoundingCostsAndSaves) {
   const Scene scene =
       still_scene({{"left", {{0, 0, 0}, {0, 0, 1}, 0, 4, 1}}, {"right", {{2.9, 0, 0}, {0, 0, 1}, 0, 4, 1}}});
@@ -182,12 +182,12 @@ TEST(Study, SaysWhatSavesNothing) {
   }
 }
 
-/// What the text says from "recommended: " to the end of its line.
+/// Returns the text after "recommended: ", up to the end of its line.
 std::string recommended(const Scene& scene, const SceneOptions& q) {
   return words_of(scene, q, study_scene(scene, q)).recommended;
 }
 
-// A box a pole stands 0.1 beside: clear of its bound, or nothing is known; never "spheres suffice".
+// A pole stands 0.1 beside a box's bound: it is clear of it, or nothing is known. Never "spheres suffice".
 TEST(Study, NearABoundNothingIsKnown) {
   Scene scene = still_scene({{"pole", {{1.6, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
   scene.bodies[1] = bounded_body("crate", 1, "box", corners_of({2, 2, 2}), Pose::Identity());
@@ -205,7 +205,7 @@ TEST(Study, NearABoundNothingIsKnown) {
       << text;
 }
 
-// The bound of a box that no draw came near to is no more than that.
+// If no sample comes near the bound of a box, the text states no more than that.
 TEST(Study, SaysWhatRestsOnDrawsNearNoBox) {
   Scene scene = still_scene({{"pole", {{3, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
   scene.bodies[1] = bounded_body("crate", 1, "box", corners_of({2, 2, 2}), Pose::Identity());
@@ -215,7 +215,7 @@ TEST(Study, SaysWhatRestsOnDrawsNearNoBox) {
             "capsules for 1 pair (1 of these with the bound of a box or mesh, which came near in no draw)");
 }
 
-// Of draws nobody says "never".
+// Samples never prove "never".
 TEST(Study, NeverIsSaidOfProofsAlone) {
   for (const char* file : {"crane.urdf", "arm.urdf", "porter.urdf"}) {
     const Scene scene = read_scene(folder + file);

@@ -16,7 +16,7 @@
 namespace cyl {
 namespace {
 
-/// Names each kind of shape with the links that have it: "3 boxes, ..." would hide which.
+/// Names each kind of shape with its links, because "3 boxes, ..." would not show which boxes are meant.
 std::vector<std::string> left_out_words(const Scene& scene) {
   std::map<std::string, std::map<std::string, std::size_t>> by_kind;
   for (const auto& [shape, link] : scene.left_out) ++by_kind[shape][link];
@@ -33,7 +33,7 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (bounded), 0 not looked at".
+/// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (bounded), ..".
 std::string shapes_words(const Scene& scene) {
   std::array<std::size_t, 4> counts{};
   std::map<std::string, std::size_t> bounded;
@@ -139,10 +139,10 @@ std::string cascade_words(const Cascade& cascade) {
 
 const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
 
-/// Pairs of which nothing is known that are named here; --json has them all.
+/// The most unknown pairs that the text names. --json has them all.
 constexpr std::size_t named_cap = 12;
 
-/// Worst first: what needs the most exact model, then by the false alarms of capsules.
+/// Lists pairs by the most exact model that they need, then by false alarms of capsules, the worst first.
 std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::vector<const PairStudy*> pairs;
   for (const PairStudy& pair : s.pairs)
@@ -163,7 +163,7 @@ std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStu
   return text;
 }
 
-/// How surely what was not seen wrong is not: what the fewest samples of such a pair leave possible.
+/// Returns how rare errors are that no sample showed. The pair with the fewest samples sets the bound.
 std::string surely(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::size_t least = 0;
   for (const PairStudy& pair : s.pairs)
@@ -195,7 +195,7 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
                                      : fmt::format(", but these {} need more", all - capsules));
 }
 
-/// The level of the cylinders is that of what the file has.
+/// The level of the cylinders stands for the shapes as they are in the file.
 std::string plural_of(Level level, const Scene& scene) {
   const auto is_rounded = [](const Body& body) { return body.solid.rounding > 0; };
   if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_rounded)) return "shapes as they are";
@@ -203,7 +203,7 @@ std::string plural_of(Level level, const Scene& scene) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// "2 pairs with a box or mesh come near its bound (table - hand, table - arm): NOT KNOWN".
+/// Returns "; NOT KNOWN: 2 pairs that come near the bound of a box or mesh (table - hand, table - arm)".
 std::string not_known_words(const Scene& scene, const SceneStudy& s) {
   std::vector<std::string> named;
   std::size_t count = 0;
@@ -217,7 +217,7 @@ std::string not_known_words(const Scene& scene, const SceneStudy& s) {
                      counted(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
 }
 
-/// Of a box or mesh draws show no more than that its bound was not near in them.
+/// For a box or mesh, samples show only that its bound was not near in any of them.
 std::string not_near_words(const Scene& scene, const SceneStudy& s) {
   const auto rests_on_draws = [&](const PairStudy& pair) {
     return is_known(scene, pair) && (scene.bodies[pair.a].box || scene.bodies[pair.b].box);
@@ -227,7 +227,7 @@ std::string not_near_words(const Scene& scene, const SceneStudy& s) {
   return fmt::format(" ({} of these with the bound of a box or mesh, which came near in no draw)", count);
 }
 
-/// What was not looked at stands where somebody acts on it: boxes touch things too.
+/// Shapes that were not looked at are named next to the recommendation, because boxes touch things too.
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
   for (const PairStudy& pair : s.pairs)
@@ -244,7 +244,7 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
                      fmt::join(left_out_words(scene), ", "));
 }
 
-/// A saving that is less than this part of the time is none: times spread by as much.
+/// Times vary by this part, so a smaller saving counts as none.
 constexpr double least_saving = 0.1;
 
 std::string cost_words(const SceneStudy& s) {
@@ -277,8 +277,8 @@ std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
       counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
 }
 
-/// A line a rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000 configurations,
-/// ..".
+/// Returns a line for each rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000
+/// configurations ..".
 std::vector<std::string> rounding_words(const SceneStudy& s) {
   std::vector<std::string> words;
   for (const RoundingCost& r : s.roundings) {

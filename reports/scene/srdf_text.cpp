@@ -20,7 +20,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-/// What reads an attribute takes a line's end or a tab in it for a space: that would be another name.
+/// Readers of XML turn a line break or a tab in an attribute into a space, which would change the name.
 std::string attribute_text(std::string name) {
   for (const auto& [what, with] : {std::pair{"&", "&amp;"},
                                    {"<", "&lt;"},
@@ -32,7 +32,7 @@ std::string attribute_text(std::string name) {
   return name;
 }
 
-/// No comment holds two hyphens in a row; of three the first round leaves two.
+/// A comment of XML must not contain two hyphens in a row. The first round leaves two if there are three.
 std::string comment_text(const std::string& words) {
   return "<!-- " + replaced(replaced(words, "--", "- -"), "--", "- -") + " -->";
 }
@@ -68,14 +68,14 @@ class SrdfWriter {
     return std::minmax(scene_.bodies[a].link, scene_.bodies[b].link);
   }
 
-  /// The line that disables two links, or a comment why not; nothing of a checked pair that meets.
+  /// Returns the line that disables two links, or a comment why not. Empty if a checked pair meets.
   std::string line(const LinkPair& links) const {
     if (carries_directly(scene_, links.first, links.second) && !are_paired(links))
       return disabled(links, "Adjacent", "one carries the other");
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "shapes were not looked at");
     const auto found = proofs_.find(links);
-    // As many as there are pairs of their shapes: what nobody proved is not disabled.
+    // Links are disabled only if each pair of their shapes has a proof.
     if (found == proofs_.end() || found->second.size() < bodies_on(links.first) * bodies_on(links.second))
       return enabled(links, "nothing is proved");
     const MotionProof& worst = **std::ranges::min_element(
@@ -87,7 +87,7 @@ class SrdfWriter {
     return enabled(links, fmt::format("{}: {}", to_string(worst.verdict), words));
   }
 
-  /// Whether the file asks to check shapes of theirs, neighbours or not.
+  /// Whether the file asks to check two of their shapes, even if the links are neighbours.
   bool are_paired(const LinkPair& links) const {
     return std::ranges::any_of(scene_.bodies, [&](const Body& a) {
       return a.link == links.first && std::ranges::any_of(scene_.bodies, [&](const Body& b) {

@@ -23,7 +23,7 @@ SceneOptions question() {
   return q;
 }
 
-/// What comes back when it is read for the same robot: by the names of the links.
+/// Returns the reasons that come back when the text is read for the same robot, by the names of the links.
 std::map<std::pair<std::string, std::string>, std::string> read_back(Scene scene, const std::string& text) {
   const Scratch scratch;
   scene.exemptions.clear();
@@ -58,7 +58,7 @@ TEST(SrdfText, DisablesWhatIsProvedOrJoinedByOneJoint) {
   EXPECT_NE(text.find(": not disabled: shapes were not looked at -->"), text.npos) << "a mesh of the camera";
 }
 
-// Draws alone disable nothing, however many are without a hit.
+// Samples alone disable nothing, however many samples have no hit.
 TEST(SrdfText, NothingIsNeverThatWasOnlyDrawn) {
   const Scene scene = read_scene(folder + "twenty.urdf");
   SceneOptions q = question();
@@ -95,7 +95,7 @@ TEST(SrdfText, NoNeverAcrossAJointThatWasNotMoved) {
   EXPECT_GT(held, 0u);
 }
 
-// Of what its own SRDF disables only what is proved comes back: not what is refuted, and not what is open.
+// Pairs that its own SRDF disables come back only if they are proved, not if they are refuted or open.
 TEST(SrdfText, KeepsOfAnSrdfWhatIsProved) {
   Scene scene = read_scene(folder + "crane.urdf");
   const auto link = [&](const char* name) {

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Calls `visit` with the name and the value of each field that JSON has as it is.
+/// Calls `visit` with the name and the value of each field that JSON holds unchanged.
 template <class B, class Visit>
 void visit_plain(B& b, Visit visit) {
   visit("key", b.key);
@@ -43,7 +43,7 @@ Json margin_json(const std::optional<Enclosure>& margin) {
   return {number_json(margin->lo), number_json(margin->hi)};
 }
 
-/// Reads what number_json() wrote of an end.
+/// Reads an end of an enclosure, as number_json() writes it.
 double end_of(const Json& x) { return x.is_string() ? std::stod(x.get<std::string>()) : x.get<double>(); }
 
 template <Worded E>
@@ -53,7 +53,7 @@ E word_of(const Json& word) {
   return *value;
 }
 
-/// Reads the pair and the margin of a page's Case.
+/// Reads the pair and the margin of a Case of the page.
 ShownCase case_of(const Json& j) {
   ShownCase shown{parse_case(j.at("pair").dump(), 1).value.value().pair, {}, j.dump()};
   if (const Json& margin = j.at("margin"); !margin.is_null())
@@ -65,7 +65,7 @@ Json share_json(const std::optional<Bucket::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
 }
 
-/// A rate a million pairs, with bounds at 95 %.
+/// Returns the rate per million pairs, with bounds at 95 %.
 Json observation_json(const Bucket::RunObservation& night) {
   constexpr double million = 1e6;
   const Observation& s = night.sight;
@@ -83,7 +83,7 @@ Json suppression_json(const std::optional<Suppression>& s) {
   return {{"reason", s->reason}, {"link", s->link}, {"owner", s->owner}, {"expires", s->expires}};
 }
 
-/// "fcl-libccd, ode and 3 more".
+/// Returns "fcl-libccd, ode and 3 more".
 std::string some_of(const std::set<std::string>& names) {
   constexpr std::size_t named_cap = 4;
   std::string text;

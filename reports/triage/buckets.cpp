@@ -38,14 +38,14 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr Caps share_caps{.call_cpu = shown_caps.call_cpu, .call_wall = shown_caps.call_wall, .hangs = 2};
-/// Seed of the sample of a stratum.
+/// The seed of the sample of a stratum.
 constexpr std::uint64_t share_seed = 1;
-/// Pairs tried as the simplest of a bucket, until its method fails on one.
+/// The most pairs tried as the simplest of a bucket, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
-/// Keys listed with a bucket.
+/// The most keys listed with a bucket.
 constexpr std::size_t merged_cap = 200;
 
-/// Simplified ones before those as they were found, then the simplest.
+/// Puts simplified candidates before candidates as found, and then the simplest first.
 bool is_shown_before(const ShownCandidate& x, const ShownCandidate& y) {
   return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
 }
@@ -56,8 +56,8 @@ std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
   return m ? std::optional(FailingMethod{*m, f.kind}) : std::nullopt;
 }
 
-/// Takes the first of the candidates on which its method fails when it is asked alone; where there is none,
-/// the first finding, as it was found.
+/// Takes the first candidate on which its method fails when it is asked alone. If none fails, takes the
+/// first finding as it was found.
 void choose_simplest(CauseFindings& group, std::span<const std::unique_ptr<Method>> methods,
                      const std::function<bool()>& out_of_time) {
   std::stable_sort(group.candidates.begin(), group.candidates.end(), is_shown_before);
@@ -75,7 +75,7 @@ void choose_simplest(CauseFindings& group, std::span<const std::unique_ptr<Metho
   }
 }
 
-/// Whether what was searched for is wrong today in the way it was found, beyond the claim, and worse than the
+/// Whether the searched pair is wrong today in the way it was found, beyond the claim, and worse than the
 /// worst finding.
 bool surpasses(const CauseFindings& group, const Trial& now,
                std::span<const std::unique_ptr<Method>> methods) {
@@ -97,7 +97,7 @@ std::optional<CaseDistance> distance_of(const Trial& trial) {
 }
 
 /// `finding` is the finding with this pair, or nullptr. If its method is right now, the case has its answer
-/// of the run. `note`: that of a searched pair, else empty.
+/// in the run. `note` is the note of a searched pair, or empty.
 ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& distance,
                      const FindingRecord* finding, std::span<const std::unique_ptr<Method>> methods,
                      const std::string& replayed, const std::string& note = {}) {
@@ -126,8 +126,8 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
   return {trial.pair, distance ? distance->margin : std::nullopt, c.dump()};
 }
 
-/// `simplest`: as it was shown; often the worst is the same pair. No hang is worse than another, and each
-/// costs a second.
+/// `simplest` is the pair as it was shown. The worst pair is often the same pair. A hang is not shown again,
+/// because no hang is worse than another and each costs a second.
 void show_worst(Bucket& b, const CauseFindings& group, const ShownPair& simplest, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
   const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
@@ -154,7 +154,7 @@ void show_worst(Bucket& b, const CauseFindings& group, const ShownPair& simplest
   b.worst = shown_case(shown, distance_of(shown.trial), nullptr, methods, file, note);
 }
 
-/// Returns the drawn pair brought to the size of the model and, if `moved`, to its place.
+/// Returns the drawn pair scaled to the size of the model and, if `moved`, moved to its place.
 Pair like(const Pair& drawn, const Pair& model, bool moved) {
   const auto exponent = [](const Pair& p) { return size_of(p) > 0 ? std::ilogb(size_of(p)) : 0; };
   Pair pair = scaled(drawn, exponent(model) - exponent(drawn));
@@ -163,8 +163,8 @@ Pair like(const Pair& drawn, const Pair& model, bool moved) {
   return pair;
 }
 
-/// How often the method fails in the same way on drawn pairs of the same stratum, brought to the size and,
-/// where that matters, the place of the simplest.
+/// Counts how often the method fails in the same way on drawn pairs of the same stratum. They have the size
+/// of the simplest pair and, if that matters, its place.
 std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, ContactFeature feature, bool moved,
                                       const std::unique_ptr<Method>& method, FindingKind kind) {
   std::vector<Pair> pairs;
@@ -185,7 +185,7 @@ bool is_of_scale(Mechanism m) {
   return m == Mechanism::absolute_length || m == Mechanism::underflow || m == Mechanism::overflow;
 }
 
-/// What of the simplest pair and its stratum is seen.
+/// Fills in what is seen of the simplest pair and its stratum.
 void show_simplest(Bucket& b, const CauseFindings& group, const ShownPair& shown,
                    std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
   const Trial& now = shown.trial;
@@ -212,7 +212,7 @@ void show_simplest(Bucket& b, const CauseFindings& group, const ShownPair& shown
     const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
     if (!scale.empty()) b.cause += "; the simplest pair is " + scale;
   }
-  // Of what hangs each question would cost a second, or two.
+  // If the method hangs, each question would cost a second or two.
   const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
   const bool moved = b.mechanism == Mechanism::offset;
   const bool may_turn = b.seen_again && b.severity == Severity::contract && b.coordinate != "angle";
@@ -226,7 +226,7 @@ int rank_of(Severity severity) {
   return severity == Severity::contract ? 0 : severity == Severity::unresolved ? 1 : 2;
 }
 
-/// Puts together what the findings say.
+/// Sums up the findings of a cause.
 Bucket sum_up(const std::string& key, const CauseFindings& group, const BucketCount& count) {
   Bucket b;
   b.key = key;
@@ -255,7 +255,7 @@ Bucket sum_up(const std::string& key, const CauseFindings& group, const BucketCo
 }  // namespace
 
 std::string file_name_of(std::string_view key) {
-  constexpr std::size_t length_cap = 100;  // of a file's name, whose own cap is 255
+  constexpr std::size_t length_cap = 100;  // of a file name, which has a limit of 255
   std::string name;
   bool replaced = key.size() > length_cap;
   for (const char c : key.substr(0, length_cap)) {
@@ -274,7 +274,7 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
   std::vector<Bucket> buckets;
   for (auto& [key, group] : groups) {
     choose_simplest(group, of.methods, out_of_time);
-    if (!group.simplest) continue;  // no pair of it can be read
+    if (!group.simplest) continue;  // none of its pairs can be read
     const auto counted = counts.find(key);
     const BucketCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
     Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : kept);

@@ -8,8 +8,8 @@
 namespace cyl {
 namespace {
 
-/// An overlap is enclosed to this part of the pair's size, or to this part of its margin where that is less:
-/// for people, and it costs a search.
+/// The width of an enclosed overlap: this part of the pair's size, or this part of its margin if that is
+/// less. That suffices for readers, and a narrower width costs a longer search.
 constexpr double shown_depth_width_tol = 1e-6, shown_depth_width_share = 0.01;
 
 }  // namespace

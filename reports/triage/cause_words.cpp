@@ -15,10 +15,10 @@
 namespace cyl {
 namespace {
 
-/// Labels listed with a bucket.
+/// The most labels listed with a bucket.
 constexpr std::size_t labels_cap = 6;
 
-/// What a method does that fails in this way.
+/// Describes what a method does that fails in this way.
 const char* kind_in_words(FindingKind kind) {
   constexpr std::array words{"answers disjoint for pairs that meet",
                              "answers intersecting for disjoint pairs",

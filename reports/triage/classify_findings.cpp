@@ -13,10 +13,10 @@
 namespace cyl {
 namespace {
 
-/// Findings classified together: more would cost a slow method's user time beyond the budget.
+/// The findings classified together. More would cost a user of a slow method more time than the budget.
 constexpr std::size_t together_cap = 32;
 
-/// What was told of a guest that is another one now is dropped; of one that is not here it is kept.
+/// Drops the results about a guest that has changed. Keeps the results about a guest that is not here.
 void forget_changed_guests(const TriageContext& context) {
   TriageStore store = context.store();
   for (std::size_t m = 0; m < context.methods.size(); ++m) {
@@ -29,8 +29,8 @@ void forget_changed_guests(const TriageContext& context) {
   }
 }
 
-/// The first of each method, kind, severity and family before the second of any: where time ends, few causes
-/// are missing.
+/// Puts the first of each method, kind, severity and family before the second of any. If time runs out, few
+/// causes are missing then.
 void put_in_turns(std::vector<const Subject*>& subjects) {
   std::map<FindingGroup, std::size_t> seen;
   std::vector<std::pair<std::size_t, const Subject*>> turns;

@@ -14,17 +14,17 @@
 namespace cyl {
 namespace {
 
-/// Nights that are shown with a cause.
+/// The most nights that are shown with a cause.
 constexpr std::size_t nights_cap = 60;
 
-/// The run's bucket of that cause, if it has it.
+/// Returns the run's bucket of that cause, if the run has it.
 const Bucket* find(const TriagedRun& run, const Bucket& of) {
   for (const Bucket& b : run.buckets)
     if (b.status != Recurrence::gone && b.key == of.key) return &b;
   return nullptr;
 }
 
-/// What a run saw of a cause, by method and group.
+/// A run, and the key of the cause in it.
 struct Seen {
   const TriagedRun* run;
   std::string key;  ///< of the cause in that run
@@ -35,7 +35,7 @@ Seen seen_in(const TriagedRun& run, const Bucket& of) {
   return {&run, found != nullptr ? found->key : of.key};
 }
 
-/// The method with the most findings of the cause in all runs, and the groups in which it has some.
+/// The method with the most findings of the cause in all runs, and the groups in which it has any.
 struct Places {
   std::string method;
   std::set<ExaminedGroups::key_type> groups;
@@ -57,8 +57,8 @@ Places places_of(const std::vector<Seen>& seen) {
   return places;
 }
 
-/// Who looked at a part of the findings of a group met that part of what was there to meet, as if it had
-/// asked about that part of the pairs; about one at least: who looked at nothing was asked all the same.
+/// A run that examined a part of a group's findings counts as if it had asked only that part of the pairs. A
+/// run that asked but examined nothing counts as one pair.
 Observation observation_of(const Seen& seen, const Places& places) {
   Observation sight;
   double asked = 0;
@@ -116,7 +116,7 @@ void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& ea
   b.chance = standing.chance;
 }
 
-/// What has become of a bucket of the last run that this one does not have; nothing where nobody was asked.
+/// Returns the state of a bucket of the last run that this run lacks. Nothing if no method of it was asked.
 std::optional<Bucket> missed(Bucket b, const TriagedRun& run, const std::vector<TriagedRun>& earlier,
                              std::size_t compared, const FailsToday& fails_today) {
   const bool asked = std::any_of(b.methods.begin(), b.methods.end(), [&](const std::string& name) {

@@ -36,7 +36,7 @@ bool is_worse(const FindingRecord& x, const FindingRecord& y) {
          std::pair(is_refuted_verdict(y.kind), least_margin(y));
 }
 
-// Severity goes with a bucket (its key is the severity's, or no finding within a claim has it).
+// Findings within a claim have keys of their own (cause_key), so that a bucket has one severity.
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records) {
   std::map<std::int64_t, const FindingRecord*> by_id;
   for (const FindingRecord& f : records.findings) by_id[f.id] = &f;
@@ -73,7 +73,7 @@ std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records)
   for (const FindingRecord& f : records.findings)
     if (bucket_of.contains(f.id)) ++kept[f][bucket_of[f.id]];
   std::map<std::string, BucketCount> counts;
-  // Given out family by family, so that the pairs of one climb count as one.
+  // Counts each family by itself, so that the pairs of one climb count as one.
   std::map<std::pair<std::string, std::string>, std::map<std::string, std::uint64_t>> in_family;
   const auto add = [&](const std::string& bucket, const GroupRecord& of, std::uint64_t n) {
     counts[bucket].findings += n;

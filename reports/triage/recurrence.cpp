@@ -7,12 +7,12 @@
 
 namespace cyl {
 
-// Where every meeting fell among n of N pairs under one rate, with probability (n/N)^count, the others are
-// the place where it is missed.
+// If the rate is the same everywhere, all meetings fall among n of N pairs with probability (n/N)^count. The
+// other pairs are those in which the cause is missed.
 RecurrenceOf recurrence_of(const Observation& here, std::span<const Observation> earlier,
                            std::size_t compared) {
   if (here.asked == 0) return {};
-  Observation before, since;  // up to the last run that met it, and after that
+  Observation before, since;  // up to the last run that met it, and after that run
   bool looked_for = false, met_in_last = false;
   for (const Observation& run : earlier) {
     if (run.asked == 0) continue;

@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Shapes looked at for the worst pair of a cause: two walks, a few seconds.
+/// The most shapes examined for the worst pair of a cause: two walks, which take a few seconds.
 constexpr std::size_t shapes_cap = 500;
 
 const Pair* simplest_of(const std::vector<const Subject*>& subjects,
@@ -33,7 +33,7 @@ bool is_worse_subject(const Subject* x, const Subject* y) {
          (!is_worse(*y->record, *x->record) && x->record->id < y->record->id);
 }
 
-/// The method and the way of the worst finding, and all that is wrong in that way, other methods' last.
+/// Takes method and kind from the worst finding. Starts at all findings of this kind, other methods' last.
 CauseSought cause_sought(const std::string& key, std::vector<const Subject*> subjects,
                          const std::map<std::int64_t, Mechanism>& mechanism_of,
                          const std::map<std::int64_t, Pair>& simple_of) {
@@ -50,7 +50,7 @@ CauseSought cause_sought(const std::string& key, std::vector<const Subject*> sub
   return cause;
 }
 
-/// In the order of their keys.
+/// Returns the causes in the order of their keys.
 std::vector<CauseSought> causes_sought(const TriageContext& context) {
   std::map<std::string, std::vector<const Subject*>> buckets;
   std::map<std::int64_t, Mechanism> mechanism_of;
@@ -70,7 +70,7 @@ std::vector<CauseSought> causes_sought(const TriageContext& context) {
   return causes;
 }
 
-/// A search that is cut goes on from what it came to.
+/// Continues from the result of an earlier search that was cut.
 WorstRecord searched(const TriageContext& context, CauseSought cause, const WorstRecord& earlier,
                      milliseconds budget) {
   if (const CaseLine line = parse_case(earlier.pair, 1); line.value)

@@ -7,14 +7,14 @@
 namespace cyl {
 namespace {
 
-/// Hangs of a method that is not blamed, on all pairs together, after which it is left out.
+/// After this many hangs on all pairs together, a method that is not blamed is left out.
 constexpr unsigned hangs_cap = 3;
-/// Every question is asked so often in a row: a method that answers in two ways is seen to.
+/// The number of times that a question is asked in a row, which reveals a method that answers in two ways.
 constexpr std::size_t times = 2;
-/// Of the distance, relative to the size.
+/// The width of the distance, relative to the size.
 constexpr double shown_width = 1e-6;
 
-/// A hang is seen the first time, and costs a second each.
+/// One question reveals a hang, and each further hang costs a second.
 std::size_t times_of(FindingKind kind) { return kind == FindingKind::hang ? 1 : times; }
 
 }  // namespace
@@ -47,7 +47,7 @@ ShownPair PairShower::show(const Pair& pair, std::span<const FailingMethod> blam
   }
   std::vector<MethodAnswer> first(methods_.size()), last(methods_.size());
   const auto take = [&](std::span<const Question> questions, std::span<const ContainedAnswer> said) {
-    for (std::size_t q = questions.size(); q-- > 0;) {  // so that the first has the last word in `first`
+    for (std::size_t q = questions.size(); q-- > 0;) {  // backwards, so that `first` keeps the first answer
       const std::size_t m = questions[q].method;
       if (q + 1 == questions.size() || questions[q + 1].method != m) last[m] = said[q].answer;
       first[m] = said[q].answer;

@@ -16,13 +16,13 @@
 namespace cyl {
 namespace {
 
-/// Questions of the shrinker about one finding; about one that hangs, where each that does costs half a
-/// second.
+/// The most questions of the shrinker about one finding, and about a finding that hangs. Each question that
+/// hangs costs half a second.
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
-/// Of what hangs one pair at a time is enough.
+/// If a method hangs, one pair at a time is enough.
 constexpr Caps hang_caps{.call_cpu = triage_caps.call_cpu, .call_wall = triage_caps.call_wall, .hangs = 1};
 
-/// A finding that waits in its bucket.
+/// A finding that waits in its bucket for its turn.
 struct Waiting {
   std::size_t turn;
   Complexity complexity;
@@ -34,7 +34,7 @@ bool is_simpler(const Waiting& x, const Waiting& y) {
                                       : x.subject->record->id < y.subject->record->id;
 }
 
-/// Puts the simplest first, and other methods, kinds and families before more of the same.
+/// Puts the simplest first, and other methods, kinds and families before repeated ones.
 void put_in_order(std::vector<Waiting>& bucket) {
   std::sort(bucket.begin(), bucket.end(), is_simpler);
   std::map<std::tuple<std::string, FindingKind, std::string>, std::size_t> seen;
@@ -44,7 +44,7 @@ void put_in_order(std::vector<Waiting>& bucket) {
                    [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
 }
 
-/// Whether the trial fails as the finding does: in the same way, of the same cause and feature.
+/// Whether the trial fails as the finding does: in the same way, with the same cause and feature.
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
                  std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said, Asker& asker) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
@@ -54,7 +54,7 @@ bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::str
   return find_cause(methods, {*s.method, s.kind(), trial.pair}, s.severity(), said.reason, asker) == cause;
 }
 
-/// Which of the pairs fail alike: no more than the first of them, since no others are looked at.
+/// Marks the first pair that fails alike, because the others are not examined.
 std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
                              std::optional<ContactFeature> feature, std::span<const Pair> pairs,
                              Asker& asker) {

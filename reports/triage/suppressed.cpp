@@ -32,7 +32,7 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
       pairs.push_back(c.pair);
     const std::vector<Trial> trials = try_methods(methods, pairs, caps);
     std::vector<Failing> failing;
-    std::vector<std::pair<Severity, std::string>> found;  // and the method's own words
+    std::vector<std::pair<Severity, std::string>> found;  // severity and the method's own words
     for (const Trial& trial : trials)
       for (std::size_t m = 0; m < methods.size(); ++m) {
         const std::optional<Finding>& wrong = trial.findings[m];

@@ -28,8 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which the telling of causes makes way for the simplifying, this for the search
-/// for worse pairs, and this for asking about what is shown.
+/// Parts of the budget after which each step ends: the classification, then the simplification, then the
+/// search for worse pairs. The rest is for questions about the shown pairs.
 constexpr double classify_part = 0.35, simplify_part = 0.45, search_part = 0.55;
 
 TriagedRun read_triaged(const std::string& folder) {
@@ -45,7 +45,7 @@ TriagedRun read_triaged(const std::string& folder) {
   return run;
 }
 
-/// The triaged runs that the run is held against, the earliest first.
+/// Returns the triaged runs to which the run is compared, the earliest first.
 std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   const std::vector<std::string>& against = context.options.against;
   std::vector<std::pair<std::string, std::string>> runs;  // when it began, folder
@@ -62,8 +62,8 @@ std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   return earlier;
 }
 
-/// Asks a method of the bucket about the pairs it stored. What comes and goes, and who is not here, tells
-/// nothing.
+/// Asks a method of the bucket about its stored pair. Returns nothing if the fault is not deterministic, or
+/// if the method is not here.
 std::optional<bool> fails_today(const Bucket& bucket, std::span<const std::unique_ptr<Method>> methods) {
   if (bucket.kind == FindingKind::nondeterminism || bucket.kind == FindingKind::state_dependent) return {};
   const auto method = position_of(methods, bucket.method);
@@ -78,8 +78,8 @@ void write_pair(const fs::path& file, const Bucket& bucket, const Pair& shown) {
   replace_file(file, line.dump() + '\n');
 }
 
-/// FOLDER/buckets/: the simplest pair of each bucket, and the worst where it was searched for, each as a file
-/// of one case.
+/// Writes FOLDER/buckets/: the simplest pair of each bucket, and the worst if a search found it. Each file
+/// holds one case.
 void write_pairs(const std::string& run_folder, const std::vector<Bucket>& buckets) {
   const fs::path folder = fs::path(run_folder) / "buckets";
   if (fs::is_symlink(fs::symlink_status(folder)))

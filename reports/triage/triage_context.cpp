@@ -22,11 +22,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// How often the processes' end is looked for, and how far they are.
+/// How often this looks whether the processes have ended, and how often it shows their progress.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
-/// Returns how long it will take to write the page, which encloses the distance of each pair: measured on a
-/// few.
+/// Estimates the time to write the page from a few pairs. The page encloses the distance of each pair.
 milliseconds page_time(std::span<const Subject> subjects) {
   constexpr std::size_t tried_cap = 32;
   using Milliseconds = std::chrono::duration<double, std::milli>;

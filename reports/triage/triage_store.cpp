@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* notes = "CREATE TABLE IF NOT EXISTS note(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
 
-/// Made anew, since another build may have made others.
+/// The tables are made anew, because those of another build may differ.
 constexpr const char* tables = R"(
 DELETE FROM note;
 DROP TABLE IF EXISTS cause;

@@ -42,7 +42,7 @@ FindingRecord finding(const std::string& method, const std::string& family, cons
   return f;
 }
 
-/// Two balls of wire of that size that overlap.
+/// Two cylinders of that radius and height that overlap.
 Pair huge(double size) {
   Pair p;
   p.a = {{0, 0, 0}, {0, 0, 1}, size, size};
@@ -50,7 +50,7 @@ Pair huge(double size) {
   return p;
 }
 
-/// The book's page, as printed, says intersecting of it.
+/// The page of the book, as printed, answers intersecting for this pair.
 Pair apart() {
   Pair p;
   p.a = {{0, 0, 0}, {0, 0, 1}, 3, 2};
@@ -63,7 +63,7 @@ std::vector<FindingRecord> three() {
           finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting)};
 }
 
-/// All but those that take nine tenths of the time, and are in no test here.
+/// All methods but those that take nine tenths of the time and are not in any test here.
 std::vector<std::unique_ptr<Method>> quick_methods() {
   auto methods = all_methods();
   std::erase_if(methods, [](const auto& m) { return m->name().starts_with("nlopt"); });
@@ -87,7 +87,7 @@ struct Folder {
     BatchRecord batch;
     batch.next = 1;
     for (FindingRecord& f : findings) {
-      f.index = batch.groups.size();  // a store holds one pair an index
+      f.index = batch.groups.size();  // a store holds one pair per index
       batch.groups.push_back({f.method, f.kind, f.severity, f.family, 1 + uncounted});
     }
     batch.findings = std::move(findings);
@@ -166,7 +166,7 @@ TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
   EXPECT_EQ(first({"fcl-libccd/overflow", "mujoco/overflow"}), "seedbook-printed");
 }
 
-/// Square axes of two rims 0.01 apart: a method that is wrong there alone hangs on the angle.
+/// Two rims 0.01 apart with square axes. A method that is wrong only there depends on the angle.
 TEST(Buckets, NameTheAngleWhereItAloneMatters) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("square-blind", [](const Pair& pair) {
@@ -187,7 +187,7 @@ TEST(Buckets, NameTheAngleWhereItAloneMatters) {
   EXPECT_EQ(buckets[0].coordinate, "angle");
 }
 
-/// A run with one bucket that one method is wrong on so many pairs of 1000.
+/// A run with one bucket, on which one method is wrong for so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
   const std::string key = std::string("x/") + to_string(kind);
   TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
@@ -205,7 +205,7 @@ TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind 
   return run;
 }
 
-/// Of the group "x/hang": so many findings, so many looked at, and of these so many of the cause.
+/// Sets the findings of the group "x/hang", how many are examined, and how many of these have the cause.
 void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std::uint64_t of_cause) {
   ExaminedFindings& e =
       run.examined[{"x", FindingKind::hang, Severity::contract, "f"}] = {found, looked_at, {}};
@@ -238,7 +238,7 @@ TEST(Buckets, WhatWasNotLookedAtIsNotMissed) {
   EXPECT_GT(*run.buckets[0].chance, 0.5);
 }
 
-/// 62 findings of which three were looked at are three, however many the cause is said to stand for.
+/// If only three of 62 findings are examined, they count as three, even if the cause stands for more.
 TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
   TriagedRun run = triaged("2", 62), earlier = triaged("1", 0);
   examine(run, 62, 3, 3);
@@ -282,7 +282,7 @@ TEST(Buckets, FilesAreCalledAsTheyAre) {
   EXPECT_LT(file_name_of(std::string(5000, 'a')).size(), 120u);
 }
 
-/// What the run says of the pair does not recur: two solids that nobody calls disjoint.
+/// The run's answer to the pair does not recur: no method answers disjoint for these two solids.
 TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   const Folder history;
   FindingRecord once = finding("mujoco", "random", huge(1));
@@ -321,7 +321,7 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_TRUE(other.causes().empty());
 }
 
-/// How far the solids of apart() are from each other, in sizes.
+/// Returns the distance of the solids of apart(), in sizes.
 double margin_of_apart() {
   const Enclosure d = enclose_distance(apart(), judge(apart()));
   return d.lo / size_of(apart());
@@ -350,15 +350,15 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   WorstRecord kept = store.worsts()[0];
   EXPECT_TRUE(kept.ended);
 
-  // What is wrong no more, or less wrong than the finding, is not shown; a search that ended is not done
-  // again.
+  // A pair that is no longer wrong, or less wrong than the finding, is not shown. A search that ended is not
+  // repeated.
   kept.pair = format_pair(huge(1));
   store.add(kept);
   const Triage again = triage(folder);
   const Json shown = page_of(again.buckets[0].worst.value());
   EXPECT_FALSE(shown.contains("note"));
   EXPECT_EQ(shown["pair"], Json::parse(format_pair(apart())));
-  // A search that was cut goes on.
+  // A search that was cut continues.
   kept.ended = false;
   store.add(kept);
   EXPECT_EQ(page_of(triage(folder).buckets[0].worst.value())["margin"], worst["margin"]);

@@ -9,7 +9,7 @@
 namespace cyl {
 namespace {
 
-/// Sizes up to so many times those of the starts: a search needs some room.
+/// How far the sizes may leave the range of the starts, as a factor: a search needs some room.
 constexpr double size_room = 2;
 
 double offset_of(const Pair& p) {
@@ -38,7 +38,7 @@ Domain domain_of(Mechanism mechanism, std::span<const Pair> starts) {
   return domain;
 }
 
-// The sign of the distance tells first whether the verdict can be wrong in this way at all.
+// The sign of the distance is checked first, since it shows whether the verdict can be wrong in this way.
 std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const CauseSought& cause,
                                         WorstOptions options, const Caps& caps) {
   options.domain = domain_of(cause.mechanism, cause.starts);

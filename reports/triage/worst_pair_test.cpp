@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-/// Says intersecting of pairs with less daylight than `wrong_up_to`, in sizes, between.
+/// A method that answers intersecting for pairs with a gap of at most `wrong_up_to`, in sizes.
 using Methods = std::vector<std::unique_ptr<Method>>;
 
 Methods planted(std::function<double(const Pair&)> wrong_up_to) {
@@ -27,13 +27,13 @@ Methods planted(std::function<double(const Pair&)> wrong_up_to) {
   return methods;
 }
 
-/// Two equal cans side by side, axes at a right angle, `gap` sizes apart.
+/// Two equal cans side by side with axes at a right angle, `gap` sizes apart.
 Pair apart(double gap, double size = 1) {
   const double h = size / 4, r = size / 4;
   return {{{0, 0, 0}, {0, 0, 1}, r, h}, {{2 * r + gap * size, 0, 0}, {0, 1, 0}, r, h}};
 }
 
-/// At most `most`, of solids of which one is ten times as wide as the other.
+/// The margin is at most `most`, for solids whose radii differ by a factor of ten.
 constexpr double most = 2e-3;
 double reach_of_unequal(const Pair& p) {
   return most * std::pow(10, -std::abs(std::log10(p.a.radius / p.b.radius) - 1));
@@ -65,7 +65,7 @@ TEST(WorstOfCause, NineTenthsOfAKnownMarginAreFoundAndAgainTheSame) {
   EXPECT_EQ(format_pair(found->pair), format_pair(search(methods, cause)->pair));
 }
 
-// Of the one method two causes: by rounding up to 1e-13, and, of solids that are unequal, by no probe told.
+// The method has two causes: rounding up to 1e-13, and unequal solids, which no probe reveals.
 TEST(WorstOfCause, AnotherCauseDoesNotCount) {
   const Methods methods = planted([](const Pair& p) { return p.a.radius > 1.1 * p.b.radius ? most : 1e-13; });
   const CauseSought rounding{
@@ -76,7 +76,7 @@ TEST(WorstOfCause, AnotherCauseDoesNotCount) {
   EXPECT_LE(found->finding.margin->lo, rounding_margin);
 }
 
-// A fixed length of 1e-3: the smaller the solids the worse, without end. Those of the starts are the measure.
+// With a fixed length of 1e-3, smaller solids are worse without end. The starts set the range of sizes.
 TEST(WorstOfCause, AFixedLengthIsNotFollowedToWhereItSwallowsAll) {
   const Methods methods = planted([](const Pair& p) { return 1e-3 / size_of(p); });
   const std::vector<Pair> starts{apart(1e-5, 10), apart(1e-6, 1000)};

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-// The template and the solver as bytes of this program, by the assembler.
+// The assembler includes the template and the solver as bytes of this program.
 asm(".pushsection .rodata\n"
     "daylight_page_template:\n"
     ".incbin \"" DAYLIGHT_PAGE_TEMPLATE
@@ -50,7 +50,7 @@ std::string base64(std::string_view bytes) {
 
 std::string packed(std::string_view text) { return base64(compressed(text)); }
 
-/// Returns where `what` ends in the page, after `from`.
+/// Returns the end of the first `what` in the page after `from`.
 std::size_t end_of(std::string_view what, std::string_view page, std::size_t from) {
   const std::size_t at = page.find(what, from);
   if (at == page.npos) throw std::runtime_error("the template of the page lacks a place");
@@ -60,7 +60,7 @@ std::size_t end_of(std::string_view what, std::string_view page, std::size_t fro
 }  // namespace
 
 std::string fill_template(std::string_view json, PageSolver solver) {
-  // Each stands in the template once, in this order.
+  // Each mark and tag occurs once in the template, in this order.
   constexpr std::string_view data_mark = "@@DAYLIGHT_REPORT_DATA@@", solver_mark = "@@DAYLIGHT_SOLVER@@",
                              tag = "<script id=\"program\">", end_tag = "</script>";
   const std::string_view page(daylight_page_template,

@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-/// Rounding of a box and of the centre in it, times its coordinates and sizes.
+/// The rounding error of a box and of the centre in it, relative to its coordinates and sizes.
 constexpr double box_error = 0x1p-48;
 
 }  // namespace
@@ -34,7 +34,7 @@ Box box_around(const Prepared& c, double clearance) noexcept {
 namespace {
 
 struct Gathered {
-  const fcl::CollisionObjectd* first;  ///< of all, in one block
+  const fcl::CollisionObjectd* first;  ///< of all objects, in one block
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
 
@@ -42,14 +42,14 @@ bool gather(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
   auto& into = *static_cast<Gathered*>(data);
   const auto i = static_cast<std::uint32_t>(a - into.first), j = static_cast<std::uint32_t>(b - into.first);
   into.pairs.emplace_back(std::min(i, j), std::max(i, j));
-  return false;  // go on
+  return false;  // continue
 }
 
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes) {
-  // A box that is not turned keeps its bounds as they are; FCL's own bounds of a turned cylinder are those of
-  // the ball around it, with six times as many pairs.
+  // Boxes that are not rotated keep their bounds. FCL bounds a rotated cylinder by the ball around it, which
+  // would give six times as many pairs.
   std::vector<fcl::CollisionObjectd> objects;
   objects.reserve(boxes.size());
   for (const Box& box : boxes) {

@@ -14,15 +14,15 @@
 namespace cyl {
 namespace {
 
-/// The sum, where it is no double the nearest one to the side asked for.
+/// Returns the sum, or a double beside it on the given side if the sum is not a double.
 double sum_towards(double x, double y, double side) {
   const double sum = x + y, of_y = sum - x;
   const double lost = (x - (sum - of_y)) + (y - of_y);  // exactly (Knuth)
   return lost == 0 ? sum : std::nextafter(sum, side);
 }
 
-/// The pair with one solid rounded by the clearance more, so that it meets where the pair is within the
-/// clearance. A sum that is no double is rounded to the side on which a certificate proves less.
+/// Rounds one solid by the clearance more, so that the pair meets if it is within the clearance. A sum that
+/// is not a double is rounded to the side on which a certificate proves less.
 Pair wider_by(const Pair& pair, double clearance, bool said_within) {
   Pair wider = pair;
   double& grown = pair.a.rounding == 0 ? wider.a.rounding : wider.b.rounding;

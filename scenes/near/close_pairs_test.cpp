@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-/// All pairs that the referee proves within the clearance, one by one.
+/// Returns all pairs that the referee proves within the clearance, one by one.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> by_referee(const std::vector<Cylinder>& c,
                                                                 double clearance) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
@@ -59,7 +59,7 @@ TEST(ClosePairs, AnswersOneQuestionForEachPairOfBoxes) {
   EXPECT_GT(s.candidates.size(), 2 * s.within.size());
 }
 
-/// Three spheres in a row: the first two overlap, the next two are 0.5 apart.
+/// Three spheres in a row. The first two overlap, and the third is 0.5 from the second.
 std::vector<Cylinder> three_spheres() {
   const Vector3 up(0, 0, 1);
   return {{{0, 0, 0}, up, 0, 0, 1}, {{1.5, 0, 0}, up, 0, 0, 1}, {{4, 0, 0}, up, 0, 0, 1}};
@@ -83,7 +83,7 @@ TEST(ClosePairsCheck, FindsAnswersThatAreWrong) {
   }
 }
 
-// Where both are rounded, the clearance joins a rounding: 1.1 + 0.3 is no double, 1 + 0.5 is one.
+// If both solids are rounded, the clearance is added to a rounding. 1.1 + 0.3 is not a double, 1 + 0.5 is.
 TEST(ClosePairsCheck, AddsTheClearanceToARounding) {
   const Vector3 up(0, 0, 1);
   CertificateCheck check;

@@ -15,14 +15,14 @@ Proximity proximity_of(Verdict verdict) noexcept {
                                             : Proximity::unclear;
 }
 
-/// What within() says of two balls, without the call, which costs more than the answer.
+/// Answers as within() does for two balls, but without the call, which costs more than the answer.
 bool balls_apart(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const Vector3 way = b.center - a.center;
   const double far = a.rounding + b.rounding + clearance;
   return way.x() * way.x() + way.y() * way.y() + way.z() * way.z() > far * far;
 }
 
-/// A model around solids says nothing where it is met, one inside them nothing where it is not.
+/// Models around solids prove only that they are apart, models inside solids only that they are within.
 Proximity only(Proximity said, Verdict verdict) noexcept {
   return proximity_of(verdict) == said ? said : Proximity::unclear;
 }
@@ -56,7 +56,7 @@ std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
 }
 
 Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  // The clearance is a rounding too.
+  // The clearance acts as a rounding of the models, so it gets their margin.
   const double wide = clearance * (1 + model_margin), narrow = clearance * (1 - model_margin);
   switch (level) {
     case Level::sphere:

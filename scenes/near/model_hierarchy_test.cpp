@@ -12,7 +12,7 @@
 namespace cyl {
 namespace {
 
-/// Relative to the size: 1 % above or below the distance where they are apart, else some.
+/// Relative to the size: 1 % above or below the distance of disjoint solids, else a hundredth.
 double clearance_near(const Pair& pair, std::uint64_t way) {
   const double gap = enclose_distance(pair, judge(pair)).lo / size_of(pair);
   return gap < 1e-6 || way > 1 ? 0.01 : way == 0 ? 1.01 * gap : 0.99 * gap;
@@ -22,13 +22,13 @@ struct Tried {
   std::array<int, level_count> apart{}, within{};
 };
 
-/// No level is wrong where it decides; the exact ones may be inside the bounds that they tell.
+/// Checks that no level is wrong if it decides. Only cylinder and distance may be, within their bounds.
 Tried expect_never_wrong(bool with_clearance) {
   Tried tried;
   for (const Family& family : families()) {
     for (std::uint64_t i = 0; i < 40; ++i) {
       const Pair pair = family.generate(20261121, i);
-      // Needles of the smallest and greatest doubles are for the solver's own tests.
+      // The solver's own tests cover needles of the smallest and greatest doubles.
       const double size = size_of(pair);
       if (!(size > 1e-100 && size < 1e100)) continue;
       const double clearance = with_clearance ? clearance_near(pair, i % 4) * size : 0;
@@ -42,7 +42,7 @@ Tried expect_never_wrong(bool with_clearance) {
         ++(seen == Proximity::apart ? tried.apart : tried.within)[index_of(level)];
         if ((seen == Proximity::within) == *truth) continue;
         const double reach = size + (pair.b.center - pair.a.center).norm();
-        const Enclosure d = enclose_distance(pair, judge(pair), 1e-15);  // as narrow as doubles have it
+        const Enclosure d = enclose_distance(pair, judge(pair), 1e-15);  // as narrow as doubles allow
         const double miss = std::max(std::abs(d.lo - clearance), std::abs(d.hi - clearance));
         const bool proved = level != Level::cylinder && level != Level::distance;
         EXPECT_TRUE(!proved && miss <= 1e-13 * reach)
@@ -69,7 +69,7 @@ TEST(ModelHierarchy, NoLevelIsWrongAtAClearance) {
     EXPECT_GT(tried.within[index_of(level)], 50) << to_string(level);
 }
 
-/// Two upright rods side by side, `gap` apart.
+/// Two upright rods side by side, with this gap.
 std::pair<ProxyModels, ProxyModels> rods(double gap) {
   return {make_models({{0, 0, 0}, {0, 0, 1}, 1, 6}), make_models({{2 + gap, 0, 0}, {0, 0, 1}, 1, 6})};
 }
@@ -90,7 +90,7 @@ TEST(ModelHierarchy, EachModelKnowsItsWorth) {
 
 TEST(ModelHierarchy, ACascadeAsksInOrder) {
   const auto [a, b] = rods(0.5);
-  EXPECT_FALSE(within({{true, true, false}, Level::sphere}, a, b, 0));  // settled before the last
+  EXPECT_FALSE(within({{true, true, false}, Level::sphere}, a, b, 0));  // decided before the last level
   EXPECT_TRUE(within({{true, false, true}, Level::sphere}, a, b, 0));
   EXPECT_FALSE(within({{}, Level::cylinder}, a, b, 0));
   const auto [c, d] = rods(-0.5);

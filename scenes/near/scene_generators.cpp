@@ -13,7 +13,7 @@ namespace {
 constexpr double rods_per_volume = 2;
 
 std::vector<Cylinder> rods(std::size_t count, std::uint64_t seed) {
-  // The side of the cube by whole steps: cbrt differs between C libraries.
+  // The side of the cube grows in fixed steps, because cbrt differs between C libraries.
   double side = 1;
   while (side * side * side * rods_per_volume < static_cast<double>(count)) side += 0.125;
   std::vector<Cylinder> cylinders;
@@ -26,8 +26,8 @@ std::vector<Cylinder> rods(std::size_t count, std::uint64_t seed) {
   return cylinders;
 }
 
-/// Pipes of radius 0.1 and height 6, 16 to a layer, a pitch of 0.25 apart, each layer across the one below;
-/// every second solid is a flange on a pipe, near that of its neighbour. Racks stand side by side.
+/// Makes pipes of radius 0.1 and height 6, in layers of 16 at a pitch of 0.25, each across the layer below.
+/// Every second solid is a flange on a pipe, near the flange of its neighbour. Racks stand side by side.
 std::vector<Cylinder> pipes(std::size_t count, std::uint64_t seed) {
   constexpr std::size_t row = 16, layers = 20;
   constexpr double pitch = 0.25, layer_pitch = 0.2501, rack_pitch = 8;

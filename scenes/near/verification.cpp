@@ -11,7 +11,7 @@ std::optional<bool> referee_within(const Pair& pair, double clearance) {
     if (verdict == Verdict::undecided || verdict == Verdict::invalid) return std::nullopt;
     return verdict != Verdict::disjoint;
   }
-  // With the clearance as a rounding, where that is exact, a verdict is enough.
+  // If a solid has no rounding, the clearance can be its rounding exactly. Then a verdict is enough.
   for (const bool of_b : {false, true}) {
     Pair wider = pair;
     double& rounding = of_b ? wider.b.rounding : wider.a.rounding;

@@ -17,8 +17,8 @@ struct Ball {
 using Points = std::span<const Vector3>;
 using Support = std::vector<Vector3>;
 
-/// The middle of the sphere through points, in the plane or line that they span: with q_i from the first of
-/// them to the others, sum_j (q_i q_j) x_j = q_i q_i / 2.
+/// Returns the middle of the sphere through points, in the plane or line that they span. If q_i leads from
+/// the first point to the others, then sum_j (q_i q_j) x_j = q_i q_i / 2.
 Vector3 middle_of(const Support& points) {
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
   const auto count = static_cast<Eigen::Index>(points.size()) - 1;
@@ -42,8 +42,8 @@ const Vector3& farthest(Points points, const Vector3& from) {
   return *best;
 }
 
-/// The smallest ball around at most five points, with those that it rests on. Of the balls through some of
-/// them, made so wide that they hold all, it is the least.
+/// Returns the smallest ball around at most five points, and the points that it rests on. It tries the balls
+/// through some of the points, widens them until they hold all, and takes the smallest.
 std::pair<Ball, Support> ball_around_few(const Support& few) {
   std::pair<Ball, Support> best;
   best.first.radius = INFINITY;
@@ -59,9 +59,9 @@ std::pair<Ball, Support> ball_around_few(const Support& few) {
   return best;
 }
 
-/// The ball grows over the point that is farthest out until none is: some ten rounds.
+/// The ball grows over the farthest point until no point is outside. This takes some ten rounds.
 constexpr std::size_t rounds_cap = 100;
-/// Relative to the radius: what is as little outside as this is met by making the ball wider.
+/// A point may be outside by this part of the radius. The ball is then widened to hold it.
 constexpr double outside_tol = 1e-13;
 
 Ball smallest_ball(Points points) {
@@ -77,10 +77,10 @@ Ball smallest_ball(Points points) {
   return ball;
 }
 
-/// How much wider than need be a capsule is tried: wider ones may be shorter.
+/// Factors by which a capsule is tried wider than necessary, because a wider one may be shorter.
 constexpr std::array widths{1.0, 1.0625, 1.125, 1.25, 1.5};
 
-/// The least cylinder or capsule along a unit axis, around the smallest circle of the points' shadow.
+/// Returns the least cylinder or capsule along a unit axis. The points' shadow gives its circle.
 Cylinder around_axis(Points points, const Vector3& axis) {
   std::vector<Vector3> shadow(points.begin(), points.end());
   for (Vector3& p : shadow) p -= p.dot(axis) * axis;
@@ -94,7 +94,7 @@ Cylinder around_axis(Points points, const Vector3& axis) {
   Cylinder best{foot + (low + high) / 2 * axis, axis, circle.radius, high - low, 0};
   for (const double width : widths) {
     const double radius = width * circle.radius;
-    double first = INFINITY, last = -INFINITY;  // the segment's ends
+    double first = INFINITY, last = -INFINITY;  // the ends of the segment
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double reach = std::sqrt(std::max(0.0, radius * radius - (shadow[i] - foot).squaredNorm()));
       first = std::min(first, points[i].dot(axis) + reach);
@@ -106,8 +106,8 @@ Cylinder around_axis(Points points, const Vector3& axis) {
   return best;
 }
 
-/// A step of an axis, in rad, from which it is refined and below which it is not, and the share of volume
-/// that a step must save: the axes of a box stay what they are.
+/// The first and the last step of an axis in rad, and the share that a step must bring the volume below. The
+/// share keeps the axes of a box as they are.
 constexpr double first_step = 0.4, last_step = 1e-3, worth = 0.999;
 
 Cylinder along_the_best_axis(Points points) {
@@ -119,7 +119,7 @@ Cylinder along_the_best_axis(Points points) {
     return true;
   };
   for (const int odd :
-       {1, 2, 3})  // coordinates that are not 0: axes, then diagonals of faces, then of the cube
+       {1, 2, 3})  // coordinates that are not 0: first axes, then diagonals of faces, then of the cube
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = 0; z <= 1; ++z)
@@ -133,7 +133,7 @@ Cylinder along_the_best_axis(Points points) {
   return best;
 }
 
-/// Of many points those that are farthest out in some direction, to seek an axis with.
+/// If there are more points, only those that are farthest out in some direction serve to find an axis.
 constexpr std::size_t shell_cap = 400;
 
 std::vector<Vector3> shell_of(Points points) {
@@ -196,7 +196,7 @@ Cylinder bounding_solid(Points points, const Pose& pose) {
   Cylinder solid = around_axis(points, along_the_best_axis(shell_of(points)).axis);
   if (ball.radius == 0 || 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3) < volume_of(solid))
     solid = {ball.center, {0, 0, 1}, 0, 0, ball.radius};
-  // As far as its points are computed to be from it, it grows, and by what moving and computing may err.
+  // The solid grows by how far points are computed to be outside, and by the errors of moving and computing.
   double out = 0, reach = 0;
   for (const Vector3& p : points) {
     const Vector3 way = p - solid.center;

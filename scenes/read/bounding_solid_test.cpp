@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outer models hold what they stand in for: the referee proves it of every point.
+// Outer models hold the shapes that they stand for: the referee proves this for every point.
 #include "scenes/read/bounding_solid.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ bool holds(const Cylinder& solid, const Vector3& point) {
   return verdict == Verdict::intersecting || verdict == Verdict::touching;
 }
 
-/// Points in a box of some decades of size, on a sphere, on a line, in a plane, on a lattice.
+/// Points in a box of sizes over some decades, on a sphere, on a line, in a plane, or on a lattice.
 std::vector<Vector3> cloud(RandomStream& stream, std::uint64_t kind) {
   const std::array<double, 3> decades{1e-3, 1, 100};
   Vector3 size, away;
@@ -55,7 +55,7 @@ TEST(BoundingSolid, HoldsEveryPoint) {
   EXPECT_GT(kinds[static_cast<std::size_t>(SolidKind::cylinder)], 5);
 }
 
-// Turned and moved far away: the corners in long double, as doubles no more than half a unit beside them.
+// Boxes turned and moved far away. The long double corners, as doubles, are off by at most half a unit.
 TEST(BoundingSolid, HoldsTheCornersOfBoxesWhereverTheyAre) {
   using Wide = Eigen::Matrix<long double, 3, 1>;
   for (std::uint64_t i = 0; i < 200; ++i) {

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A binary STL: 80 bytes that say nothing, the number of triangles, and of each a normal, three vertices and
-/// two bytes more; all numbers little-endian.
+/// A binary STL begins with 80 bytes without meaning and the number of triangles. Each triangle has a
+/// normal, three vertices and two more bytes. All numbers are little-endian.
 constexpr std::size_t stl_head = 84, stl_triangle = 50, stl_normal = 12;
 
 std::uint32_t little_endian(const char* bytes) {
@@ -45,7 +45,7 @@ std::vector<Vector3> read_binary_stl(const std::string& bytes, std::size_t trian
   return vertices;
 }
 
-/// The three numbers after `word` on each line that begins with it, as OBJ has them.
+/// Returns the three numbers after `word` on each line that begins with it, as OBJ has them.
 std::vector<Vector3> read_vertices(const std::string& text, const std::string& word) {
   std::vector<Vector3> vertices;
   std::istringstream in(text);
@@ -65,7 +65,7 @@ std::vector<Vector3> read_vertices(const std::string& text, const std::string& w
   return vertices;
 }
 
-/// Words, in whatever lines: after the first line each facet has three vertices.
+/// Reads words and ignores line breaks. After the first line, each facet has three vertices.
 std::vector<Vector3> read_text_stl(const std::string& text) {
   std::istringstream words(text.substr(std::min(text.size(), text.find('\n'))));
   std::vector<Vector3> vertices;
@@ -84,7 +84,7 @@ std::vector<Vector3> read_text_stl(const std::string& text) {
   return vertices;
 }
 
-// Some binary files begin with "solid" too: their length tells. Others go on after their triangles.
+// A binary file that begins with "solid" is known by its length. Others may continue after their triangles.
 std::vector<Vector3> read_stl(const std::string& bytes) {
   const bool text = bytes.starts_with("solid");
   if (bytes.size() >= stl_head) {

@@ -28,10 +28,10 @@ class Meshes : public testing::Test, protected Scratch {
   }
 };
 
-/// A binary STL of one triangle, little-endian.
+/// Returns a binary STL of one triangle, little-endian.
 std::string triangle(const std::array<float, 9>& corners) {
   std::string bytes(80, ' ');
-  bytes.replace(0, 5, "solid");  // as some programs write
+  bytes.replace(0, 5, "solid");  // as some programs write it
   bytes += {'\1', '\0', '\0', '\0'};
   bytes += std::string(12, '\0');
   for (const float x : corners) {

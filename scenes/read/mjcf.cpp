@@ -18,10 +18,10 @@
 namespace cyl {
 namespace {
 
-/// An element of a body, or of frames in it.
+/// An element of a body, or of a frame in a body.
 struct Part {
   MjcfElement element;
-  Pose frame;  ///< in the body's
+  Pose frame;  ///< in the frame of the body
   std::string childclass;
 };
 
@@ -29,7 +29,7 @@ struct Parts {
   std::vector<Part> joints, geoms, bodies;
 };
 
-/// A body becomes a link, and one more for each joint but its first; the links between have no shapes.
+/// A body becomes a link. Before it comes one link without shapes for each joint.
 class MjcfBuilder {
  public:
   explicit MjcfBuilder(const MjcfDocument& document) : d_(document) {
@@ -65,7 +65,7 @@ class MjcfBuilder {
   }
 
  private:
-  /// What a body holds, frames taken apart. What might hold a shape and is not known here was not looked at.
+  /// Collects the parts of a body, also those in frames. Unknown parts may hold shapes: they are left out.
   void gather(pugi::xml_node node, const Pose& frame, const std::string& childclass, const std::string& link,
               Parts& parts) {
     constexpr std::array harmless{"inertial", "site", "camera", "light", "plugin"};
@@ -86,7 +86,7 @@ class MjcfBuilder {
     }
   }
 
-  /// A name, or what MuJoCo would count it as.
+  /// Returns the name, or the number under which MuJoCo would count the element.
   std::string name_of(const pugi::xml_node& node, const char* what, std::size_t id) {
     std::string name = node.attribute("name").as_string();
     if (name.empty()) name = fmt::format("{} {}", what, id);
@@ -105,7 +105,7 @@ class MjcfBuilder {
     gather(node, Pose::Identity(), body.childclass, name, parts);
     const bool carried = node.attribute("mocap").as_bool();
     const bool stands = parent_stands && parts.joints.empty() && !carried;
-    // What moves on the world, or on what is welded to it, is not adjacent to it: a floor is there to be hit.
+    // A body that moves on the world, or on a body welded to it, is not adjacent to it: it may hit a floor.
     link.stands = (parent_stands && !stands) || (!d_.filters_parents() && !parts.joints.empty());
     if (carried) hold(link, name, "is carried from outside (mocap)");
     Pose origin = body.frame * body.element.pose();
@@ -124,7 +124,7 @@ class MjcfBuilder {
     scene_.notes.push_back("Joint " + joint + " " + why + ": it stays in the place that the file gives.");
   }
 
-  /// Puts down `link` as one that carries no shapes, and begins the one that it carries, at `origin` from it.
+  /// Stores `link` as a link without shapes, and begins the link that it carries, at `origin` from it.
   void carry(Link& link, Pose& origin, const Pose& next) {
     const std::size_t carrier = scene_.links.size();
     link.split = true;
@@ -135,7 +135,7 @@ class MjcfBuilder {
     origin = next;
   }
 
-  /// A joint moves all that comes after it: it gets a link of its own, whose frame is at `origin`.
+  /// A joint moves all that comes after it, so it gets a link of its own with its frame at `origin`.
   void add_joint(const Part& part, Link& link, Pose& origin) {
     const MjcfElement& joint = part.element;
     const std::string name = name_of(joint.node(), "joint", joints_++);
@@ -214,7 +214,7 @@ class MjcfBuilder {
     }
   }
 
-  /// What a file pairs is checked whatever its geoms or bodies are otherwise.
+  /// Checks a pair that the file names, even if its geoms or bodies exclude it otherwise.
   void check_pair(const pugi::xml_node& pair) {
     const auto a = body_of_.find(pair.attribute("geom1").as_string()),
                b = body_of_.find(pair.attribute("geom2").as_string());
@@ -223,7 +223,7 @@ class MjcfBuilder {
     scene_.bodies[b->second].paired.push_back(scene_.bodies[a->second].name);
   }
 
-  /// Half lengths, of which MuJoCo asks as many as the shape has.
+  /// Returns half lengths. MuJoCo requires as many of them as the shape has.
   static std::vector<double> sizes(const MjcfElement& geom, std::size_t count) {
     std::vector<double> size = geom.numbers("size");
     size.resize(std::max(size.size(), count));
@@ -272,8 +272,8 @@ class MjcfBuilder {
     return with_bits(bounded_body(body.name, body.link, "box", corners, pose), body);
   }
 
-  /// With half axes a >= b >= c an ellipsoid is in the capsule of radius b and of length 2a: at (a cos t, b
-  /// sin t) it is as far from the segment as it may be where (b - a) (1 - cos t) <= 0.
+  /// An ellipsoid with half axes a >= b >= c is in the capsule of radius b and length 2a. Its point (a cos
+  /// t, b sin t) is within b of the segment if (b - a) (1 - cos t) <= 0.
   static Body ellipsoid_of(const std::vector<double>& half, const Pose& pose, Body body) {
     const auto longest = std::ranges::max_element(half) - half.begin();
     std::vector<double> sorted = half;
@@ -320,7 +320,7 @@ class MjcfBuilder {
       scene_.disabled.emplace_back(a->second, b->second);
   }
 
-  /// q1 - q1 at rest = c0 + c1 (q2 - q2 at rest) + higher powers, which we do not follow.
+  /// Couples q1 - q1 at rest = c0 + c1 (q2 - q2 at rest). Joints with higher powers are not followed.
   void couple(const pugi::xml_node& node) {
     const MjcfElement element(d_, node, "");
     const std::string kind = node.name();
@@ -369,7 +369,7 @@ class MjcfBuilder {
   std::size_t seen_only_ = 0;                        ///< geoms that collide with nothing
   std::set<std::string> paired_;
   std::map<std::string, std::size_t> body_of_;           ///< by geom
-  std::set<std::pair<std::string, std::string>> names_;  ///< that are taken: of a body, joint or geom
+  std::set<std::pair<std::string, std::string>> names_;  ///< names in use: of a body, joint or geom
   std::map<std::string, std::size_t> link_of_;
   std::map<std::string, Moved> moved_;
 };

@@ -15,9 +15,9 @@
 namespace cyl {
 namespace {
 
-/// Files may include files that include files; more than this go in a circle.
+/// Files may include files that include files. More inclusions than this are a circle.
 constexpr int include_cap = 200;
-/// Elements in elements in elements: whoever walks through them needs room on the stack.
+/// The most elements within elements, because a walk through them needs room on the stack.
 constexpr int depth_cap = 1000;
 constexpr const char* main_class = "main";
 
@@ -69,7 +69,7 @@ void MjcfDocument::include(pugi::xml_node parent, const std::string& folder) {
     }
     if (++included_ > include_cap) throw std::runtime_error("files include each other in a circle");
     const std::string name = child.attribute("file").as_string();
-    std::filesystem::path path = std::filesystem::path(folder_) / name;  // of the first file, says MuJoCo
+    std::filesystem::path path = std::filesystem::path(folder_) / name;  // of the first file, as in MuJoCo
     if (!std::filesystem::exists(path)) path = std::filesystem::path(folder) / name;
     pugi::xml_document other;
     load_xml(other, path);
@@ -112,7 +112,7 @@ void MjcfDocument::set_compiler() {
     throw std::runtime_error("eulerseq is '" + eulerseq_ + "'");
 }
 
-// A class has what the class around it has, but for what it says itself.
+// A class inherits the values of the class around it and overrides those that it gives itself.
 void MjcfDocument::read_class(pugi::xml_node node, const std::string& name, Defaults given) {
   for (const pugi::xml_node& child : node.children())
     for (const pugi::xml_attribute& attribute : child.attributes())
@@ -203,7 +203,7 @@ Eigen::Quaterniond MjcfElement::turn(bool own) const {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
     for (std::size_t i = 0; i < 3; ++i) {
       const char letter = document_.eulerseq()[i];
-      const bool turning = letter >= 'x';  // about axes that turn along, else about those that stay
+      const bool turning = letter >= 'x';  // about axes that turn along, else about fixed axes
       const Eigen::Quaterniond step(
           Eigen::AngleAxisd(document_.angle(x[i]), Vector3::Unit(letter - (turning ? 'x' : 'X'))));
       q = turning ? q * step : step * q;
@@ -218,7 +218,7 @@ Eigen::Quaterniond MjcfElement::turn(bool own) const {
 Pose MjcfElement::pose() const {
   bool own = false;
   for (const char* name : {"quat", "axisangle", "xyaxes", "zaxis", "euler"}) own |= has(name, true);
-  // Versions of MuJoCo differ in which of two kinds has the last word.
+  // If two kinds of orientation are given, versions of MuJoCo differ in which one they take.
   for (const char* name : {"axisangle", "xyaxes", "zaxis", "euler"})
     if (own && given_ && given_->contains(name) && !has(name, true))
       throw std::runtime_error(std::string(node_.name()) + " " + node_.attribute("name").as_string() +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MJCF beyond what the MuJoCo at hand reads: what is of today, what is included, what is refused.
+// MJCF beyond the MuJoCo that is installed here: newer parts, included files, and refused files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,8 +68,8 @@ TEST_F(Mjcf, WhatIsNotReadIsNamed) {
                 "Not needed and not read: keyframe, option."}));
 }
 
-// What a class says, the class inside it says too; an element's own word is last, and a joint is limited as
-// it has a range.
+// A class inherits from the class around it. An element's own values win. A joint has limits if it has a
+// range.
 TEST_F(Mjcf, ClassesInClasses) {
   const Scene scene = read(R"(<default><geom type="capsule" size="1 2"/><default class="a"><geom size="3 4"/>
     <joint range="0 90"/><default class="b"><geom type="cylinder"/></default></default></default>
@@ -93,7 +93,7 @@ TEST_F(Mjcf, ClassesInClasses) {
   EXPECT_NEAR(scene.links.at(3).high, 2 * std::acos(0.0), 1e-15);
 }
 
-// Of joints in one body each is moved or held by itself.
+// Each joint of a body is moved or held by itself.
 TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
   const Scene scene = read(R"(<worldbody><geom size="1"/><body name="b"><joint name="x" type="slide"/>
     <joint name="s" type="ball"/><joint name="h"/><geom size="1"/></body></worldbody>)");
@@ -106,7 +106,7 @@ TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
   EXPECT_EQ(PairRule(scene, false).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
 }
 
-// Of a body with two joints, both belong to it; of three bodies in a row, the first does not carry the last.
+// Two joints of a body both belong to it. If three bodies form a chain, the first does not carry the last.
 TEST_F(Mjcf, NeighboursAreBodiesOfWhichOneCarriesTheOther) {
   const Scene scene = read(R"(<worldbody><body><joint/><geom size="1"/><body><joint/><joint/><geom size="1"/>
     <body><joint/><geom size="1"/></body></body></body></worldbody>)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where MuJoCo's own loader reads a file, it has the same shapes in the same places.
+// If MuJoCo's own loader reads a file, it has the same shapes in the same places.
 #ifdef DAYLIGHT_WITH_MUJOCO
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -32,7 +32,7 @@ struct DeleteData {
 
 using Columns = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// The body's shape is that geom, in that place.
+/// Whether the shape of the body is that geom, in that place.
 bool same_shape(const Body& body, const Cylinder& c, const Pose& link, const mjModel& model,
                 const mjData& data, int g) {
   const int type = model.geom_type[g];
@@ -54,8 +54,8 @@ bool same_shape(const Body& body, const Cylinder& c, const Pose& link, const mjM
          (c.axis - turn.col(2)).norm() < 1e-12;
 }
 
-/// MuJoCo's own kinematics, of URDF too, against ours. Geoms are known by name, or where the file names no
-/// shapes by size and place.
+/// Compares MuJoCo's own kinematics with ours, also for URDF. Geoms are found by name, or by size and place
+/// if the file does not name shapes.
 void expect_like_mujoco(const std::string& file, bool geom_names) {
   const Scene scene = read_scene(file);
   char error[1000] = "";
@@ -104,8 +104,8 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
   EXPECT_EQ(coupled, 20 * model->neq);
 }
 
-/// MuJoCo's own filter of pairs, against ours: with a margin beyond everything, it reports each pair that it
-/// checks.
+/// Compares MuJoCo's own filter of pairs with ours. With a margin beyond everything, MuJoCo reports each
+/// pair that it checks.
 void expect_pairs_like_mujoco(const std::string& file) {
   const Scene scene = read_scene(file);
   const std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file.c_str(), nullptr, nullptr, 0));
@@ -162,7 +162,7 @@ TEST(Pairs, OfMjcfAsMujocoChecksThem) {
   expect_pairs_like_mujoco(folder + "walker.xml");
 }
 
-// MuJoCo 2 does not load the hand, but does without the lines that say "today"; with them we read the same.
+// MuJoCo 2 loads the hand only without the lines marked "today". With them, we read the same.
 TEST(Kinematics, OfAHandAsMujocoHasThem) {
   std::ifstream in(folder + "hand.xml");
   std::string older;
@@ -177,7 +177,7 @@ TEST(Kinematics, OfAHandAsMujocoHasThem) {
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"mesh", "palm"}}));
 }
 
-// Every way to turn, both kinds of Euler angles, radians and degrees, joints one after the other, references.
+// All ways to turn, both kinds of Euler angles, radians and degrees, successive joints, and references.
 TEST(Kinematics, OfEveryWayToTurnAsMujocoHasThem) {
   const std::array kinds{R"(<compiler angle="radian" eulerseq="XyZ"/>)", R"(<compiler eulerseq="zyx"/>)",
                          R"(<compiler angle="radian"/><compiler eulerseq="ZXY"/>)"};

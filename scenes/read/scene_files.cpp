@@ -16,7 +16,7 @@ namespace {
 
 using Named = std::pair<std::string, Cylinder>;
 
-/// The last may be missing.
+/// The last column may be missing.
 constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
                                                   "az", "radius", "height", "rounding"};
 
@@ -25,7 +25,7 @@ Vector3 vector_of(const nlohmann::json& list) {
   return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
-/// Throws std::runtime_error where a number that is not 0 is less than any double.
+/// Throws std::runtime_error if a number is not 0 but smaller than any double.
 struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
   bool number_float(double x, const std::string& text) {
     if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)

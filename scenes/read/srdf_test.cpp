@@ -39,7 +39,7 @@ TEST(Srdf, WhatCannotBeReadIsSaid) {
     EXPECT_THROW(read_scene(crane, scratch.write("bad.srdf", text)), std::runtime_error);
 }
 
-// The trolley meets the tower in some 1 of 100 configurations; a planner that believes this file never looks.
+// The trolley meets the tower in about 1 of 100 configurations. A planner with this file never looks there.
 TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
   const Scratch scratch;
   const std::string planted =

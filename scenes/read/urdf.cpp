@@ -24,7 +24,7 @@
 namespace cyl {
 namespace {
 
-/// Gathers what the parser would print.
+/// Collects the messages that the parser would print.
 class Messages final : public console_bridge::OutputHandler {
  public:
   Messages() { console_bridge::useOutputHandler(this); }
@@ -53,15 +53,15 @@ void remove_all(TiXmlElement& parent, const char* name) {
   while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
 }
 
-/// A collision shape that is kept: what urdfdom does not know, or drops where it cannot read it, passes as a
-/// sphere or cylinder.
+/// A collision shape as the file has it. If urdfdom does not know the shape, or would drop it because it
+/// cannot read it, it gets a sphere or cylinder instead.
 struct KeptShape {
   std::string kind, numbers, file;  ///< numbers: the size of a box, the scale of a mesh
 };
 using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
 
-/// urdfdom knows no joint of three turns and refuses the robot for it, or for a type of joint that somebody
-/// made up: they pass as floating ones, which are held too.
+/// urdfdom refuses a robot that has a joint of three turns, or a joint of an invented type. Such joints pass
+/// as floating joints, which are held too.
 void pass_joints(TiXmlElement& robot) {
   constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
   for (TiXmlElement* joint = robot.FirstChildElement("joint"); joint;
@@ -70,7 +70,7 @@ void pass_joints(TiXmlElement& robot) {
       joint->SetAttribute("type", "floating");
 }
 
-/// Newer readers turn an origin by a quaternion; ours would leave it unturned.
+/// Newer readers turn an origin by a quaternion. Our reader would not turn it, so this refuses the file.
 void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
   if (element.Attribute("quat_xyzw"))
     throw std::runtime_error(
@@ -79,8 +79,8 @@ void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
     if (std::string_view(child->Value()) != "inertial") refuse_quaternions(*child, file);
 }
 
-/// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
-/// matter of ours: what is not needed is taken out, and a shape that nobody here knows is noted.
+/// urdfdom refuses a whole robot if a material is named twice or a shape is unknown. Neither matters here.
+/// This removes the parts that are not needed, and notes each shape that is unknown here too.
 KeptShapes keep_shapes(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
   constexpr std::array known{"cylinder", "sphere", "capsule", "box", "mesh"};
   KeptShapes kept;
@@ -149,7 +149,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
   link.axis = urdf_vector(joint.axis) / length;
 }
 
-/// The solid of a cylinder, a sphere or a capsule, whose length is that of its cylindrical part.
+/// Returns the solid of a cylinder, sphere or capsule. The length of a capsule is that of its cylinder.
 Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule) {
   Cylinder solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
   if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) solid.rounding = sphere->radius;
@@ -160,11 +160,11 @@ Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule
   return solid;
 }
 
-/// Relative to the radius of the cylinder: how far its spheres may be from its ends, and differ from it in
-/// radius. It is what a file's decimals leave between equals.
+/// Relative to the radius of the cylinder: how far its spheres may be from its ends, and how far their radii
+/// may differ from it. The decimals of a file leave such differences between equal values.
 constexpr double decimals_tol = 1e-9;
 
-/// The sphere that ends a cylinder there: of those that nearly do the nearest.
+/// Returns the sphere that ends a cylinder there. If several are near enough, returns the nearest.
 std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinder& wall, const Vector3& end) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -177,8 +177,8 @@ std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinde
   return best;
 }
 
-/// URDF writes a capsule as a cylinder and a sphere at each end. If they fit within the file's decimals, they
-/// are one body: a capsule so wide that it holds all three.
+/// URDF writes a capsule as a cylinder and a sphere at each end. If they fit within the decimals of the
+/// file, they become one body: a capsule that is wide enough to hold all three.
 void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
@@ -189,7 +189,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
     const std::span<const Body> own = std::span(bodies).subspan(first);
     const auto at_low = sphere_at(own, wall, low), at_high = sphere_at(own, wall, high);
     if (!at_low || !at_high || at_low == at_high) continue;
-    double wide = wall.radius, least = wall.radius;  // how far the shapes reach at most, and at least
+    double wide = wall.radius, least = wall.radius;  // the most and the least that the shapes reach
     for (const auto& [k, end] : {std::pair(*at_low, low), std::pair(*at_high, high)}) {
       const Cylinder& sphere = own[k].solid;
       const double off = (sphere.center - end).norm();
@@ -207,7 +207,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
   }
 }
 
-/// The corners of a box, the vertices of a mesh. Throws std::runtime_error why there are none.
+/// Returns the corners of a box or the vertices of a mesh. Throws std::runtime_error with the reason if none.
 std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) {
   std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
   if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
@@ -229,7 +229,7 @@ std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) 
   return points;
 }
 
-/// A shape as a body, with its bound where it is a box or mesh; nothing, and a note why, where there is none.
+/// Returns a shape as a body, with its bound if it is a box or mesh. If it fails, a note states the reason.
 std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const KeptShape& shape,
                             const std::string& file, Body body) {
   const Pose pose = urdf_pose(collision.origin);
@@ -250,7 +250,7 @@ std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, cons
 void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes,
                 const std::string& file) {
   const std::size_t first = scene.bodies.size();
-  if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped one and we cannot tell which
+  if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped a shape, and it is unknown which
     for (const KeptShape& shape : shapes) scene.left_out.push_back({shape.kind, link.name});
     return;
   }
@@ -291,7 +291,7 @@ class UrdfBuilder {
       own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
       set_motion(own, *joint, scene_);
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
-      // What slides or floats on the world is no part of it: all that stands there may be hit.
+      // A link that slides or floats on the world is not a part of it, so it may hit all that stands there.
       own.stands = (own.held || own.motion == Motion::slide) && is_world(*parent);
     }
     scene_.links.push_back(std::move(own));
@@ -354,7 +354,7 @@ Scene read_urdf(const std::string& file) {
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
   UrdfBuilder builder(scene, shapes, kept, file);
   try {
-    // urdfdom sees to it that all links but one are carried; in a loop none hangs on that one.
+    // urdfdom ensures that all links but one are carried. The links of a loop do not hang on that one.
     if (model->joints_.size() + 1 != model->links_.size())
       throw std::runtime_error("two joints carry the same link");
     builder.add(*model->getRoot(), std::nullopt);

@@ -4,37 +4,37 @@
 #include <algorithm>
 #include <cmath>
 
-// How far the bodies can come towards each other, derived. Of the joints between them, in their order from a
-// to b, let those before any place s of the path move a, the others b: seen from the link at s. Let x be a
-// point of b, M1 .. Mn the motions of b's joints from s outward, q their values in the middle of the box, q'
-// others in it. One joint after the other goes from q to q', the outermost first; what the i-th adds to the
-// place of x is
+// This derives how far the bodies can come towards each other. The joints between them are in order from a
+// to b. Let s be any place of this path. The joints before s move a, and the others move b, both seen from
+// the link at s. Let x be a point of b, and M1 .. Mn the motions of b's joints from s outwards. Let q be
+// their values in the middle of the box, and q' other values in it. The joints go from q to q' one by one,
+// the outermost first. Then the i-th joint adds this to the place of x:
 //
-//   M1(q') .. M[i-1](q') (Mi(q') - Mi(q)) M[i+1](q) .. Mn(q) x,
+//   M1(q') .. M[i-1](q') (Mi(q') - Mi(q)) M[i+1](q) .. Mn(q) x.
 //
-// whose last factors put x where it is in the middle of the box. There let the i-th joint turn about the unit
-// axis w, by d at most; let y be x seen from the axis, square to it. (R(d) - I) y = 2 sin(d/2) w x R(d/2) y,
-// no longer than min(d, 2) |y|. Along a direction n it is 2 sin(d/2) (n x w).R(d/2) y, no more than min(d, 2)
-// (|(n x w).y| + d/2 |y|); and since the joints further in, which have turned by f together, turn it too,
-// f |y| more. A joint that slides by d adds d min(1, |n.w| + f).
+// The last factors put x at its place in the middle of the box. There let the i-th joint turn about the unit
+// axis w by at most d. Let y be x seen from the axis, square to it. Then (R(d) - I) y = 2 sin(d/2) w x
+// R(d/2) y, which is no longer than min(d, 2) |y|. Along a direction n it is 2 sin(d/2) (n x w).R(d/2) y.
+// This is at most min(d, 2) (|(n x w).y| + d/2 |y|). The joints further in, which have turned by f together,
+// add f |y| in the outer brackets. A joint that slides by d adds d min(1, |n.w| + f).
 //
-// A solid is its axis' segment, grown by a disk square to it and by a ball. How far it reaches along n, its
-// support, is that of the end of the segment that is foremost, and of disk and ball. The ball's never
-// changes. The disk's is r |n - (n.u) u|, u the solid's axis, and changes by r |u' - u| at most, min(d, 2) r
-// |u x w|; or its points are looked at, whose y are r longer at most than that of the end, and whose (n x
-// w).y greater by r |v - (v.u) u| at most, v = n x w. Where an end lies behind the foremost by h, h of what
-// it comes forward does not count.
+// A solid is the segment of its axis, grown by a disk square to it and by a ball. Its support along n is
+// that of the foremost end of the segment, plus those of disk and ball. That of the ball never changes. That
+// of the disk is r |n - (n.u) u|, with the solid's axis u. It changes by at most r |u' - u|, at most min(d,
+// 2) r |u x w|. Another bound uses the points of the disk. Their |y| exceeds that of the end by at most r,
+// and their (n x w).y by at most r |v - (v.u) u|, v = n x w. If an end lies behind the foremost one by h,
+// then h of its advance does not count.
 //
-// So sums over a's joints, for both ends, bound how much farther a reaches towards b, and b towards a alike;
-// anywhere in the box the bodies' gap along n, turned with the link at s, is at least that in the middle,
-// less both. Any s is right; the one that gives least is taken.
+// So sums over a's joints, for both ends, bound how much farther a reaches towards b, and likewise for b.
+// Anywhere in the box, the gap along n, turned with the link at s, is at least that in the middle less both
+// sums. Any s is right, and the one with the least sums is taken.
 //
-// Rounding. A joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into: k
-// links put a point of the path, whose parts are L long together, within 32 k u L of where it is. Two bodies:
-// 64 k u L; how far an end lies behind, as much twice. Reach and moment of each of m joints add as much
-// twice, times min(d, 2) and 2: 256 k m u L; their own rounding is less than 64 u of sums that are no more
-// than 2 m L; the gap that was proved in the middle was added to a rounding, u L. Together less than 512 (k +
-// 1) (m + 1) u L.
+// Rounding: a joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into. If
+// the parts of the path are L long together, k links put a point within 32 k u L of its place. For two
+// bodies this is 64 k u L, and twice as much for how far an end lies behind. Reach and moment of each of m
+// joints add as much twice, times min(d, 2) and 2: 256 k m u L. Their own rounding is less than 64 u of sums
+// of at most 2 m L. The gap proved in the middle was added to a rounding, which costs u L. Together this is
+// less than 512 (k + 1) (m + 1) u L.
 
 namespace cyl {
 namespace {
@@ -43,7 +43,7 @@ double length_of_solid(const Cylinder& c) { return c.center.norm() + c.height / 
 
 bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
 
-/// The links from the one given to the root.
+/// Returns the links from the given one to the root.
 std::vector<std::size_t> ancestors(const Scene& scene, std::size_t link) {
   std::vector<std::size_t> chain{link};
   while (scene.links[chain.back()].parent) chain.push_back(*scene.links[chain.back()].parent);
@@ -84,7 +84,7 @@ JointPath::JointPath(const Scene& scene, std::size_t a, std::size_t b) : scene_(
   values_.assign(own_.links.size(), 0);
 }
 
-/// Appends links, the last of them on link 0.
+/// Appends links. The last of them is on link 0.
 void JointPath::add_chain(const std::vector<std::size_t>& links) {
   for (std::size_t i = links.size(); i-- > 0;) {
     Link link = scene_.links[links[i]];

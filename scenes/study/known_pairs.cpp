@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of which pairs a study tells nothing.
+// The pairs that a study reports nothing about.
 #include <set>
 
 #include "scenes/study/scene_study.hpp"
@@ -12,7 +12,7 @@ bool is_known(const Scene& scene, const PairStudy& pair) {
 
 std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair) {
   std::vector<std::size_t> links;
-  // A parent comes before its link: the later of the two goes up until they meet.
+  // A parent comes before its link. The later of the two goes up until they meet.
   std::size_t a = scene.bodies[pair.a].link, b = scene.bodies[pair.b].link;
   while (a != b) {
     std::size_t& later = a > b ? a : b;

@@ -16,19 +16,19 @@
 namespace cyl {
 namespace {
 
-/// Configurations drawn to find the bodies near each other before any proof is tried, those of them from
-/// which a search goes on, and its rounds: a few ms a pair.
+/// Before any proof, this many configurations are drawn to find the bodies near each other. A search goes on
+/// from some of them, for so many rounds. All this takes a few ms per pair.
 constexpr std::size_t drawn_cap = 200, descents_cap = 4, descent_rounds_cap = 24;
-/// Of the distance seen beyond the clearance: how much a bound should reach, where it comes cheap.
+/// The part of the seen distance beyond the clearance that a bound should reach if it is cheap.
 constexpr double wanted_share = 0.5;
-/// Boxes spent on a better bound, where a pair is proved with fewer.
+/// The boxes spent on a better bound if a pair is proved with fewer.
 constexpr std::size_t better_boxes_cap = 500;
 
 struct Cell {
   JointBox box;
-  double bound = -std::numeric_limits<double>::infinity();  ///< proved: they are farther apart all over it
+  double bound = -std::numeric_limits<double>::infinity();  ///< proved: the distance is greater all over it
   double share = 1;                                         ///< of the joints' space
-  std::size_t widest = 0;                                   ///< the joint along which to cut it
+  std::size_t widest = 0;                                   ///< the joint along which to cut the cell
   std::size_t number = 0;
 };
 
@@ -57,7 +57,7 @@ class Prover {
  private:
   using Point = std::vector<double>;  ///< a value for each free joint of the path
 
-  // Looks at one configuration; true once it refutes the pair, placed as everybody places it.
+  // Looks at one configuration. Returns true if it refutes the pair as place() puts it.
   bool look(const Distance& d, const JointBox& box) {
     const bool nearer = d.value < proof_.least;
     if (!nearer && (d.value - d.error > q_.clearance || proof_.verdict == MotionVerdict::within))
@@ -75,7 +75,7 @@ class Prover {
     proof_.joints = std::move(joints);
     proof_.verdict = MotionVerdict::within;
     if (d.value - d.error > 0) return false;
-    // Of a solid that reaches beyond the shapes that it stands for, only what it holds of them counts.
+    // A solid may reach beyond its shapes by the excess. Only what lies inside the shapes counts.
     pair.a.rounding -= scene_.bodies[proof_.a].excess;
     pair.b.rounding -= scene_.bodies[proof_.b].excess;
     if (referee_within(pair, 0) != true) return false;
@@ -100,7 +100,7 @@ class Prover {
     return d.value;
   }
 
-  // Draws, then goes downhill joint by joint from the nearest of what was drawn.
+  // Draws configurations, then goes downhill joint by joint from the nearest of them.
   void search() {
     std::vector<std::pair<double, Point>> drawn;
     for (std::size_t k = 0; k < (limits_.empty() ? 1 : drawn_cap) && !refuted_; ++k) {
@@ -137,9 +137,9 @@ class Prover {
     }
   }
 
-  // The bound of a cell: the referee proves the direction of the distance in the middle to separate the
-  // bodies, one of them grown by all of that distance; what of it no travel uses up is left everywhere. True
-  // if the bodies come within the clearance.
+  // Bounds a cell. The referee proves that the direction of the distance in the middle separates the bodies,
+  // even if one grows by that distance. The part that no travel uses up is left everywhere. Returns true if
+  // the bodies come within the clearance.
   bool examine(Cell& cell) {
     ++proof_.boxes;
     cell.number = proof_.boxes;
@@ -189,14 +189,14 @@ class Prover {
     gainsay(proof_, proof_.least);
   }
 
-  // From where the bodies come within the clearance: they may overlap beside it.
+  // Goes on from a place within the clearance, because the bodies may overlap nearby.
   void go_nearer() {
     std::pair<double, Point> from{proof_.least, {}};
     for (const std::size_t link : path_.free_joints()) from.second.push_back(proof_.joints[link]);
     descend(from);
   }
 
-  // Cuts the cell of which least is proved along the joint that adds most to its travel; false where no
+  // Cuts the cell with the least bound along the joint that adds most to its travel. Returns false if no
   // joint moves.
   bool cut() {
     const Cell cell = cells_.top();
@@ -230,7 +230,7 @@ class Prover {
   std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
 };
 
-/// An SRDF speaks of contact: of bodies that come within the clearance it is asked whether they ever touch.
+/// An SRDF is about contact. If bodies come within the clearance, this asks whether they ever touch.
 MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, MotionQuestion question) {
   MotionProof proof = prove_motion(scene, a, b, question);
   if (proof.verdict != MotionVerdict::within && !proof.bounded) return proof;
@@ -275,7 +275,7 @@ void conclude(ExemptionProof& proof) {
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   MotionProof proof = Prover(scene, a, b, question).run();
-  // At touch, what is not confirmed of the shapes themselves is only of a solid that holds them.
+  // A contact that is not confirmed for the shapes themselves is only one of solids that hold them.
   const bool holds = scene.bodies[a].box || scene.bodies[b].box;
   proof.bounded = proof.verdict == MotionVerdict::refuted
                       ? holds

@@ -27,7 +27,7 @@ std::vector<std::pair<std::size_t, std::size_t>> checked_pairs(const Scene& scen
   return pairs;
 }
 
-/// The gap along a direction, as the referee's f has it but for rounding.
+/// Returns the gap along a direction, which is the referee's f up to rounding.
 double gap_along(const Pair& pair, const Vector3& n) {
   const auto reach = [&](const Cylinder& c) {
     const Vector3 axis = c.axis.normalized();
@@ -37,7 +37,7 @@ double gap_along(const Pair& pair, const Vector3& n) {
   return n.dot(pair.b.center - pair.a.center) - reach(pair.a) - reach(pair.b);
 }
 
-// An arm of 1 that turns at the height of a post, whose wall it passes at 0.2 where it points to it.
+// An arm of 1 that turns at the height of a post. It passes the wall at 0.2 when it points to the post.
 Scene sweeper(double low, double high) {
   Scene scene =
       still_scene({{"post", {{1.6, 0, 0}, {0, 0, 1}, 0.3, 2}}, {"arm", {{0.5, 0, 0}, {1, 0, 0}, 0, 1, 0.1}}});
@@ -68,7 +68,7 @@ TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
   EXPECT_EQ(prove_motion(sweeper(0.3, 6), 0, 1, q).verdict, MotionVerdict::never) << "it never points there";
 }
 
-// The arm of above goes three times as far as its leader, which is on no path between the two, and back.
+// The arm above turns three times as far as its leader, and back. The leader is on no path between the two.
 Scene geared(double low, double high) {
   Scene scene = sweeper(0, 0);
   Link leader;
@@ -95,7 +95,7 @@ TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
   EXPECT_GT(path.travel({0, 1, 0}).length, std::sin(0.75) - std::sin(0.6)) << "0.15 rad on, at a length of 1";
 }
 
-// What is found where the proof is not: the whole of what is not proved has a share.
+// If a proof is incomplete, the part that is not proved has a share.
 TEST(MotionProof, TellsWhatIsLeftOpen) {
   MotionQuestion q;
   q.clearance = 0.2 * (1 - 1e-12);
@@ -110,8 +110,8 @@ TEST(MotionProof, TellsWhatIsLeftOpen) {
   EXPECT_EQ(prove_motion(held, 0, 1, q).verdict, MotionVerdict::open);
 }
 
-// The bound itself, in boxes of all sizes: nowhere in a box are the bodies nearer than it says, and they come
-// almost as near. A signed distance is the greatest gap along any direction.
+// In boxes of all sizes, the bodies never come nearer than the bound states, and they come almost as near. A
+// signed distance is the greatest gap along any direction.
 TEST(JointPath, NothingComesNearerThanItsTravel) {
   for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
     const Scene scene = read_scene(folder + file);
@@ -187,8 +187,8 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
   }
 }
 
-// No "never" outlives a draw that denies it, wherever that was made. No reader lets limits be the wrong way
-// round: proofs then take the joint for fixed, and draws do not.
+// A sample that contradicts a "never" cancels it, wherever the sample comes from. No reader lets limits be
+// the wrong way round. Proofs then take the joint for fixed, and samples do not.
 TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   Scene scene = sweeper(std::numbers::pi, -std::numbers::pi);
   SceneOptions q;
@@ -209,7 +209,7 @@ TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   EXPECT_EQ(denied.contradicted, 2u);
 }
 
-// What comes near is only the bound around a box or mesh: that refutes nothing.
+// Only the bound around a box or mesh comes near, which refutes nothing.
 TEST(MotionProof, ABoundOfABoxRefutesNothing) {
   const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/porter.urdf");
   std::size_t bounded = 0, refuted = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every robot of corpus/scenes: its shapes, its checked pairs, and how often they come near. A reader with
-// kinematics and distances of its own, in Python and without a line of this program, found the same numbers.
+// Every robot of corpus/scenes: its shapes, its checked pairs, and how often they come near. An independent
+// reader in Python, with its own kinematics and distances, found the same numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
 
 struct Robot {
   const char* file;
-  const char* shapes;  ///< with those that are left out
+  const char* shapes;  ///< including shapes that are left out
   std::size_t left_out, folded;
-  std::size_t pairs, pairs_of_links;  ///< that are checked; with --each-link
-  std::size_t within;                 ///< all pairs in 100 configurations
+  std::size_t pairs, pairs_of_links;  ///< the checked pairs; with --each-link
+  std::size_t within;                 ///< all pairs within in 100 configurations
 };
 
 void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.file; }
@@ -56,7 +56,7 @@ TEST_P(Robots, HaveTheirShapes) {
   EXPECT_EQ(scene.folded, GetParam().folded);
 }
 
-// One by one with the referee, and in all as counted.
+// The referee checks each pair, and the sums are as counted.
 TEST_P(Robots, ComeNearAsOftenAsTheRefereeSees) {
   const SceneStudy all = study(false);
   EXPECT_EQ(all.pairs.size(), GetParam().pairs);
@@ -113,7 +113,7 @@ TEST(RobotBounds, HoldTheCornersOfTheirBoxes) {
   EXPECT_EQ(boxes, 9u);
 }
 
-// By the scale and the place that the files give.
+// The meshes have the scale and the place that the files give.
 TEST(RobotBounds, HoldTheVerticesOfTheirMeshes) {
   using Turn = Eigen::AngleAxisd;
   const Scene porter = read_scene(folder + "porter.urdf"), hand = read_scene(folder + "hand.xml");

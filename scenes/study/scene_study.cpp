@@ -17,8 +17,8 @@
 namespace cyl {
 namespace {
 
-/// Configurations that are timed, and pairs in all of them: their models fit into a processor's nearer
-/// memory, and a round is over before others get their turn.
+/// The most configurations that are timed, and the most pairs in all of them. Then the models fit into the
+/// near memory of a processor, and a round ends before other processes get their turn.
 constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
 constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
 
@@ -64,7 +64,7 @@ class Study {
     for (PairStudy& pair : result_.pairs) observe(pair, configuration);
   }
 
-  // A model that fails after all loses the pair to the next, which is asked again.
+  // A pair whose model fails after all gets the next model, which is asked again.
   void go_on() {
     const auto unsure = [&](const PairStudy& pair) {
       return is_statistical(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
@@ -152,7 +152,7 @@ class Study {
     }
   }
 
-  // Not with the truths found above: everything anew, by the referee alone.
+  // Asks the referee about everything anew, without the truths found above.
   void verify() {
     Verification& v = result_.verification.emplace();
     const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
@@ -173,7 +173,7 @@ class Study {
     BodyPairs pairs, others;
     for (const PairStudy& pair : result_.pairs) {
       pairs.push_back({pair.a, pair.b});
-      if (q_.at.empty()) pairs.back().seen = pair.least;  // else it may be outside of the joints' limits
+      if (q_.at.empty()) pairs.back().seen = pair.least;  // else it may be outside the limits of the joints
     }
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
@@ -241,8 +241,8 @@ class Study {
           });
   }
 
-  // The recommended ones from a list like the others', because beside other data they cost more; and by turns
-  // with each, because a machine is not as fast at every time.
+  // Times the recommended cascades from a list like the other ones, because they cost more beside other
+  // data. They take turns with each of the others, because the speed of a machine varies.
   void measure_cascades(const auto& time_of) {
     std::vector<Cascade> recommended;
     for (const PairStudy& pair : result_.pairs) recommended.push_back(pair.cascade);
@@ -266,7 +266,7 @@ class Study {
   std::vector<std::vector<Cascade>> allowed_;  ///< by rounding, then pair
 };
 
-/// What a cascade costs on the samples, by weights.
+/// Returns the cost of a cascade on the samples, by weights.
 double weight_of(const Cascade& cascade, const PairStudy& pair) {
   double sum = 0;
   for (std::size_t set = 0; set < pair.outcomes.size(); ++set) {
@@ -315,7 +315,7 @@ std::vector<double> tried_roundings(const Scene& scene) {
   const auto median = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
   std::nth_element(thickness.begin(), median, thickness.end());
   if (!(*median > 0)) return tried;
-  // Read as decimals, so that 0.002 is what everybody writes so.
+  // Reads decimals, so that 0.002 is the double that is written so everywhere.
   for (int power = static_cast<int>(std::floor(std::log10(*median))); tried.size() < count; --power)
     for (const int digit : {5, 2, 1})
       if (const double x = std::strtod(fmt::format("{}e{}", digit, power).c_str(), nullptr);

@@ -45,7 +45,7 @@ TEST_P(ShownOfTwenty, EachOnceWithAllItsReasons) {
   EXPECT_GE(count[3], worst_shown_cap) << "and inner capsules miss";
 }
 
-// The reason that is told is what is seen there.
+// The stated reason can be seen in the configuration.
 TEST_P(ShownOfTwenty, TheReasonIsSeenInTheConfiguration) {
   for (const Shown& k : shown) {
     for (const Highlight& highlight : k.highlights) {
@@ -76,7 +76,7 @@ TEST_P(ShownOfTwenty, NoOtherPairIsWorse) {
   }
 }
 
-// Apart, the two points are as far from each other as the distance says.
+// If the solids are apart, the two points are as far from each other as the distance.
 TEST_P(ShownOfTwenty, PointsAreAsFarApartAsTold) {
   std::size_t apart = 0;
   for (const Shown& k : shown) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must not be said: "never" of links that meet, "adjacent" of links that no joint joins.
+// Statements that must not be made: "never" for links that meet, "adjacent" for links without a joint.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -40,7 +40,7 @@ PairRule::Reason reason_of(const Scene& scene, const std::string& a, const std::
   return rule.reason(scene.bodies[body_of(scene, a)], scene.bodies[body_of(scene, b)]);
 }
 
-/// An arm of 1, opposite to a post, that follows a joint of `gear`.
+/// An arm of 1 opposite to a post. It follows a joint of `gear`.
 Scene geared(const std::string& type, const std::string& follower, const std::string& multiplier,
              const std::string& post = "-1 0 0.001") {
   const bool slides = follower == "prismatic";
@@ -62,7 +62,7 @@ TEST(Sound, AFollowerOfAContinuousJointGoesAsFarAsItsLeader) {
   const Scene whole = geared("continuous", "continuous", "2");
   EXPECT_EQ(limit_of_gear(whole), std::numbers::pi) << "once round shows all";
   EXPECT_EQ(proof_of(whole).verdict, MotionVerdict::refuted);
-  // Never the same twice: nothing is proved, but what can be shown is found.
+  // The position never repeats: nothing is proved, but a contact that can be shown is found.
   EXPECT_EQ(proof_of(geared("continuous", "continuous", "0.123456789")).verdict, MotionVerdict::refuted);
   EXPECT_EQ(proof_of(geared("continuous", "continuous", "0.123456789", "-1.3 0 0")).verdict,
             MotionVerdict::open);
@@ -94,7 +94,7 @@ TEST(Sound, MimicsInACircleAreRefused) {
                std::runtime_error);
 }
 
-// Read as a tree, the one would stand in two places, and the other in none.
+// If this were read as a tree, one link would stand in two places, and the other in none.
 TEST(Sound, LinksThatAreNoTreeAreRefused) {
   const std::string links = ball("base", "0 0 -1") + ball("one", "1 0 0") + ball("two", "-1 0 0");
   const std::string loop = joint("a", "continuous", "one", "two") + joint("b", "fixed", "two", "one");
@@ -134,7 +134,7 @@ TEST(Sound, WhatSlidesOrFloatsOnTheWorldMayMeetWhatStandsThere) {
   }
 }
 
-/// A cylinder of radius 1 with a sphere of some radius at each end, below another ball on a link of its own.
+/// A cylinder of radius 1 with a sphere at each end, below another ball on its own link.
 Scene ended(const std::string& radius, const std::string& above) {
   const auto shape = [](const std::string& z, const std::string& geometry) {
     return "<collision><origin xyz='0 0 " + z + "'/><geometry>" + geometry + "</geometry></collision>";
@@ -181,7 +181,7 @@ TEST(Sound, AnExemptionIsAboutContact) {
   EXPECT_LT(study.exemptions[0].bodies.at(0).bound, 0.1001);
 }
 
-/// Two hinges, the second of which follows the first.
+/// Two hinges. The second one follows the first.
 Scene followed(const std::string& before, const std::string& equality = "") {
   return read_text(".xml", "<mujoco>" + before + R"(<worldbody>
     <body name="a"><joint name="one" range="-90 90"/><geom size="1"/></body>

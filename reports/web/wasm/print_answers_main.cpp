@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes pairs and the native solver's answers in binary, a row of question_size + answers_size doubles each:
-// every case, then pairs of every family in turn. compare_test.mjs compares the module's answers with them.
+// Writes pairs and the native solver's answers in binary: every case, then pairs of each family in turn. A
+// row has question_size + answers_size doubles. compare_test.mjs compares the module with them.
 //     print_answers CASES PAIRS SEED
 #include <array>
 #include <cstdint>
@@ -26,7 +26,7 @@ void print_row(const Pair& pair) {
   std::fwrite(answers.data(), sizeof answers, 1, stdout);
 }
 
-/// One pair for each reason why a solid is invalid.
+/// Prints one pair for each reason for which a solid is invalid.
 void print_invalid() {
   const Pair good;
   for (std::size_t i = 0; i < cylinder_number_count; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solver as a WebAssembly module (build.sh). It imports nothing. question() and answers() are addresses
-// in its memory; answer() reads the one and writes the other.
+// The solver as a WebAssembly module (build.sh). It imports nothing. question() and answers() return
+// addresses in its memory. answer() reads the first and writes the second.
 #include "reports/web/wasm/answers.hpp"
 
 namespace {

@@ -9,7 +9,7 @@ daylight_v1::Said collide(const double a[9], const double b[9]);
 
 TEST_CASE("Daylight") {
   constexpr double tolerance = 0;           // that your library states
-  const std::vector<std::string> excluded;  // ids, each with a comment that says why
+  const std::vector<std::string> excluded;  // ids, each with a comment that gives the reason
   for (const DaylightVector& v : daylight_v1::vectors(excluded)) SUBCASE(v.id) {
       const std::string wrong = daylight_v1::wrong(v, collide(v.a, v.b), tolerance);
       CHECK_MESSAGE(wrong.empty(), std::string(v.id), ": ", wrong);

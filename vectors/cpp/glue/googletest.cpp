@@ -9,7 +9,7 @@ daylight_v1::Said collide(const double a[9], const double b[9]);
 namespace {
 
 constexpr double tolerance = 0;           // that your library states
-const std::vector<std::string> excluded;  // ids, each with a comment that says why
+const std::vector<std::string> excluded;  // ids, each with a comment that gives the reason
 
 class Vectors : public testing::TestWithParam<DaylightVector> {};
 
