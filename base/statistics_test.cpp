@@ -11,7 +11,7 @@ namespace cyl {
 namespace {
 
 TEST(RateBounds, NoFailureAndNothingElseHaveClosedForms) {
-  for (const std::uint64_t n : {1, 10, 400, 10000}) {
+  for (const std::uint64_t n : {1u, 10u, 400u, 10000u}) {
     const double rest = std::pow(0.025, 1 / static_cast<double>(n));
     EXPECT_EQ(rate_bounds(n, 0).lower, 0);
     EXPECT_NEAR(rate_bounds(n, 0).upper, 1 - rest, 1e-11);

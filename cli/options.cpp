@@ -152,9 +152,10 @@ Option Option::existing_folder() const { return Option(*option_->check(unnamed(C
 Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
 
 Option Command::option(const std::string& declared, Value value, const std::string& help) {
-  const auto [name, value_name] = split(declared);
+  const NameAndValue parts = split(declared);
   const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
-    CLI::Option* option = app_->add_option(name, bound.get(), help)->type_name(value_name)->group(section_);
+    CLI::Option* option =
+        app_->add_option(parts.name, bound.get(), help)->type_name(parts.value)->group(section_);
     if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, double>) option->capture_default_str();
     return Option(*option);
   };
@@ -166,15 +167,16 @@ Option Command::flag(const std::string& name, bool& value, const std::string& he
 
 Option Command::number(const std::string& declared, Integer value, const std::string& help,
                        std::uint64_t least, std::uint64_t most) {
-  const auto [name, value_name] = split(declared);
+  const NameAndValue parts = split(declared);
   const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
     std::uint64_t greatest = most;
     if constexpr (std::integral<T>) greatest = std::min<std::uint64_t>(most, std::numeric_limits<T>::max());
-    const auto set = [&target = bound.get(), name = name, least, greatest](const std::string& text) {
+    const auto set = [&target = bound.get(), name = parts.name, least, greatest](const std::string& text) {
       target = static_cast<T>(whole_number(text, name, least, greatest));
     };
-    CLI::Option* option =
-        app_->add_option_function<std::string>(name, set, help)->type_name(value_name)->group(section_);
+    CLI::Option* option = app_->add_option_function<std::string>(parts.name, set, help)
+                              ->type_name(parts.value)
+                              ->group(section_);
     if constexpr (std::integral<T>) option->default_str(std::to_string(bound.get()));
     return Option(*option);
   };

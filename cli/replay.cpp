@@ -105,7 +105,8 @@ class Replayer {
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
     std::vector<std::size_t> wrong_first(methods_.size());
     std::iota(wrong_first.begin(), wrong_first.end(), std::size_t{0});
-    std::ranges::stable_partition(wrong_first, [&](std::size_t m) { return now.findings[m].has_value(); });
+    std::stable_partition(wrong_first.begin(), wrong_first.end(),
+                          [&](std::size_t m) { return now.findings[m].has_value(); });
     for (const std::size_t m : wrong_first) {
       const bool wrong = now.findings[m].has_value();
       fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),

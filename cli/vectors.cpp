@@ -25,6 +25,7 @@
 #include "corpus/pairs/solid_kind.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/proofs.hpp"

@@ -58,8 +58,8 @@ TEST(Rounded, AClearanceCountsAsARounding) {
 }
 
 TEST(Rounded, WhatIsNoRoundingIsInvalid) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan(""),
-                   most = std::numeric_limits<double>::max();
+  constexpr double infinity = std::numeric_limits<double>::infinity(),
+                   nan = std::numeric_limits<double>::quiet_NaN(), most = std::numeric_limits<double>::max();
   const Cylinder unit{{0, 0, 0}, {0, 0, 1}, 1, 2};
   const auto defect = [&](double rounding, double radius = 1) {
     return find_defect({{0, 0, 0}, {0, 0, 1}, radius, 2, rounding});

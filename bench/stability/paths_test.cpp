@@ -46,7 +46,7 @@ TEST(Paths, AreAFunctionOfTheSeed) {
 }
 
 TEST(Paths, TheProvedVerdictFlipsAsOftenAsThePathSays) {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1u, 2u}) {
     for (const Path& path : make_paths(seed)) {
       std::size_t flips = 0;
       bool before = false;

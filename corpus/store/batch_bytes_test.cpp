@@ -14,7 +14,7 @@ namespace {
 TEST(BatchBytes, ComesBackAsItWent) {
   BatchRecord batch;
   batch.tallies = {{"m", "f", Counts{1, 2, 3, 4, 5, 6, ~0ull}}, {"n", "f", {}}};
-  batch.groups = {{"m", FindingKind::hang, Severity::contract, "f", 9, GroupRecord::no_binade}};
+  batch.groups = {{{"m", FindingKind::hang, Severity::contract, "f"}, 9, GroupRecord::no_binade}};
   FindingRecord f;
   f.index = ~0ull;
   f.family = "f";
@@ -77,7 +77,7 @@ TEST(BatchBytes, OneThatIsCutIsRefused) {
 
 TEST(BatchBytes, AWordThatIsNoKindIsRefused) {
   BatchRecord batch;
-  batch.groups = {{"m", FindingKind::hang, Severity::contract, "f", 9, 0}};
+  batch.groups = {{{"m", FindingKind::hang, Severity::contract, "f"}, 9, 0}};
   std::string bytes = format_batch(batch);
   bytes.replace(bytes.find("hang"), 4, "bang");
   EXPECT_THROW(parse_batch(bytes), std::runtime_error);

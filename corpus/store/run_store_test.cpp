@@ -77,7 +77,7 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
     f.margin = Enclosure{5e-324, std::numeric_limits<double>::infinity()};
     batch.findings = {f, finding_at(5, 0.5)};
     batch.findings[1].margin.reset();
-    batch.groups = {{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene", 2, -1}};
+    batch.groups = {{{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene"}, 2, -1}};
     batch.tallies = {{"fake", "scene", Counts{1, 2, 3, 4, 5, 6, 7}}};
     store.commit(batch, 12);
   }
@@ -105,7 +105,7 @@ TEST_F(Store, AWordThatNoVersionWroteIsRefusedWithTheFile) {
   RunStore store = RunStore::create(folder, {});
   BatchRecord batch;
   batch.next = 7;
-  batch.groups = {{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene", 2, -1}};
+  batch.groups = {{{"fake", FindingKind::wrong_disjoint, Severity::contract, "scene"}, 2, -1}};
   store.commit(batch, 0);
   SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE)
       .exec("UPDATE finding_group SET kind = 'odd'");

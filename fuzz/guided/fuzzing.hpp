@@ -15,9 +15,9 @@ namespace cyl {
 struct FuzzOptions {
   std::string program;  ///< that libFuzzer drives, linked with the mutator and the counters
   std::string target;   ///< its name, the source of findings: "fuzz_core"
-  /// The folder of the run. The run starts from its corpus/ and leaves the minimised corpus there.
-  /// findings.jsonl has one line of a case file for each finding. unfinished/ has all that a run makes until
-  /// its end. If a run is killed, the next one completes it first.
+  /// The folder of the run. The run starts from its corpus/ and leaves the minimised corpus there. Each
+  /// finding is a line of a case file in findings.jsonl. A run keeps all it makes in unfinished/ until its
+  /// end. If a run is killed, the next one completes it first.
   std::string out;
   std::chrono::milliseconds budget{0};  ///< wall time, merging excluded
   unsigned jobs = 2;                    ///< side by side

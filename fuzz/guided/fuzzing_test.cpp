@@ -178,7 +178,7 @@ TEST_F(Fuzzing, EndsWithItsTime) {
 }
 
 TEST_F(Fuzzing, WhatWasVisitedOutlivesTheProcess) {
-  const std::string file = folder / "visited";
+  const std::string file = folder / "mapped";
   EXPECT_EQ(read_visited(file).executions, 0u);
   keep_visited(file);
   visited().executions = 7;

@@ -73,7 +73,7 @@ TEST(Errata2017, NoneIsWrongOncePutRight) {
 TEST(LiteraturePrinted, TestsTheAxesByTheFormulasOfTheTextOf2017) {
   const literature::Options printed{
       .faults = literature::printed_2017, .literal = true, .touching_apart = true};
-  for (const std::uint64_t index : {34, 169}) {
+  for (const std::uint64_t index : {34u, 169u}) {
     const Pair pair = find_family("close_contacts_by_angle")->generate(1, index);
     EXPECT_EQ(separated_cylinders(literature::prepare_as_given(pair.a), literature::prepare_as_given(pair.b),
                                   Minimiser::conjugate_gradients, printed)

@@ -10,6 +10,7 @@
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/proofs.hpp"
+#include "reports/export/export_program.hpp"
 #include "reports/export/program_text.hpp"
 #include "solver/distance.hpp"
 

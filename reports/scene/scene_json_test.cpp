@@ -119,10 +119,10 @@ TEST(SceneJson, HoldsTheJointTree) {
       EXPECT_EQ(told.value("joint", ""), link.joint);
       EXPECT_EQ(told.contains("parent"), link.parent.has_value());
       if (link.parent) EXPECT_EQ(told["parent"], *link.parent);
-      for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(told["origin"]["center"][k], link.origin.translation()[k]);
-        for (int m = 0; m < 3; ++m) EXPECT_EQ(told["origin"]["axes"][m][k], link.origin.linear()(k, m));
-      }
+      const auto three = [](const auto& v) { return json({v(0), v(1), v(2)}); };
+      const auto& axes = link.origin.linear();
+      EXPECT_EQ(told["origin"]["center"], three(link.origin.translation()));
+      EXPECT_EQ(told["origin"]["axes"], json({three(axes.col(0)), three(axes.col(1)), three(axes.col(2))}));
       EXPECT_EQ(told.contains("axis"), link.motion != Motion::fixed);
       if (link.motion == Motion::fixed) continue;
       (link.motion == Motion::turn ? turns : slides) += 1;

@@ -6,6 +6,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/buckets.hpp"
+#include "reports/triage/group_findings.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/worst_pair.hpp"
 

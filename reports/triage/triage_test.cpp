@@ -88,7 +88,7 @@ struct Folder {
     batch.next = 1;
     for (FindingRecord& f : findings) {
       f.index = batch.groups.size();  // a store holds one pair per index
-      batch.groups.push_back({f.method, f.kind, f.severity, f.family, 1 + uncounted});
+      batch.groups.push_back({{f.method, f.kind, f.severity, f.family}, 1 + uncounted});
     }
     batch.findings = std::move(findings);
     store.commit(batch, 1);
@@ -213,9 +213,10 @@ void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std:
 }
 
 TEST(Buckets, GoneIsWhatAnswersRightToday) {
-  for (const auto& [today, status] :
+  for (const auto& [answer, status] :
        {std::pair(std::optional(false), Recurrence::gone), std::pair(std::optional(true), Recurrence::known),
         std::pair(std::optional<bool>(), Recurrence::gone)}) {
+    const std::optional<bool> today = answer;
     TriagedRun run = triaged("2", 0);
     compare_with_earlier(run, {triaged("1", 30)}, [&](const Bucket&) { return today; });
     ASSERT_EQ(run.buckets.size(), 1u);
@@ -416,8 +417,8 @@ TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
     records.findings.back().id = id;
     records.causes.push_back({id, id == 1 ? "rare" : "often", Mechanism::unclassified, ""});
   }
-  records.groups.push_back({"m", FindingKind::wrong_disjoint, Severity::contract, "f", 100});
-  records.groups.push_back({"m", FindingKind::wrong_disjoint, Severity::contract, "not kept", 7});
+  records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "f"}, 100});
+  records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "not kept"}, 7});
   const std::map<std::string, BucketCount> counts = count_by_bucket(records);
   EXPECT_EQ(counts.at("often").findings, 67u);
   EXPECT_EQ(counts.at("rare").most(), 33u);
