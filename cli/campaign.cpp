@@ -75,7 +75,7 @@ void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
   for (const auto& method : with_guests(guests).methods) {
     const Claim claim = method->claim();
-    fmt::print("  {:<26} {}; claims to be right from {} size + {} on ({})\n", method->name(),
+    fmt::print("  {:<26} {}; claims right answers above a margin of {} size + {} ({})\n", method->name(),
                method->version(), format_double(claim.relative), format_double(claim.absolute), claim.source);
   }
   fmt::print("families:\n");

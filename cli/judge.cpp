@@ -123,7 +123,7 @@ int judge_answers(const JudgeOptions& options) {
   }
   fmt::print("{}", format_tallies(tally_methods(judged.tallies())));
   const Claim& claim = judged.claim();
-  fmt::print("claim: right from {} size + {}\n", format_double(claim.relative),
+  fmt::print("claim: right answers above a margin of {} size + {}\n", format_double(claim.relative),
              format_double(claim.absolute));
   print_findings(judged, options);
   if (judged.lines_passed_over() > 0)

@@ -27,7 +27,7 @@ CORE = ('center', 'axis', 'radius', 'height', 'rounding')
 def claims(program):
     """{method: (relative, absolute)}, as `campaign --list` states them."""
     text = subprocess.run([program, 'campaign', '--list', *GUESTS], check=True, capture_output=True, text=True).stdout
-    stated = re.findall(r'^  (\S+) +.*?right from (\S+) size \+ (\S+) on', text, re.M)
+    stated = re.findall(r'^  (\S+) +.*?above a margin of (\S+) size \+ (\S+) ', text, re.M)
     return {name: (float(relative), float(absolute)) for name, relative, absolute in stated}
 
 

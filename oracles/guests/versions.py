@@ -164,7 +164,7 @@ class Local:
         new = [line for line in asked.stdout.splitlines() if line not in without]
         if len(new) != 1:
             raise Failure(f"'{version}' has {len(new)} methods: name one as NAME:METHOD=FILE", WRONG_USAGE)
-        method, relative, absolute = re.match(r' *(\S+) .* right from (\S+) size \+ (\S+) on', new[0]).groups()
+        method, relative, absolute = re.match(r' *(\S+) .* above a margin of (\S+) size \+ (\S+) ', new[0]).groups()
         hello = {'claim': {'relative': float(relative), 'absolute': float(absolute)}}
         said = subprocess.run([daylight, 'check', '--method', method, *self.options[version], '-'], check=False,
                               input=to_text(pairs), capture_output=True, text=True)

@@ -165,10 +165,12 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   const bool within = within_claim(p);
   if (claim.relative > 0)
     return fmt::format(
-        "\nThe claim is to be right from {} of the size plus a length of {} on ({}). This pair is {} it.\n",
+        "\nThe claim: answers are right above a margin of {} of the size plus a length of {} ({}). This pair "
+        "is {} "
+        "it.\n",
         format_double(claim.relative), format_double(claim.absolute), one_line(claim.source),
         within ? "below" : "above");
-  return fmt::format("\nThe tolerance that we found stated is a length of {} ({}). This pair is {} it.\n",
+  return fmt::format("\nThe stated tolerance is a length of {} ({}). This pair is {} it.\n",
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
 

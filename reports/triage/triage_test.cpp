@@ -384,7 +384,7 @@ TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
   b.margin = Enclosure{1e-9, std::numeric_limits<double>::infinity()};
   b.simplest = {apart(), {}, Json{{"pair", Json::parse(format_pair(apart()))}, {"margin", nullptr}}.dump()};
   const std::string text = format_buckets({b});
-  EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins 1.0e-09 to at least inf\n"),
+  EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins from 1.0e-09 up to inf or more\n"),
             std::string::npos)
       << text;
   EXPECT_EQ(to_json(b)["margin"], Json({1e-9, "inf"}));

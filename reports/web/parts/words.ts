@@ -41,7 +41,7 @@ export function range(of: [number, number] | null | undefined): string {
 export function leastRange(of: [number, number] | null | undefined) {
   if (!of) return "\u2013";
   const [low, high] = [short(of[0]), short(of[1])];
-  return low === high ? `at least ${low}` : `${low} to at least ${high}`;
+  return low === high ? `at least ${low}` : `${low} up to ${high} or more`;
 }
 
 export function seconds(s: number): string {

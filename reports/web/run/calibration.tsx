@@ -78,8 +78,8 @@ export function Calibration({ report }: { report: FullReport }) {
       id="calibration"
       title="Calibration"
       lead={
-        "The share of wrong answers as the margin shrinks. A method that claims to be right from some margin on " +
-        "must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
+        "The share of wrong answers as the margin shrinks. A method that claims to be right above some " +
+        "margin must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
       }>
       {families.length > 1 && (
         <p class="tools">

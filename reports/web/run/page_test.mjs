@@ -461,7 +461,7 @@ async function handlesACause(page, report) {
     expires: "2027-02-20",
   });
   assert.deepEqual(JSON.parse(await copied(page, "a line for daylight check")), noted.simplest.pair);
-  assert.match(await page.locator(".detail .right .facts").first().innerText(), /margins\s+\S+ to at least 0.01/i);
+  assert.match(await page.locator(".detail .right .facts").first().innerText(), /margins\s+\S+ up to 0.01 or more/i);
   await page.getByLabel("Owner", { exact: true }).fill("o'hara");
   await page.getByLabel("Note", { exact: true }).fill("two words");
   assert.equal(

@@ -46,10 +46,10 @@ const describePoint = (p: SpeedPoint) =>
       `pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
     p.digits === null
       ? "no digits known"
-      : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right from 1e\u2212${short(p.digits)} on`}` +
+      : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right above a margin of 1e\u2212${short(p.digits)}`}` +
         (p.digits_low === null
           ? "; too few answers to show it"
-          : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`),
+          : `; with 95 % confidence above 1e\u2212${short(p.digits_low)}`),
     `wrongly reported disjoint ${grouped(p.wrong_disjoint)}, intersecting ${grouped(p.wrong_intersecting)} of ` +
       `${grouped(p.asked)}`,
   ].join("\n");

@@ -23,7 +23,7 @@ export function formatClaim(claim: Claim): string {
   const parts = [];
   if (claim.relative !== 0) parts.push(`${short(claim.relative)} of the size`);
   if (claim.absolute !== 0) parts.push(`a length of ${short(claim.absolute)}`);
-  return parts.length === 0 ? "always right" : `right from ${parts.join(" plus ")} on`;
+  return parts.length === 0 ? "always right" : `right above a margin of ${parts.join(" plus ")}`;
 }
 
 export function formatCoordinate(x: Coordinate): string {
