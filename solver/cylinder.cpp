@@ -7,7 +7,7 @@
 namespace cyl {
 namespace {
 
-/// The word of a value; the last one for a number that is no value.
+/// Returns the word of a value, and the last word for a number that is not a value.
 // not covered within: the verdicts of methods are values
 template <typename E>
 const char* word(E value) noexcept {

@@ -9,8 +9,8 @@ namespace cyl {
 Prepared prepare(const Cylinder& c) noexcept {
   Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, false, false, c.rounding};
   if (p.defect != Defect::none) return p;
-  // By powers of two until the largest coordinate is in [1, 2), of the largest doubles in [2, 4), of
-  // subnormal ones in [2^-51, 1]: squares neither overflow nor vanish.
+  // Scales by powers of two. The largest coordinate comes to [1, 2), of the largest doubles to [2, 4), and
+  // of subnormal ones to [2^-51, 1]. So squares neither overflow nor vanish.
   const int exponent = exponent_of(max_abs(c.axis));
   const Vector3 w = c.axis * (exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent));
   // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.

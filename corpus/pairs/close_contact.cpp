@@ -113,8 +113,8 @@ Poise parallel_rims(RandomStream& r, double s) {
   return p;
 }
 
-// Rim on rim, axes at the angle s from a right one: both in one plane with the normal, or at the azimuth that
-// brings it about, of any tilts that have one.
+// Rim on rim. The axes differ from a right angle by an angle of sine s. Both axes lie in one plane with the
+// normal, or the azimuth gives this angle to any tilts for which it can.
 Poise square_rims(RandomStream& r, double s) {
   if (r.below(3) == 0) {
     const Turn tilt = extreme_turn(r, 12);
@@ -131,7 +131,8 @@ Poise square_rims(RandomStream& r, double s) {
   }
 }
 
-// Side on rim: the tilt's sine times the azimuth's cosine is s, whichever of them is the small one.
+// Side on rim: the sine of the tilt times the cosine of the azimuth is s. Either of them may be the small
+// one.
 Poise square_side_rim(RandomStream& r, double s) {
   for (;;) {
     const Turn first = extreme_turn(r, 12);
@@ -240,8 +241,8 @@ int decade_of(double margin) {
   return std::clamp(margin_decade(margin), first_close_decade, last_close_decade);
 }
 
-/// Radii and heights: moderate, over six decades, some exactly 0, some equal; or one rim small beside the
-/// other, or rods.
+/// Radii and heights are moderate, or over six decades, or some are exactly 0, or some are equal. Or one rim
+/// is small beside the other, or the solids are rods.
 void draw_lengths(RandomStream& s, CloseKind kind, Pair& p) {
   const std::array lengths{&p.a.radius, &p.a.height, &p.b.radius, &p.b.height};
   const std::size_t way = s.below(8);
@@ -271,7 +272,8 @@ Vector3 set_solid(RandomStream& s, Cylinder& solid, Part part, const Vector3& n,
   return along * solid.height / 2 * towards + across * solid.radius * radial;
 }
 
-// n, and e_a square to it: of the coordinate system one time in four, where parallel and square are exact.
+// Draws n, and e_a square to it. One time in four they are coordinate axes, so parallel and square are
+// exact.
 std::pair<Vector3, Vector3> draw_frame(RandomStream& s) {
   if (s.below(4) != 0) {
     const Vector3 n = s.unit_vector();
@@ -283,8 +285,9 @@ std::pair<Vector3, Vector3> draw_frame(RandomStream& s) {
   return {n, e};
 }
 
-// Why f(n) = -g: near_touching.cpp. It holds whatever the shapes; that no depth is more than -g, where g < 0,
-// too, for b moved by -g n only touches a. How much less it is the construction does not know.
+// near_touching.cpp has the reason for f(n) = -g, which holds for all shapes. If g < 0, no depth is more
+// than -g for all shapes too, because b moved by -g n only touches a. The depth may be less by an unknown
+// amount.
 CloseContact build(RandomStream& s, CloseKind kind, const CloseCell& cell, ContactFeature feature,
                    double angle, double margin) {
   CloseContact c{{}, cell, feature, {}, 0};
@@ -309,7 +312,7 @@ CloseContact build(RandomStream& s, CloseKind kind, const CloseCell& cell, Conta
   const Vector3 on_a = set_solid(s, a, first, n, e, p.tilt_a);
   const Vector3 on_b = set_solid(s, b, second, -n, other, p.tilt_b);
   if (angle == 0 && cell.lie == AxesLie::near_parallel) b.axis = s.sign() * a.axis;
-  // Half of the first solids stand at the origin, where the centres' difference is not rounded once more.
+  // Half of the first solids stand at the origin. There the centres' difference is not rounded once more.
   const double size = a.radius + a.height + b.radius + b.height;
   a.center = Vector3(0, 0, 0);
   if (s.coin())
@@ -343,7 +346,7 @@ CloseContact draw_by_angle(RandomStream& s, std::uint64_t index) {
                turn % 2 == 0 ? margin : -margin);
 }
 
-/// Of the streams, for ever.
+/// The names of the random streams. They never change.
 constexpr std::array names{"close_contacts", "close_contacts_by_angle", "close_rods", "close_rims"};
 
 }  // namespace

@@ -93,25 +93,25 @@ double contact_margin(ContactKind kind, std::uint64_t index) {
   return index % 2 == 0 ? margin : -margin;
 }
 
-// Why the distance is g: take p, a point of a where n.x is greatest, and q, a point of b where n.x is least,
-// and put the centres so that q = p + g n. Then f(n) = -g.
+// Why the distance is g: p is a point of a with the greatest n.x, and q is a point of b with the least n.x.
+// The centres are placed so that q = p + g n. Then f(n) = -g.
 //
 // Gap (g >= 0): p and q are points of the solids at distance g, and the slab between them is free.
 //
-// Penetration (g < 0): b moved by -g n touches a, so the depth is at most -g. It is no less if no direction m
-// does better: D(m) >= -g (1 - m.n) for the deficit D(m) = h_a(m) - m.p + h_b(-m) + m.q >= 0, where h is the
-// support function.
+// Penetration (g < 0): b moved by -g n touches a, so the depth is at most -g. It is exactly -g if no
+// direction m does better. This holds if D(m) >= -g (1 - m.n) for the deficit D(m) = h_a(m) - m.p + h_b(-m)
+// + m.q >= 0. Here h is the support function.
 //
-// Side or cap: where p lies on a side or inside a cap, a ball of radius R fits into a and touches at p, so
-// D(m) >= R (1 - m.n), and -g <= R is enough; likewise for b. A contact point keeps 0.4 of the half height
-// from the caps and 0.4 of the radius from the rim, so 0.1 <= R (needles: 5e-5) and -g <= 0.08 (4.1e-6).
+// Side or cap: if p lies on a side or inside a cap, a ball of radius R fits into a and touches at p. So D(m)
+// >= R (1 - m.n), and -g <= R is enough. The same holds for b. A contact point keeps 0.4 of the half height
+// from the caps and 0.4 of the radius from the rim. So 0.1 <= R (needles: 5e-5), and -g <= 0.08 (4.1e-6).
 //
-// Rim to rim: with u the outward radial direction at p, w the axis towards that cap and v = w x u, the
-// deficit of each solid is r (|m - (m.w) w| - m.u) + h (|m.w| - m.w) / 2. That is at least r (m.v)^2 / 2,
-// plus 2r |m.u| or h |m.w| where these are negative. n is orthogonal to both v's, and |cos| of their angle is
-// at most 0.6, so D(m) >= A (1 - (m.n)^2) with A = 0.2 min(r), plus B |m.n| with B = 1.4 min(2r, h) where m.n
-// < 0. That is concave in |m.n|, so -g <= A and -2g <= B are enough: 0.08 <= 0.1 <= A and 0.16 <= 0.7 <= B
-// (disks: 8.2e-6 <= 7e-5 <= B).
+// Rim to rim: u is the outward radial direction at p, w the axis towards that cap, and v = w x u. The
+// deficit of each solid is r (|m - (m.w) w| - m.u) + h (|m.w| - m.w) / 2. That is at least r (m.v)^2 / 2. If
+// m.u or m.w is negative, 2r |m.u| or h |m.w| is added to the bound. n is orthogonal to both v's, and |cos|
+// of their angle is at most 0.6. So D(m) >= A (1 - (m.n)^2) with A = 0.2 min(r). If m.n < 0, B |m.n| is
+// added, with B = 1.4 min(2r, h). The bound is concave in |m.n|, so -g <= A and -2g <= B are enough. Both
+// hold, because 0.08 <= 0.1 <= A and 0.16 <= 0.7 <= B (disks: 8.2e-6 <= 7e-5 <= B).
 Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin) {
   Contact c;
   c.normal = stream.unit_vector();
@@ -131,7 +131,7 @@ Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin) {
 
   const double size = a.solid.radius + a.solid.height + b.solid.radius + b.solid.height;
   c.distance = margin * size;
-  // Half of the first solids stand at the origin, where the centres' difference is not rounded once more.
+  // Half of the first solids stand at the origin. There the centres' difference is not rounded once more.
   a.solid.center = Vector3(0, 0, 0);
   if (stream.coin())
     for (int i = 0; i < 3; ++i) a.solid.center[i] = stream.between(-1, 1);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Where the numbers of a field are among those of a cylinder.
+/// The place of a field's numbers among those of a cylinder.
 struct Field {
   std::string_view name;
   std::size_t first, count;
@@ -49,8 +49,8 @@ std::string shorten(std::string_view text) {
   return std::string(text.substr(0, end)) + "...";
 }
 
-// What remains of two different words once their common beginning and end are taken off: at most one letter
-// each (one changed, added or lost), or two letters swapped.
+// Removes the common beginning and end of two different words. Returns whether at most one letter of each
+// remains (one changed, added or lost), or two letters swapped.
 bool one_edit_apart(std::string_view x, std::string_view y) {
   while (!x.empty() && !y.empty() && x.front() == y.front()) x.remove_prefix(1), y.remove_prefix(1);
   while (!x.empty() && !y.empty() && x.back() == y.back()) x.remove_suffix(1), y.remove_suffix(1);
@@ -196,7 +196,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return false;
   }
 
-  /// What belongs where the parser is.
+  /// The kind of value that belongs at the place of the parser.
   Wanted wanted() const {
     if (skipped_ > 0) return Wanted::anything;
     if (depth_ == outside) return Wanted::object;
@@ -244,7 +244,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   Cylinder& cylinder() { return key_ == "a" ? value.pair.a : value.pair.b; }
 
-  /// `text`: its digits, where it has a point or an exponent.
+  /// `text` has the number's digits if it has a point or an exponent.
   bool number(double x, std::string_view text = {}) {
     begin_token();
     token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
@@ -270,10 +270,10 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::string_view text_;
   std::size_t line_;
   const std::size_t& taken_;
-  std::size_t start_ = 0;      // where the token of this event begins
-  std::size_t token_end_ = 0;  // where it ends
+  std::size_t start_ = 0;      // the beginning of the token of this event
+  std::size_t token_end_ = 0;  // its end
   int depth_ = outside;
-  std::size_t skipped_ = 0;  // open containers of which nothing is wanted
+  std::size_t skipped_ = 0;  // open containers with no wanted field
   std::string key_;          // the last key of the line itself
   std::set<std::string, std::less<>> keys_seen_;
   std::size_t field_ = 0;  // index into cylinder_fields

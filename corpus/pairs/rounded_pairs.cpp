@@ -54,8 +54,8 @@ Pair draw_anywhere(SolidKind a, SolidKind b, RandomStream& s) {
 // How far from the middle of a side, cap or segment a contact may lie, as a part of the way to its end.
 constexpr double inside_part = 0.6;
 
-/// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim or, of a
-/// segment, inside it or at its end; returns the contact from the centre.
+/// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim. A
+/// segment is touched inside it or at its end. Returns the contact from the centre.
 Vector3 touch_plane(Cylinder& c, const Vector3& n, RandomStream& s) {
   const Vector3 v = s.perpendicular(n), third = n.cross(v);
   const double half = c.height / 2;

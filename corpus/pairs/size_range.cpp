@@ -14,7 +14,7 @@ struct Lengths {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
 };
 
-/// Of those that are not 0.
+/// Returns the least and the greatest of the lengths that are not 0.
 Lengths lengths_of(const Cylinder& c) {
   Lengths lengths;
   for (const double x : {c.radius, c.height, c.rounding}) {

@@ -18,7 +18,7 @@ using enum ContactFeature;
 /// slender solids.
 constexpr int penetration_decade = 2, slender_penetration_decade = 6;
 
-/// Those with the slender kinds last; one of them is taken by turns.
+/// Returns the kinds of a feature. Slender kinds come last, and one of them is taken by turns.
 std::span<const ContactKind> kinds_of(ContactFeature feature) {
   static constexpr std::array sides{ContactKind::side_side, ContactKind::parallel_sides,
                                     ContactKind::needle_needle};
@@ -50,12 +50,12 @@ bool is_slender(ContactKind kind) {
   return kind == ContactKind::needle_needle || kind == ContactKind::disk_disk;
 }
 
-// The inner solid reaches from depth g below a point p of the outer one's side or cap up to no more than g/2
-// below: to half a length of g about, against a surface that in that range falls off by less than g/8. So it
+// p is a point of the outer solid's side or cap. The inner solid reaches from depth g below p to at most g/2
+// below, and is at most g/2 wide. In that range the surface falls off by less than g/8. So the inner solid
 // lies inside. Its depth is g by the argument of near_touching.cpp: moved by g along the normal it only
-// touches, and a ball of radius R >= g in the outer solid touches at p, so that no direction does better. At
-// p, at most 0.3 of the way to the border, R >= min(r, 0.35 h) >= 0.175, and g <= 0.1 size is kept below
-// 0.9 of that.
+// touches. A ball of radius R >= g in the outer solid touches at p, so no direction does better. The point p
+// is at most 0.3 of the way to the border, so R >= min(r, 0.35 h) >= 0.175. g <= 0.1 size is kept below 0.9
+// of that.
 Pair draw_containment(RandomStream& s, double margin) {
   constexpr double middle_part = 0.3, ball_part = 0.9;
   Cylinder outer, inner;
@@ -113,7 +113,7 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
   if (feature == containment && decade == last_decade) return {};
   const auto cell = static_cast<std::uint64_t>(decade);
   RandomStream s(to_string(feature), seed, index * (last_decade + 1) + cell);
-  // Off the ends of the decade, where rounding would leave it; the lower end is not in it.
+  // Keeps off the ends of the decade, or rounding might leave it. The lower end is not in the decade.
   const double margin = tenths[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
   if (feature == containment) return draw_containment(s, margin);
   const bool penetrates = index % 2 == 1 && decade >= penetration_decade;

@@ -26,7 +26,8 @@ void append(std::string& s, const ExactVector& v) {
   s += ']';
 }
 
-/// The members of the certificate's object, without braces, each after a comma; nothing where there is none.
+/// Appends the members of the certificate's object without braces, each after a comma. Nothing if it has
+/// none.
 void append(std::string& s, const Certificate& c) {
   if (c.kind == CertificateKind::none) return;
   const bool is_near = c.kind == CertificateKind::near || c.kind == CertificateKind::near_points;

@@ -52,7 +52,7 @@ struct ConfigEntry {
   static auto columns(auto& e) { return std::tie(e.key, e.value); }
 };
 
-/// Adds the counts of a batch to those that are stored.
+/// Adds the counts of a batch to the stored counts.
 void add_cells(SqliteFile& file, const std::vector<CellRecord>& cells) {
   Query stored = file.query("SELECT * FROM cell WHERE plane=? AND x=? AND y=?");
   Query replace = file.insertion<CellRecord>("INSERT OR REPLACE");

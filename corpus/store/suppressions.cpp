@@ -30,7 +30,7 @@ constexpr std::array<std::pair<const char*, std::string Suppression::*>, 5> fiel
                               why);
 }
 
-/// Where the value of a key begins in the text, or the key itself, or 0.
+/// Returns the place in the text of a key's value, or of the key itself, or 0.
 std::size_t place_of(const std::string& text, const std::string& key) {
   const std::size_t at = text.find(Json(key).dump());
   if (at == text.npos) return 0;

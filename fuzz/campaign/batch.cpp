@@ -34,7 +34,7 @@ std::uint64_t nanoseconds_since(Clock::time_point start) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
 }
 
-/// The answers of those that were asked, in the form of FindingRecord::answers.
+/// Returns the answers of the methods that were asked, in the form of FindingRecord::answers.
 template <class Asked>
 std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
                          std::span<const MethodAnswer> answers, Asked asked) {
@@ -55,8 +55,8 @@ std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
   return '[' + text + ']';
 }
 
-/// A method that hangs on three pairs of a batch, a second and more each, is not asked about the rest of it.
-/// Those count as declined.
+/// A method that hangs on three pairs of a batch, a second and more each, is not asked about the rest of the
+/// batch. The remaining pairs count as declined.
 constexpr Caps batch_caps{.hangs = 3};
 
 /// Indices of a batch of our methods alone that are worked on together: so few that the answers stay in the
@@ -88,7 +88,7 @@ class Batch {
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       if (!in_dispute(p)) continue;
-      // What the costly ones said may prove what nobody could prove before.
+      // The answers of the costly methods may prove a pair that was undecided before.
       if (trials_[p].truth.verdict == Verdict::undecided) judge_once(p);
       compare_all(p);
     }
@@ -122,7 +122,8 @@ class Batch {
   std::size_t share_of_cells(std::size_t p) const {
     return !foreign_ ? own_cell_share : index_of(p) < every_cell_until ? 1 : cell_share;
   }
-  /// Asked whatever others say of the pair.
+  /// Returns whether the pair is drawn for this method, for which the answers of other methods do not
+  /// matter.
   bool on_share(std::size_t m, std::size_t p) const {
     return cyl::on_share(workload_.methods[m]->share(), seed_, index_of(p));
   }
@@ -193,7 +194,7 @@ class Batch {
     }
     if (questions.empty()) return;
     const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
-    // Those of a block that were not answered are taken to need what the others did.
+    // The pairs of a block that were not answered count as costly as the answered ones.
     struct Block {
       double time = 0;
       std::size_t answered = 0, all = 0;
@@ -242,7 +243,7 @@ class Batch {
     return false;
   }
 
-  /// What the lines of cases state is held to the proof like an answer of a method that claims to be always
+  /// Compares the statement of a case with the proof, as an answer of a method that claims to be always
   /// right.
   void compare_statement(std::size_t p) {
     const auto& stated = workload_.cases[index_of(p)].truth;
@@ -355,7 +356,7 @@ class Batch {
     record.kind = finding.kind;
     record.severity = finding.severity;
     record.margin = finding.margin;
-    // Both count it. What the job has kept of earlier batches makes most findings of a later batch needless
+    // Both count it. The job's findings of earlier batches make most findings of a later batch needless
     // (representatives.cpp has the proof).
     const bool of_batch = kept_.admit(record), of_job = kept_before_.admit(record);
     if (!of_batch || !of_job) return;
@@ -395,7 +396,7 @@ class Batch {
   const Schedule schedule_;
   const bool foreign_;  ///< some of the methods are
 
-  // Of the stretch; the answers of one pair lie together, as the referee takes them.
+  // These belong to the stretch. The answers to one pair lie together, as the referee takes them.
   std::uint64_t first_ = 0;
   std::vector<std::vector<std::size_t>> by_family_;
   std::vector<Pair> pairs_;
@@ -405,7 +406,8 @@ class Batch {
   std::vector<Trial> trials_;           ///< whose answers and findings are those above
   std::vector<std::uint64_t> judging_;  ///< nanoseconds
 
-  // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
+  // These belong to the batch. The counts have a row for each method, the corpus and the referee, and a
+  // column for each family.
   std::vector<Counts> counts_;
   Representatives kept_;
   std::vector<FindingRecord> findings_;

@@ -30,12 +30,12 @@ using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// How long to sleep where no batch has anything to say: progress stays lively, the processor free.
+/// Time to sleep if no batch reports anything. It is short for progress, and long enough to cost no CPU.
 constexpr milliseconds poll_time{100};
 /// Batches launched but not yet stored, per job: enough that one slow batch does not idle the rest.
 constexpr std::size_t window_per_job = 8;
 
-/// A changed corpus is no attack.
+/// Detects a changed corpus. It need not withstand an attack.
 std::string fingerprint(std::span<const Case> cases) {
   std::uint64_t hash = fnv1a({});
   for (const Case& c : cases) hash = fnv1a(format_case(c) + '\n', hash);
@@ -70,7 +70,7 @@ void refuse(const CampaignOptions& options, const std::string& what) {
 
 /// The budget is that of all sessions: what those before `spent`, and that of this one.
 Config limits(const CampaignOptions& options, milliseconds spent) {
-  // What a resumed run has left of its budget may be less than nothing, but it had one: at least 1 ms.
+  // A resumed run may have less than nothing left, but it had a budget. So it gets at least 1 ms.
   const milliseconds all = std::max(spent + options.budget, milliseconds(1));
   const milliseconds budget = options.budget.count() == 0 ? options.budget : all;
   return {{"pairs", std::to_string(options.pairs)},
@@ -134,7 +134,8 @@ nanoseconds cpu_time_so_far() {
   return sum;
 }
 
-/// What the calls took that a store counts; the rest of a session's time is known at its end alone.
+/// Returns the time of the calls, which a store counts. The rest of a session's time is known only at its
+/// end.
 CampaignCost cost_of_calls(const std::vector<TallyRecord>& tallies) {
   CampaignCost cost;
   for (const TallyRecord& tally : tallies) {
@@ -200,7 +201,7 @@ class Search {
   const std::function<void()> report_;
 };
 
-/// The work on a run from where its store stands to a limit, a signal or a death.
+/// The work on a run from the state of its store to a limit, a signal or a death.
 class Session {
  public:
   Session(const CampaignOptions& options, const Workload& workload, RunStore& store,

@@ -19,14 +19,14 @@
 namespace cyl {
 namespace {
 
-/// Where the referee is stopped: a tie of 4096 bits takes as long as the climb.
+/// The referee's cap. A tie at 4096 bits takes as long as the whole climb.
 constexpr int climb_bits_cap = 256;
-/// Sizes of the pairs; what is smaller or larger is no worse.
+/// Sizes of the pairs. Pairs beyond them are not harder.
 constexpr double least_size = 1e-6, most_size = 1e6;
 /// The shortest length that is not 0, over the size.
 constexpr double least_part = 1e-9;
 
-/// Of either sign, by decades from 1 to 1e-17.
+/// Returns a number of either sign, by decades from 1 to 1e-17.
 double tenth(RandomStream& s) {
   const double sign = s.sign(), decade = s.pick(std::span(tenths).first<17>());
   return sign * decade * s.between(0.1, 1);
@@ -63,7 +63,8 @@ void step_number(Pair& p, RandomStream& s) {
   x = std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
 }
 
-// By the solver's own distance, whatever that is worth: to a margin near the one there was, or to any.
+// Uses the solver's own distance, right or wrong. Brings the pair to a margin near the earlier one, or to
+// any.
 void bring_to_margin(Pair& p, double margin, RandomStream& s) {
   const bool anew = s.below(4) == 0, other_side = s.below(4) == 0;
   double wanted = anew ? tenth(s) : margin * s.between(0.3, 3);
@@ -97,7 +98,7 @@ Pair drawn_start(RandomStream& s, std::uint64_t index) {
   return draw_close_contact(kind, s, number).pair;
 }
 
-/// Of a climb all pairs, in their order.
+/// Returns all pairs of a climb, in their order.
 std::vector<Pair> climb(std::uint64_t seed, std::uint64_t number) {
   RandomStream s("climbed", seed, number);
   const ClimbGoal& goal = goal_of_climb(number);
@@ -114,7 +115,7 @@ std::vector<Pair> climb(std::uint64_t seed, std::uint64_t number) {
   return pairs;
 }
 
-// Those who ask go through the indices in order: the last climb is kept.
+// Callers go through the indices in order, so the last climb is kept.
 Pair climbed(std::uint64_t seed, std::uint64_t index) {
   struct Last {
     std::uint64_t seed, number;

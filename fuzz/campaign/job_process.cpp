@@ -17,7 +17,8 @@ namespace {
 
 using Range = std::array<std::uint64_t, 2>;
 
-/// Empty: no more batches. (The end of the pipe does not say so: later jobs hold it open.)
+/// Means that there are no more batches. The end of the pipe does not show it, because later jobs hold it
+/// open.
 constexpr Range no_more{0, 0};
 
 // Each batch follows its size.

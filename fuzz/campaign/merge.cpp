@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the findings are a function of, and who found them.
+/// The settings that determine the findings, and the methods that made them.
 constexpr const char* agreed[] = {"seed", "families", "weights", "case_count", "case_fingerprint", "build"};
 
 struct Part {
@@ -103,7 +103,7 @@ BatchRecord together(const std::vector<Part>& parts) {
   return all;
 }
 
-/// Returns the shards in their order. Throws UsageError where they do not belong together.
+/// Returns the shards in their order. Throws UsageError if they do not belong together.
 std::vector<Part> read_parts(const std::vector<std::string>& runs) {
   std::vector<Part> parts;
   for (const std::string& run : runs) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// What the source of a question begins with; a seed, a colon, a blank and FAMILY/INDEX follow.
+/// The source of a question begins with this. A seed, a colon, a blank and FAMILY/INDEX follow.
 constexpr std::string_view asked_by = "daylight ask --seed ";
 /// The family of pairs that no campaign drew.
 constexpr const char* given_family = "given";
@@ -42,7 +42,7 @@ std::uint32_t index_in(std::vector<std::string>& names, const std::string& name)
   return static_cast<std::uint32_t>(at);
 }
 
-/// Returns the id that a line of an answer has: a string or a whole number; nothing where it has none.
+/// Returns the id of an answer, which is a string or a whole number, or nothing if the line has none.
 std::optional<std::string> id_of(const nlohmann::json& line) {
   const auto found = line.find("id");
   if (found == line.end()) return {};
@@ -51,7 +51,7 @@ std::optional<std::string> id_of(const nlohmann::json& line) {
   return {};
 }
 
-/// Without "line 3, " where it stands: the line is told beside it.
+/// Removes "line 3, " from the text, because the message names the line itself.
 std::string without_line(const std::string& error) {
   const auto comma = error.find(", ");
   return error.starts_with("line ") && comma != error.npos ? error.substr(comma + 2) : error;
@@ -98,8 +98,7 @@ bool LineReader::next() {
   return false;
 }
 
-// Seeking throws away what was read ahead: where answers come in the order of their questions it is not
-// needed.
+// Seeking discards the bytes read ahead. If answers come in the order of their questions, it is not needed.
 bool LineReader::seek(std::uint64_t place, std::size_t line) {
   if (place != next_ || !in_.good()) {
     in_.clear();
@@ -200,7 +199,7 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   const std::optional<std::string> id = id_of(object);
   const MethodAnswer answer =
       said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
-  if (!questions_) {  // a whole number for an id is no fault here
+  if (!questions_) {  // a whole number as an id is legal here
     if (id) object["id"] = *id;
     const CaseLine own = parse_case(id ? object.dump() : std::string(text), line);
     if (!own.value) return skip(file, line, without_line(own.error));

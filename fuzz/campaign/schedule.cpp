@@ -33,7 +33,7 @@ Schedule::Schedule(std::vector<unsigned> weights) : weights_(std::move(weights))
 std::vector<unsigned> weights_from(const std::string& folder, std::span<const Family> families) {
   std::vector<std::string> runs;
   if (!holds_run(folder)) runs = runs_in(folder);
-  if (runs.empty()) runs.push_back(folder);  // where that holds none, opening it says so
+  if (runs.empty()) runs.push_back(folder);  // if this folder holds no run, opening it reports so
   std::map<std::string, std::set<std::pair<std::string, FindingKind>>> found;
   for (const std::string& run : runs) {
     for (const GroupRecord& g : RunStore::open(run).groups()) {

@@ -17,7 +17,7 @@
 namespace cyl {
 namespace {
 
-/// Those beyond it lie where no run comes.
+/// No run reaches starts beyond this number.
 constexpr unsigned starts_cap = 48;
 
 /// A permutation that is a pure function of seed and faults.
@@ -74,7 +74,7 @@ bool SelfChecks::advance(std::uint64_t next) {
   return false;
 }
 
-// A worker is told of drawn pairs alone: without the cases index i is what i + their number is with them.
+// A worker has drawn pairs alone. Its index i is i + the number of cases in a run with cases.
 void SelfChecks::launch() {
   const KnownFault& fault = order_[next_];
   const std::uint64_t start = at_.start;

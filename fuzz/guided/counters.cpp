@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Binary exponents of margins that are told apart: from 2^0 down.
+/// Binary exponents of margins that have their own counters, from 2^0 down.
 constexpr std::size_t exponent_count = 64;
 constexpr std::size_t iteration_count = 64;
 constexpr std::size_t method_count = 64;
@@ -29,7 +29,7 @@ struct Counters {
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
-// Not static, or a compiler drops what nobody reads. DAYLIGHT_FUZZ_PLAIN: the engine is not to see them.
+// Not static, or a compiler drops them as unused. With DAYLIGHT_FUZZ_PLAIN, the engine does not see them.
 #ifndef DAYLIGHT_FUZZ_PLAIN
 __attribute__((section("__libfuzzer_extra_counters")))
 #endif

@@ -11,8 +11,8 @@
 namespace cyl {
 namespace {
 
-/// As the shares of fuzz_judge.hpp: a witness that is not the truth's own, looked at in the referee's widest
-/// arithmetic where double does not prove it. 0.1 ms.
+/// Like the shares of fuzz_judge.hpp. A witness other than the truth's own is checked in the referee's
+/// widest arithmetic if double does not prove it. This takes 0.1 ms.
 constexpr std::size_t witness_share = 16;
 
 std::string_view text(const Record& record) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Foreign libraries against the referee, in this process: an invalid access is the sanitizer's to report. An
-// abort and a call without end are findings, from which the target comes back by a jump out of the library;
-// what that leaks or leaves half done is the price of going on.
+// Compares foreign libraries with the referee, in this process. The sanitizer reports an invalid access. An
+// abort and a call without end are findings. The target returns from them by a jump out of the library. So
+// the library may leak memory and leave data half changed.
 #include <setjmp.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -34,7 +34,7 @@ extern "C" void jump_back(int signal) {
     asking = 0;
     siglongjmp(back, signal);
   }
-  // Not a library's: the engine's, or nobody's. A late timer is passed over.
+  // Not the signal of a library, but of the engine, or a stray one. A late timer is ignored.
   if (signal == SIGABRT) {
     sigaction(SIGABRT, &engines_abort, nullptr);
     raise(SIGABRT);

@@ -38,7 +38,7 @@ using std::chrono::seconds;
 
 constexpr milliseconds poll_time{100};
 constexpr seconds look_interval{1};
-/// Of one input, which takes a millisecond.
+/// Time for one input, which takes about a millisecond.
 constexpr seconds input_cap{25};
 constexpr seconds merge_cap{600};
 /// Deaths of jobs without an input that explains one, before the harness fails.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Makes what a fuzzing engine starts from:   make_records CASES FOLDER
-// Into FOLDER goes a record of every case of the case files in CASES and of the first pairs of every family;
-// FOLDER.dict gets the numbers that occur in several cases, as the eight bytes they have in a record.
+// make_records CASES FOLDER makes the first inputs of a fuzzing engine. FOLDER gets a record of every case
+// of the case files in CASES, and of the first pairs of every family. FOLDER.dict gets the numbers that
+// occur in several cases, as the eight bytes they have in a record.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Each family has a gap and a penetration where indices tell these apart.
+/// A gap and a penetration of each family whose indices alternate between them.
 constexpr std::uint64_t pairs_of_a_family = 2;
 constexpr std::uint64_t seed = 1;
 /// Cases with a number, from which on it goes into the dictionary.

@@ -44,8 +44,8 @@ void turn_to_perpendicular(Pair& p, RandomStream& s) {
   c.axis = s.coin() ? Vector3(aside + tilt * w) : aside;
 }
 
-// The distance is that of a plane where apart and a bound where overlapping: two slides reach it where one
-// does not.
+// The distance is that of a plane if the solids are apart, and a bound if they overlap. So one slide may not
+// reach it, and two do.
 void touch(Pair& p) {
   for (int i = 0; i < 2; ++i) {
     const Distance d = distance(p.a, p.b);

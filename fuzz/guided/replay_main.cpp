@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In place of a fuzzing engine: runs a target once on each file named, or in a folder named. Exits with 1
-// where one cannot be read, where the target rejects one, and where there are none; aborts at a finding.
+// Replaces a fuzzing engine: runs a target once on each named file and on each file of a named folder. Exits
+// with 1 if a file cannot be read, if the target rejects one, or if there are none. Aborts at a finding.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -13,9 +13,9 @@
 namespace cyl {
 namespace {
 
-/// The coordinates: decades of the whole and of each length, a rotation vector of the whole, how far b is
-/// moved (in sizes: along a's axis, aside, square to both), decades of the distance, of the angle of the
-/// axes, and b's azimuth about a's axis.
+/// The coordinates are the decades of the whole and of each length, and a rotation vector of the whole. Then
+/// come the displacement of b in sizes (along a's axis, aside, square to both) and the decades of the
+/// distance. The last are the decades of the angle between the axes, and the azimuth of b about a's axis.
 enum : std::size_t {
   scale,
   lengths,
@@ -28,7 +28,7 @@ enum : std::size_t {
 static_assert(azimuth + 1 == PairChart::dimensions);
 
 constexpr double pi = 3.14159265358979323846;
-/// Decades from 45 degrees at which an angle is taken to be exactly 0: below what doubles tell apart.
+/// Decades from 45 degrees at which an angle is taken to be exactly 0. Doubles do not resolve such an angle.
 constexpr double exact_decades = 15.5, most_decades = 16;
 /// Decades by which lengths may change; sizes, by which b may move.
 constexpr double length_reach = 3, move_reach = 1;
@@ -43,7 +43,7 @@ void scale_lengths(Pair& p, double factor) {
   p.b.center *= factor;
 }
 
-/// A point of `from`, as an offset from its centre, where it comes to in `to`: the axis is that of `from`.
+/// Maps a point of `from`, an offset from its centre, to `to`. The axis is that of `from`.
 Vector3 stretched(const Cylinder& from, const Cylinder& to, const Vector3& point) {
   const Vector3 axis = unit_axis(from.axis), along = axis.dot(point) * axis;
   const auto ratio = [](double x, double y) { return x > 0 ? y / x : 1; };
@@ -115,8 +115,8 @@ PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, c
   set(azimuth, -pi, pi, 0.25);
 }
 
-// The angle of the axes is 45 degrees times 10^decades from parallel where decades < 0, times 10^-decades
-// from perpendicular where they are more.
+// The angle between the axes is 45 degrees times 10^decades from parallel if decades < 0. Otherwise it is 45
+// degrees times 10^-decades from perpendicular.
 Vector3 PairChart::turned_axis(double decades, double by) const {
   const Vector3 towards = std::cos(by) * aside_ + std::sin(by) * a_.cross(aside_);
   if (feature_ == ContactFeature::cap_cap || decades <= -exact_decades) return sign_ * a_;

@@ -25,7 +25,7 @@ constexpr int parts = 16, cuts = 2;
 /// A search ends after so many crashes, or hangs of a second each: it has found its worst.
 constexpr unsigned crash_cap = 64, hang_cap = 3;
 
-/// Calls of which the least time counts, unless they have taken too long already.
+/// A call is timed this often, and its least time counts. Calls that take too long are timed less often.
 constexpr int timed_calls = 3;
 constexpr double repeat_ns_cap = 1e8;
 constexpr int clock_looks = 8;
@@ -71,7 +71,7 @@ class Timed final : public Method {
   double (*clock_)();
 };
 
-/// Two slides touch where one does not quite.
+/// One slide may not quite touch, so there are two.
 std::optional<Ray> ray_of(const Pair& pair) {
   Ray ray{pair, {0, 0, 0}, size_of(pair)};
   for (int i = 0; i < 2; ++i) {

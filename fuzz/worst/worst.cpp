@@ -26,12 +26,12 @@ using Clock = std::chrono::steady_clock;
 constexpr int walk_cap = 250;
 /// Changes in a coordinate below which a walk is over.
 constexpr double walk_step_tol = 1e-5;
-/// Mutations of the worst pair of which the worst is walked from.
+/// Mutations of the worst pair. The next walk may start from the worst of them.
 constexpr int mutations = 12;
 /// Part of the budget that looking at the starts may take.
 constexpr double starts_part = 0.25;
 
-/// Walks from the starts, told how bad the method is on each shape.
+/// Walks from the starts by the failure measured on each shape.
 class ShapeSearch {
  public:
   ShapeSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
@@ -59,7 +59,7 @@ class ShapeSearch {
            evaluator_.broken();
   }
 
-  /// Those that have the features sought as they stand go first.
+  /// Starts that already have the wanted features go first.
   void evaluate_starts(std::span<const Pair> starts) {
     for (const bool of_it : {true, false}) {
       for (const Pair& start : starts) {
@@ -85,8 +85,8 @@ class ShapeSearch {
     if (found.value > nothing_wrong) candidates_.push_back(found);
   }
 
-  /// Returns where the next walk begins: at the worst, at the next of the starts, at the worst of some
-  /// mutations of the worst.
+  /// Returns the start of the next walk: the worst pair, the next of the starts, or the worst of some
+  /// mutations of the worst pair.
   Pair next_start(std::size_t round, RandomStream& stream) {
     const Pair& worst =
         evaluator_.best().value > nothing_wrong ? evaluator_.best().pair : candidates_.front().pair;
@@ -102,8 +102,8 @@ class ShapeSearch {
     return kept.pair;
   }
 
-  // NLopt's status codes say nothing that counts: what was found was noted on the way. The sizes of the first
-  // steps are drawn, or two walks from one place would be the same.
+  // NLopt's status codes do not matter, because finds are noted on the way. The sizes of the first steps are
+  // drawn, or two walks from one place would be the same.
   void walk(const Pair& from, RandomStream& stream) {
     Walk w{*this, PairChart(from, sought_.feature, options_.domain), nullptr, nullptr};
     w.optimizer = nlopt_create(NLOPT_LN_SBPLX, PairChart::dimensions);

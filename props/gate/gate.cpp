@@ -138,8 +138,8 @@ class Gate {
 
   bool out_of_time() const { return cyl::out_of_time(options_); }
 
-  /// Returns whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is
-  /// left of it is not asked, and that is said.
+  /// Returns whether a phase that has `done` of its rounds or cases goes on. If the time is over, the rest
+  /// is not asked, and the report states it.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due || has_failed()) return false;
     const bool is_first = done == 0 && report_.phases.size() == 1;  // some are always asked
@@ -160,7 +160,7 @@ class Gate {
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
-  /// Adds a break to those of the same law and bucket. Returns the failure that it is the first of, if it is.
+  /// Adds a break to the breaks of the same law and bucket. Returns a failure if this is its first break.
   GateFailure* record(std::size_t method, const Law& law, const Violation& violation, const Pair& pair,
                       const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = violation_kind(law, violation);
@@ -329,7 +329,7 @@ class Gate {
     std::vector<GateFailure*> in_order, duplicates;
     for (GateFailure& failure : report_.failures) {
       if (!is_error(failure)) continue;
-      // One crash is one way to fail, whatever law meets it.
+      // One crash is one way to fail, under any law.
       const bool is_new =
           failure.failed
               ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
@@ -361,7 +361,7 @@ class Gate {
       failure.simplest = failure.found;
       return;
     }
-    // What meets stays: else all becomes a matter of points.
+    // Keeps the feature in contact. Otherwise every failure would shrink to points.
     const auto feature = contact_feature(failure.found);
     Asker asker = new_asker(failure);  // for all questions: to start a worker costs more than to ask 32 pairs
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
@@ -423,7 +423,7 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
     amount.close_rounds = rounds(sampled, close_round);
   }
   if (solids.rounded > 0) {
-    // Of the pairs drawn, only those that are supported are asked.
+    // Only the supported pairs of all that are drawn are asked.
     const std::uint64_t all = pairs_per_kinds * rounded_families().size() + close_round;
     amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
     amount.rounded_rounds = rounds(sampled, solids.rounded);

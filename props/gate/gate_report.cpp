@@ -10,7 +10,7 @@
 namespace cyl {
 namespace {
 
-/// Where so many pairs got the same answer, it is no answer.
+/// From this many pairs on, one answer to all of them deserves a remark.
 constexpr std::uint64_t enough_to_remark = 100;
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// By source: it says in a case's name what the case was drawn from.
+/// By source. The name of a case states the source from which the case was drawn.
 constexpr std::array property_ids{"laws", "close contacts", "rounded solids"};
 constexpr std::array generators{pairs_of_one_kind, close_pairs_of_one_kind, rounded_pairs_of_one_kind};
 const char* property_id(PairSource source) { return property_ids[static_cast<std::size_t>(source)]; }
@@ -116,7 +116,7 @@ SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, co
     return c.violation.severity == Severity::contract && is_worth_shrinking(c);
   });
   if (news == round.failures.end()) return round;
-  // The same draws again, but for that law alone: RapidCheck shrinks where it stops.
+  // The same draws again, but for that law alone, because RapidCheck shrinks at the first failure.
   const LawFilter same = [&](std::size_t method, const Law& law) {
     return method == news->method && law.number == news->law->number;
   };

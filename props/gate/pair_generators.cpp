@@ -56,7 +56,7 @@ rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
 
 /// How many families version 0.1.0 had.
 constexpr std::size_t first_families = 30;
-/// Indices of a family take turns in what they are: where close contacts begin is drawn as well.
+/// The indices of a family take its kinds in turn. So the first index of close contacts is drawn as well.
 constexpr std::uint64_t turns = 16 * close_cell_count;
 
 /// Generates `count` pairs of one of the families, of the first indices or of any.

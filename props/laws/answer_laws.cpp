@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws 30 and on: what one answer owes by itself. The judge of them is the referee's proof, where one is
-// needed.
+// Laws 30 and on, about one answer by itself. If a law needs a proof, it uses the referee's.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +18,7 @@
 namespace cyl {
 namespace {
 
-/// What compare() finds wrong with an answer to the pair, if it is of one of these kinds.
+/// Returns the fault of one of these kinds that compare() finds in an answer to the pair.
 std::optional<Violation> refuted(const LawCase& c, const MethodAnswer& answer,
                                  std::initializer_list<FindingKind> kinds) {
   Trial& proved = c.proofs.of(c.pair);
@@ -48,8 +47,8 @@ std::optional<Violation> break_answers(const LawCase& c) {
   return violation;
 }
 
-// The verdict, the witness and the distance each by themselves: what is wrong with one hides no other, and a
-// distance, whose proof is dear, is not asked for twice.
+// The verdict, the witness and the distance are laws of their own. So a fault in one hides no other. The
+// proof of a distance is costly, and it is not asked for twice.
 
 std::optional<Violation> break_verdict(const LawCase& c) {
   if (c.first.status != Status::answered) return {};
@@ -76,8 +75,8 @@ std::optional<Violation> break_distance(const LawCase& c) {
   return refuted(c, distance, {FindingKind::distance_outside});
 }
 
-// A distance said is off by the allowance at most, so beyond it the sign is known; and where it is beyond by
-// the reach of the claim, the verdict is promised.
+// A reported distance is off by the allowance at most, so its sign is known beyond the allowance. If it
+// exceeds the allowance by the reach of the claim, the verdict is promised.
 std::optional<Violation> break_sign(const LawCase& c) {
   if (!is_decided(c.first) || !c.first.has_distance) return {};
   const double apart = says_meet(c.first) ? c.first.distance : -c.first.distance;
@@ -91,7 +90,8 @@ std::optional<Violation> break_sign(const LawCase& c) {
 
 std::vector<LawQuery> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
 
-/// A thread costs more than all other laws: one pair of this many is asked from one, told by its digits.
+/// A thread costs more than all other laws. So one pair of this many is asked from a thread, drawn by its
+/// digits.
 constexpr std::uint64_t thread_share = 16;
 
 std::vector<LawQuery> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
@@ -103,7 +103,7 @@ std::vector<LawQuery> from_another_thread(const Method&, const Pair& pair, const
   return {{pair, CallMode::other_thread}};
 }
 
-/// A method that is not asked any more after many hangs declines: only that says nothing.
+/// A method that is no longer asked after many hangs declines. Such an answer shows nothing.
 std::optional<Violation> break_sameness(const LawCase& c) {
   for (const MethodAnswer& second : c.answers) {
     if (second.status == Status::declined || same_answer(c.first, second)) continue;
@@ -150,7 +150,7 @@ std::optional<Violation> break_resolution(const LawCase& c) {
                      : fmt::format("undecided, but the gap is {:.3g}", magnitude_against(least, proved).lo)};
 }
 
-// Where the referee's proof is a direction, its own or one that a method offered.
+// Applies if the referee's proof is a direction, its own or one that a method offered.
 std::optional<Violation> break_shown(const LawCase& c) {
   if (!is_decided(c.first) || !c.first.has_distance || !is_in_range(c.pair)) return {};
   const Certificate& proof = c.proofs.of(c.pair).truth.certificate;
@@ -176,7 +176,7 @@ std::optional<Violation> break_proof(const LawCase& c) {
   return {};
 }
 
-/// Of a product of two vectors, relative: three products and two sums, on either side.
+/// The relative error of a product of two vectors, which takes three products and two sums, on either side.
 constexpr double along_error = 16 * 0x1p-53;
 
 std::optional<Violation> break_orientation(const LawCase& c) {

@@ -20,8 +20,8 @@ namespace {
 
 bool is_usable(const Pair& pair) { return is_legal(pair) && is_in_range(pair); }
 
-/// What is wrong where the signed distance of asked[i] is within `change` of the pair's. Distances said are
-/// held to the allowance of each; verdicts to the proof.
+/// Returns the fault of asked[i], whose signed distance is within `change` of the pair's. Reported distances
+/// are held to their allowances, and verdicts to the proof.
 std::optional<Violation> break_change(const LawCase& c, std::size_t i, double change) {
   const MethodAnswer &first = c.first, &second = c.answers[i];
   const Pair& changed = c.asked[i].pair;
@@ -45,7 +45,7 @@ std::optional<Violation> break_change(const LawCase& c, std::size_t i, double ch
       severity_of(c, i)};
 }
 
-/// Of change_between(), relative: some 20 roundings.
+/// The relative error of change_between(), which takes some 20 roundings.
 constexpr double sum_error = 0x1p-48;
 
 /// The bound above, from the numbers of two pairs; rounded up.
@@ -156,8 +156,8 @@ std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer
 /// How deep b is pushed into a, in units of the size.
 constexpr double depths[] = {0x1p-33, 0x1p-20, 0x1p-7};
 
-// Solids apart by g, b pushed by g and t more against the direction offered: they overlap by t at most.
-// Solids that overlap by d, b pulled out by d: there is no gap, whatever the direction.
+// If the solids are g apart, b is pushed by g and t more against the offered direction. Then they overlap by
+// t at most. If they overlap by d, b is pulled out by d. Then no gap can arise in any direction.
 std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& first) {
   if (!is_decided(first) || !first.has_distance || !is_usable(pair)) return {};
   std::vector<LawQuery> asked;
@@ -179,7 +179,8 @@ std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& 
   return asked;
 }
 
-/// c of the triangle: one beyond b, and a small one in the middle, where the inequality is nearly tight.
+/// The solids c of the triangle. One lies beyond b. A small one lies in the middle, so the inequality is
+/// nearly tight.
 std::array<Cylinder, 2> third_solids(const Pair& pair) {
   const Vector3 delta = pair.b.center - pair.a.center;
   constexpr double small = 0x1p-10;
@@ -201,8 +202,9 @@ double diameter(const Cylinder& c) {
   return (std::hypot(2 * c.radius, c.height) + 2 * c.rounding) * (1 + sum_error);
 }
 
-// From the nearest point of one solid to that of another, through the middle one, whose two points are at
-// most its diameter apart: no side of the triangle is longer than the others with the diameter between them.
+// The path leads from the nearest point of one solid to that of another, through the middle solid. Its two
+// points there are at most the diameter of the middle solid apart. So no side of the triangle is longer than
+// the two others and the diameter together.
 std::optional<Violation> break_triangle(const LawCase& c) {
   for (std::size_t i = 0; i + 1 < c.answers.size(); i += 2) {
     const MethodAnswer &ab = c.first, &bc = c.answers[i], &ac = c.answers[i + 1];
@@ -246,7 +248,7 @@ std::optional<Violation> break_widening(const LawCase& c) {
     const Pair& wider = c.asked[i].pair;
     if (!is_decided(c.first) || !is_decided(second) || !second.has_distance) return {};
     const double by = (wider.a.rounding - c.pair.a.rounding) + (wider.b.rounding - c.pair.b.rounding);
-    // Overlaps have more than one depth where a method tells none that is least.
+    // A method that does not report the least depth may report several depths of an overlap.
     const bool told = c.first.distance > 0 && second.distance > 0;
     const double off =
         told ? std::fabs(c.first.distance - by - second.distance) : second.distance - c.first.distance;

@@ -16,8 +16,8 @@
 namespace cyl {
 namespace {
 
-/// What a law expects of the second answer: the first one's distance and point times `length`, its direction
-/// times `direction`, its hulls in this or the other order.
+/// The second answer that a law expects. It is the first answer's distance and point times `length`, its
+/// direction times `direction`, and its hulls in this or the other order.
 struct Expected {
   double length = 1;
   double direction = 1;
@@ -28,8 +28,8 @@ std::string differ(const char* what, double wanted, double got) {
   return std::string(what) + " is " + format_double(got) + ", expected " + format_double(wanted);
 }
 
-// Numbers are the same by ==, so 0 is -0, and where the first one times `factor` has lost bits to underflow,
-// on either side of the product, within the bits lost.
+// Numbers are the same by ==, so 0 is -0. If the first number times `factor` loses bits to underflow, on
+// either side of the product, they may differ by the lost bits.
 bool same(double first, double second, double factor) {
   const double lost = std::max(1.0, std::fabs(factor)) * std::numeric_limits<double>::denorm_min();
   return second == factor * first || std::fabs(second - factor * first) <= lost;
@@ -81,10 +81,11 @@ std::vector<LawQuery> swapped(const Method&, const Pair& pair, const MethodAnswe
   return {{{pair.b, pair.a}}};
 }
 
-/// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits;
-/// and where these overflow, for points that do not.
+/// The least size and distance of the centres. A little below it, decide() looks for points that lose no
+/// bits. If these overflow, it looks for points that do not.
 constexpr double least_scaled_length = 0x1p-890;
-/// Of a radius or height that is not 0: in a thinner solid few points have coordinates that are doubles.
+/// The least radius or height that is not 0. In a thinner solid few points have coordinates that are
+/// doubles.
 constexpr double least_scaled_side = 0x1p-960;
 
 double extent(const Pair& pair) {
@@ -93,8 +94,7 @@ double extent(const Pair& pair) {
 /// One step each way, and farther than float or an absolute tolerance bears.
 constexpr int scales[] = {-400, -1, 1, 400};
 
-/// Returns the pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too
-/// small.
+/// Returns the pair with all lengths times 2^k, or nothing if that is not exact or leaves a pair too small.
 std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
   const auto pair = scaled_exactly(whole, k);
   if (!pair) return {};
@@ -129,7 +129,7 @@ std::optional<Violation> break_scaling(const LawCase& c) {
   });
 }
 
-// 0 - x, unlike -x, makes no -0, which would tell which way an axis without a coordinate pointed.
+// 0 - x makes no -0, unlike -x. A -0 would show the direction of an axis that lacks this coordinate.
 std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
   const auto negated = [](Cylinder c) { return c.axis = -c.axis, c; };
   const auto taken_from_0 = [](Cylinder c) { return c.axis = Vector3::Zero() - c.axis, c; };
@@ -140,7 +140,7 @@ std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnsw
           {{negated(pair.a), taken_from_0(pair.b)}}};
 }
 
-/// The axis times 2^k, or nothing where that is not exact.
+/// Returns the axis times 2^k, or nothing if that is not exact.
 std::optional<Vector3> scaled_axis(const Vector3& axis, int k) {
   Vector3 other;
   for (int i = 0; i < 3; ++i) {

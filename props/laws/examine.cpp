@@ -11,7 +11,7 @@
 namespace cyl {
 namespace {
 
-/// What one law wants asked of one method about one pair: a stretch of all questions of the second round.
+/// The questions of one law to one method about one pair, a stretch of all questions of the second round.
 struct Job {
   std::size_t method, pair;
   const Law* law;
@@ -32,7 +32,7 @@ void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
   counts.hung_seconds += said.nanoseconds * 1e-9;
 }
 
-/// The two rounds of questions, and what the laws say of the answers.
+/// The two rounds of questions, and the results of the laws.
 class Examination {
  public:
   Examination(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,

@@ -26,11 +26,11 @@ std::string verdict_text(const MethodAnswer& answer) {
 /// By how much solids grow, in units of the size, beside what the claim asks for.
 constexpr double growth = 0x1p-20;
 
-// A rounding grown by g lets the signed distance fall by g. Radii and heights all grown by g and 2 g: each
-// support function rises by g (sin + cos) >= g of the angle between direction and axis, so the signed
-// distance falls by 2 g. An answer `intersecting` within the claim means a distance below the reach, so with
-// 2 g more than the reach before and after, the solids then overlap by more than the reach. One field alone
-// promises less: a cap on a cap does not see the radius.
+// If a rounding grows by g, the signed distance falls by g. If all radii grow by g and all heights by 2 g,
+// each support function rises by g (sin + cos) >= g, for the angle between direction and axis. So the signed
+// distance falls by 2 g. An answer `intersecting` within the claim means a distance below the reach. With 2
+// g more than the reach before and after, the solids then overlap by more than the reach. One field alone
+// promises less, because a cap on a cap does not depend on the radius.
 std::vector<LawQuery> grown(const Method& method, const Pair& pair, const MethodAnswer& first) {
   if (!says_meet(first)) return {};
   const double size = size_of(pair);
@@ -43,7 +43,7 @@ std::vector<LawQuery> grown(const Method& method, const Pair& pair, const Method
   asked[4].pair = {asked[0].pair.a, asked[2].pair.b};
   asked[4].pair.a.height += 2 * g;
   asked[4].pair.b.height += 2 * g;
-  // Twice as much of a: where only one is rounded, no other grows in all directions.
+  // Twice as much of a. If only one solid is rounded, no other grows in all directions.
   if (asked.size() > 5) (pair.a.rounding > 0 ? asked[5].pair.a : asked[5].pair.b).rounding += 2 * g;
   std::erase_if(asked, [](const LawQuery& x) { return !std::isfinite(size_of(x.pair)); });
   return asked;

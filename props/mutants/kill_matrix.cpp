@@ -30,7 +30,8 @@ constexpr std::size_t message_cap = 4096;
 constexpr std::uint64_t law_pairs = 100, differential_pairs = 400;
 constexpr std::uint64_t detector_seed = 20261121;
 
-/// Pairs examined at once: few, so that a kill ends the work early; many, so that forks do not count.
+/// Pairs examined at once. They are few, so that a kill ends the work early, and many, so that forks cost
+/// little.
 constexpr std::size_t chunk_size = 256;
 
 constexpr int first_law_of_truth = 30;
@@ -62,8 +63,8 @@ std::vector<Pair> pairs_of(std::span<const Case> cases) {
 
 auto methods_of(const Mutant& mutant) { return select_methods(all_methods(), mutant.asks); }
 
-// What a case states is held to the proof as the answer of one that is always right would be; and where a
-// verdict is stated, it has been proved once.
+// The statement of a case is compared with the proof, as an answer of a method that is always right. If it
+// states a verdict, the verdict has been proved once.
 std::string contradiction(std::span<const Case> cases) {
   for (const Case& c : cases) {
     if (!c.truth) continue;
@@ -79,7 +80,7 @@ std::string contradiction(std::span<const Case> cases) {
   return {};
 }
 
-/// The evidence as CBOR; no bytes where there is none.
+/// Returns the evidence as CBOR, or no bytes if there is none.
 std::string run_detector(const Mutant& mutant, const Detector& detector, void (*select)(int) noexcept) {
   limit(RLIMIT_CORE, 0);
   const rlimit cpu{detector_cpu_cap, detector_cpu_cap + 1};

@@ -20,13 +20,13 @@ namespace {
 
 /// Sine of the angle below which axes are also tried as an axis and a little beside it.
 constexpr double near_sine_margin = 1e-2;
-/// Newton steps towards a distance; the distance is smooth in a number but for kinks, where it is given up.
+/// Newton steps towards a distance. The distance is smooth in a number except at kinks, where the steps end.
 constexpr int newton_cap = 8;
-/// Of a distance that was to be kept: what is farther from it is not asked about.
+/// Relative to a distance that is to be kept. A pair farther from it is not asked about.
 constexpr double kept_part_tol = 0.25;
 constexpr int digit_cap = 17;  ///< all that a double has
 
-/// Nearest double of units * 10^exponent; 0 where that is out of range.
+/// Returns the nearest double of units * 10^exponent, or 0 if that is out of range.
 double decimal(long long units, int exponent) {
   const std::string text = std::to_string(units) + 'e' + std::to_string(exponent);
   double x = 0;
@@ -55,9 +55,9 @@ Pair with(Pair p, Change change) {
   return p;
 }
 
-// distance = max over unit D of D.(b - a) - (support of both). By a number x it grows with what D.(..) or the
-// support does at the D that attains it: D_i by b's centre, minus the sine of the angle between D and the
-// axis by a radius, minus half the cosine by a height.
+// distance = max over unit D of D.(b - a) - (support of both). Its derivative by a number x is that of D.(b
+// - a) or of the support at the D that attains the maximum. It is D_i for b's centre, minus the sine of the
+// angle between D and the axis for a radius, and minus half the cosine for a height.
 double slope(const Distance& d, const Pair& p, std::size_t which) {
   if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
   const Cylinder& c = which < 5 ? p.a : p.b;
@@ -105,7 +105,7 @@ std::vector<Vector3> near_axes(const Vector3& w) {
   return out;
 }
 
-/// Where the axes are nearly parallel: a simpler axis, and beside it a power of ten in one coordinate.
+/// For nearly parallel axes: adds a simpler axis, and a copy with a power of ten in one coordinate.
 void add_nearly_parallel(const Pair& p, Pairs& out) {
   const Vector3 wa = p.a.axis.stableNormalized(), wb = p.b.axis.stableNormalized();
   const double sine = wa.cross(wb).norm();
@@ -222,7 +222,7 @@ Pairs frames(const Pair& p) {
   const auto add = [&](const Vector3& up, const Vector3& side) {
     const Frame frame(up, side);
     if (!frame.turn.allFinite()) return;
-    // What is meant to be 0 is 0, else rounding would leave it with 17 digits.
+    // Coordinates meant to be 0 become 0. Otherwise rounding would leave them with 17 digits.
     const auto turned = [&](const Vector3& v) {
       Vector3 t = frame.turn * v;
       if (v == up || v == -up) t.head<2>().setZero();

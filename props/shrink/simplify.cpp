@@ -48,8 +48,8 @@ class Search {
   }
 
  private:
-  // Takes the simplest failing one of the pairs; where none fails and the pair is near touching, of these at
-  // its distance.
+  // Takes the simplest failing pair. If none fails and the pair is near touching, takes it from these pairs
+  // at its distance.
   template <class Make>
   bool improve(Make make, bool may_keep_distance) {
     const Pairs pairs = make();

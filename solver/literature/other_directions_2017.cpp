@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Section 7 and the end of section 8 of the text of 2017: any direction, found by minimising G. What the text
-// leaves open is settled so:
+// Section 7 and the end of section 8 of the text of 2017: any direction, found by minimising G. The text
+// leaves two points open, and this file settles them.
 //
 // A cell is searched along its sides first, each a convex function of one variable. From the lowest point
-// found there no line search ends on the boundary again: G is higher there. So the minimiser may be one
-// without constraints, and inside the cell G is smooth.
+// found there no line search ends on the boundary again, because G is higher there. So the minimiser may be
+// one without constraints, and inside the cell G is smooth.
 //
-// A search is over where convexity proves that it is in vain: G(y) >= G(x) + g.(y - x), so G > 0 in the whole
-// cell as soon as this is > 0 at its corners.
+// A search ends if convexity proves that it is in vain. As G(y) >= G(x) + g.(y - x), G > 0 in the whole cell
+// as soon as this bound is > 0 at its corners.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
@@ -23,9 +23,8 @@ namespace {
 /// |P D| for |D| >= 3^-1/2 below which an axis counts as near: a line more, none less.
 constexpr double near_axis_tol = 0x1p-3;
 
-/// (U, V, W), W along Delta. U is towards the axis that is farther from Delta, so that the sides of octants
-/// run through that axis; one that lies along Delta then has the best direction on a side. The text says any
-/// U will do.
+/// (U, V, W), W along Delta. U points to the axis that is farther from Delta, so the sides of octants run
+/// through that axis. An axis along Delta then has the best direction on a side. By the text, any U will do.
 struct Base {
   Base(const Couple<double>& p, bool any) noexcept : delta(p.dx, p.dy, p.dz) {
     const Vector3 w0(p.w0x, p.w0y, p.w0z), w1(p.w1x, p.w1y, p.w1z);
@@ -75,7 +74,7 @@ class CellSearch {
   }
 
  private:
-  /// Steps to x: true where D(x) separates. The lowest x is kept.
+  /// Steps to x. Returns whether D(x) separates. The lowest x is kept.
   bool step_to(const Point& x) noexcept {
     const double value = octant_.value(x, cell_.signs);
     if (value < lowest_) {
@@ -102,8 +101,8 @@ class CellSearch {
     return true;
   }
 
-  /// The line search of section 8 on x + r d, low <= r <= high; best_ is the lowest point of all steps so
-  /// far. True where it ended at `low` or `high`.
+  /// The line search of section 8 on x + r d, low <= r <= high. best_ is the lowest point of all steps so
+  /// far. Returns whether it ended at `low` or `high`.
   bool search_line(const Point x, const Point d, double low, double high) noexcept {
     if (step_to(x + low * d) || step_to(x + high * d)) return true;
     const auto slope = [&](double r) { return d.dot(gradient(x + r * d)); };
@@ -118,13 +117,14 @@ class CellSearch {
       search_line(cell_.corners[k], cell_.corners[(k + 1) % cell_.count] - cell_.corners[k], 0, 1);
   }
 
-  /// Next to the tip of a cone the gradient says nothing: there is one line that has to be tried.
+  /// Next to the tip of a cone the gradient is of no use. One line has to be tried.
   void leave_axes() noexcept {
     for (int i = 0; i < 2 && !found_; ++i)
       if (octant_.across(i, best_) < near_axis_tol) descend(octant_.off_axis(i, best_, cell_.signs));
   }
 
-  /// One line of a minimiser, from best_; false where it is over: separated, not lower, or in vain.
+  /// Searches one line of a minimiser, from best_. Returns false if the search is over: separated, not
+  /// lower, or in vain.
   bool descend(const Point& d) noexcept {
     const double before = lowest_;
     const Cell::Interval chord = cell_.chord(best_, d);

@@ -33,9 +33,10 @@ class Circle {
 
   enum class End : unsigned char { separated, nothing, nothing_at_the_ends };
 
-  /// F < 0 on one quarter? F has a kink where Delta is square to D(t), so where a2 and b2 differ in sign, and
-  /// is convex otherwise. With a kink the ends are enough: let a2 > 0 > b2. Before the kink F(t) >= (1-t)
-  /// F(0), behind it F(t) >= t F(1), since |P_i D| is at least (1-t) |P_i U0| and t |P_i V0|.
+  /// Searches one quarter for F < 0. F has a kink if Delta is square to some D(t), that is if a2 and b2
+  /// differ in sign. Otherwise F is convex. With a kink the ends are enough. Let a2 > 0 > b2. Before the
+  /// kink F(t) >= (1-t) F(0), behind it F(t) >= t F(1), since |P_i D| is at least (1-t) |P_i U0| and t |P_i
+  /// V0|.
   End search() noexcept {
     if (separates(0) || separates(1)) return End::separated;
     if (slope(0) >= 0 || slope(1) <= 0) return End::nothing_at_the_ends;

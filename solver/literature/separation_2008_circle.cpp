@@ -27,7 +27,7 @@ double polish(const TangentLine& line, double x, double k, int steps) noexcept {
   return x;
 }
 
-// The text says that any U0 and V0 will do; with U along W0 x W1 the line would miss the likeliest direction.
+// By the text, any U0 and V0 will do. With U along W0 x W1 the line would miss the likeliest direction.
 TangentLine any_line(const Circle& q) noexcept {
   const Vector3 v = q.u0.cross(q.v0).unitOrthogonal();
   return {q, dot(v, q.u0), dot(v, q.v0)};
@@ -37,10 +37,10 @@ bool has_signs(const TangentLine& line, double x, double sigma1, double sigma2) 
   return sigma1 * (line.a1 * x + line.b1) >= 0 && sigma2 * (line.a2 * x + line.b2) >= 0;
 }
 
-// (a) D = x U + V never is U, where f may be negative or, worse, 0 with F falling all the way to it. With V
-// along Delta that cannot be: f(U) >= 0, and F grows at both ends. Then a2 = 0, so both choices of sigma1
-// give k of one size, and one polynomial serves all four cases. That a critical point has the signs assumed
-// need not be tested, where f itself is asked; literally, it is.
+// (a) D = x U + V never is U. But f may be negative at U, or it may be 0 with F falling all the way to it.
+// With V along Delta neither can be, because f(U) >= 0 and F grows at both ends. Then a2 = 0, so both
+// choices of sigma1 give k of one size, and one polynomial serves all four cases. If f itself is asked, a
+// critical point need not be tested for the assumed signs. The literal version tests it.
 bool separated_by_roots(const Circle& q, const Options& options, Finder& finder) noexcept {
   const double reach = std::hypot(q.a2, q.b2);
   if (!(reach > 0)) return false;
@@ -94,7 +94,8 @@ bool separated_in_valley(const Circle& q, const Options& options, Finder& finder
 
 }  // namespace
 
-// U = (v_y, -v_x) in the circle's coordinates, where |P1 D|^2 = c^2 x^2 + y^2 and the other side is along x.
+// U = (v_y, -v_x) in the circle's coordinates. There |P1 D|^2 = c^2 x^2 + y^2, and the other side is along
+// x.
 TangentLine::TangentLine(const Circle& q, double v_x, double v_y) noexcept
     : r0(q.r0),
       r1(q.r1),

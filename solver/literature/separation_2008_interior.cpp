@@ -66,7 +66,7 @@ Vector3 SmoothGap::direction(const Vector2& eta0, const Vector2& eta1) const noe
   return (p0.x() * solids.u[0] + p0.y() * solids.n).cross(p1.x() * solids.u[1] + p1.y() * solids.n);
 }
 
-// Row i is (A_i eta_i^perp) . (x U + y V + W) = 0; 0 where C is not invertible.
+// Row i is (A_i eta_i^perp) . (x U + y V + W) = 0. Returns 0 if C is not invertible.
 Vector3 SmoothGap::direction_by_equations(const Vector2& eta0, const Vector2& eta1) const noexcept {
   const Vector2 eta[2] = {eta0, eta1};
   Matrix2 c;
@@ -141,8 +141,9 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
       const SmoothGap g(p, sign0, sign1);
       if (g.no_phi) return false;  // two rims' centres coincide
       const CriticalSystem& s = g.system;
-      // The segment between two rims' centres is square to both axes, so the end disks reach along all of it:
-      // separated if and only if |phi|^2 > (r0 + r1)^2, and no other case of signs can say otherwise.
+      // The segment between two rims' centres is square to both axes, so the end disks reach along all of
+      // it. The solids are separated if and only if |phi|^2 > (r0 + r1)^2. No other case of signs
+      // contradicts this.
       if (s.det0 == 0 && s.det1 == 0) return finder.separates(g.w);
       const CriticalPairs pairs = critical_pairs(s, way, options.faults);
       if (pairs.equal && finder.separates(g.w)) return true;

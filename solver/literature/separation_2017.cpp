@@ -29,8 +29,8 @@ Direction search(const Couple<double>& p, Minimiser minimiser, const Options& op
   if (const Direction d = separated_by_axes(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
-  // Of solids with one centre f(D) = 0 is the least: two in one plane only touch, and sections 5 and 6 say
-  // so.
+  // If the solids share a centre, the least f(D) is 0. Two in one plane only touch, as sections 5 and 6
+  // state.
   if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
   return separated_by_other_directions(p, minimiser, options);
 }
