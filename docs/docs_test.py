@@ -83,11 +83,11 @@ def check_size(page, text):
             fail(f'{page.name}:{number} is {len(line)} columns wide')
 
 
-def headers():
-    """The headers of C and C++ in the source tree."""
+def sources():
+    """The headers and sources of C and C++ in the source tree."""
     for folder, names, files in os.walk(ROOT):
         names[:] = sorted(set(names) - {'build', 'node_modules', '.git'})
-        yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h')))
+        yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h', '.cpp')))
 
 
 def descriptions():
@@ -98,17 +98,17 @@ def descriptions():
 
 
 def check_english():
-    """The documents, the comments of headers and the descriptions of schemas have no finding of plain_english.py, and
+    """The documents, the comments of C and C++ and the descriptions of schemas have no finding of plain_english.py, and
     neither has --help of any command."""
     for habit, pattern, _, example in plain_english.PHRASES:
         if not re.search(pattern, example):
             fail(f'the pattern of "{habit}" misses its example: {example}')
     found = [f'{page.relative_to(ROOT)}:{number}: {message}'
              for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
-    sources = list(headers())
-    if len(sources) < 200:
-        fail(f'only {len(sources)} headers were found')
-    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in sources for number, _, message in
+    files = list(sources())
+    if len(files) < 600:
+        fail(f'only {len(files)} files of C and C++ were found')
+    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in files for number, _, message in
               plain_english.findings(source.read_text(), plain_english.comments)]
     described = list(descriptions())
     if len(described) < 50:

@@ -58,7 +58,7 @@ Batch whole_batch(const std::vector<Pair>& drawn) {
   return batch;
 }
 
-/// What is behind the last verdict stays as it is.
+/// The memory behind the last verdict does not change.
 constexpr std::size_t room = 64;
 constexpr Verdict untouched{0xaa};
 

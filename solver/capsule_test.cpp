@@ -100,7 +100,7 @@ class Draw : public Numbers {
 
 double distance_from(const Capsule& c, const Vector3& x) { return segment_distance(c.from, c.to, x, x); }
 
-// In the solid's own axis and radius: all of it, and where the capsule is widest.
+// In the solid's own axis and radius, all of it and the widest part of the capsule.
 TEST(Proxies, ContainAndAreContained) {
   Draw n;
   int some = 0;

@@ -18,7 +18,7 @@ const char* word(E value) noexcept {
 
 }  // namespace
 
-// not covered within: a family's pairs are valid; tests try each defect
+// not covered within: a family's pairs are valid, and tests try each defect
 Defect find_defect(const Cylinder& c) noexcept {
   if (!c.center.allFinite()) return Defect::center_not_finite;
   if (!c.axis.allFinite()) return Defect::axis_not_finite;

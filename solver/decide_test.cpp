@@ -28,7 +28,7 @@ class Stream : public Numbers {
   }
 };
 
-// The point of a solid farthest in direction d, from its centre; any of them where there are several.
+// Returns the point of a solid farthest in direction d, from its centre, or any of several.
 Vector3 support(const Cylinder& c, const Vector3& d, Stream& random) {
   const Vector3 w = c.axis.normalized();
   const double along = d.dot(w);
@@ -77,7 +77,7 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
       ASSERT_EQ(answer.proof, Proof::point);
     }
   }
-  // The test went where it says: both sides, hardly ever without an answer.
+  // The test reached both sides, and hardly ever a pair without an answer.
   EXPECT_GT(decided[0], 15000);
   EXPECT_GT(decided[1], 15000);
   EXPECT_LT(undecided, 400);
@@ -132,8 +132,9 @@ TEST(Decide, NoPointBeyondTheLargestDouble) {
   EXPECT_NE(answer.verdict, Verdict::disjoint);
 }
 
-// Found by the law that an answer with room for a proof is not undecided: the highest slice ends at the tip
-// of a disk (the rim of a stands on that of b, axes at right angles), or of a segment, all of which is tip.
+// The law that an answer with room for a proof is not undecided found this. The highest slice ends at the
+// tip of a disk (the rim of a stands on that of b, with the axes at right angles). Or it ends at the tip of
+// a segment, which is nothing but tip.
 TEST(Decide, ProvesGapsBesideTips) {
   const Pair pairs[] = {
       {{Vector3(2, 2, -2), Vector3(0, 0, 1), 2, 1}, {Vector3(-2, 3, -3), Vector3(1, 0, 0), 1, 4}},
@@ -176,8 +177,8 @@ TEST(Decide, EndsWhereTheSlopeIsRounding) {
   EXPECT_LT(decide(a, b).iterations, 60);
 }
 
-// Gaps that double alone does not prove: a cap's border in the plane of the other's cap, axes 1e-15 apart,
-// axes all but square, segments side by side, lengths 1e271 apart.
+// Gaps that double alone does not prove. A cap's border is in the plane of the other's cap, with the axes
+// 1e-15 apart. Or the axes are all but square, or segments lie side by side, or lengths are 1e271 apart.
 TEST(Decide, ProvesGapsThatRoundingHides) {
   const Pair pairs[] = {
       {{Vector3(0, 0, 0), Vector3(0, 0, 1), 3, 6}, {Vector3(-5, 2, -7), Vector3(0, 3, 4), 4, 4}},
@@ -208,8 +209,9 @@ TEST(Decide, ProvesGapsThatRoundingHides) {
   }
 }
 
-// A feature of each solid at a common normal, at any tilt and in any place down to rounding, and lengths from
-// 1e-6 to 1: gaps of 1.01e-13 of the size are proved, and so are overlaps that hold a ball of 1e-13 of it.
+// A feature of each solid at a common normal, at any tilt and in any place down to rounding, with lengths
+// from 1e-6 to 1. Gaps of 1.01e-13 of the size are proved, and so are overlaps that hold a ball of 1e-13 of
+// it.
 TEST(Decide, UndecidedOnlyWithinItsWord) {
   Stream random(20261122);
   const auto decades = [&](double least) { return std::pow(10, random.between(least, 0)); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The distance where the rims are hard to bring near: small on large, nearly tangent, at the border of a cap.
+// The distance between rims that are hard to bring near: small on large, nearly tangent, at the border of a
+// cap.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,9 +63,10 @@ TEST(Distance, NearlyTangentRimsApart) {
   }
 }
 
-// Pairs on which Newton once ended where nothing is lowest, or where rounding hid what y has beside tangents
-// that are nearly parallel. Apart, the value is enclosed by a direction and two points, evaluated to 60
-// digits; the depth is the referee's, or minus the offset by which the pair was put together.
+// On these pairs Newton once ended at a point that is not a minimum. Or rounding hid the y component beside
+// tangents that are nearly parallel. If the solids are apart, a direction and two points enclose the value,
+// evaluated to 60 digits. The depth is the referee's, or minus the offset by which the pair was put
+// together.
 TEST(Distance, SmallRimsAndSquareAxes) {
   const struct {
     Pair pair;
@@ -252,8 +254,8 @@ TEST(Distance, SmallRimsPutTogether) {
   EXPECT_EQ(deep, 0);
 }
 
-// A depth that is told to be least is no deeper than the one that the pair was put together by, nor than what
-// other directions show.
+// A depth that is reported as least is not deeper than the offset by which the pair was put together. Nor is
+// it deeper than the depth in other directions.
 TEST(Distance, LeastDepthIsNoDeeperThanAnyKnown) {
   Numbers random(20261123);
   int least = 0, deep = 0;

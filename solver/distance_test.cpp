@@ -93,8 +93,8 @@ TEST(Distance, PairsKnownOnPaper) {
   }
 }
 
-// What an answer says of itself, checked the slow way: the direction gives the value, the points lie in the
-// solids and are as far apart.
+// Checks an answer's own proof the slow way. The direction gives the value, the points lie in the solids,
+// and they are as far apart.
 TEST(Distance, ShowsItsOwnProof) {
   Stream random(20261121);
   int apart = 0, uncertain = 0;
@@ -132,7 +132,7 @@ TEST(Distance, PointsAreBroughtNearer) {
   EXPECT_LE(d.error, 1e-13 * reach_of(p));
 }
 
-// The plane that separates and the points are twice the rounding apart: the error says so.
+// The plane that separates and the points are twice the rounding apart, and the error includes this.
 TEST(Distance, ErrorHoldsTheWidthBetweenPlaneAndPoints) {
   const Pair p{upright(0, 0, 0, 1.4376847625826106, 0.67450831044606685),
                {{-1.4599086940320833, 0.67152285153773139, 2.8674881306595212},
@@ -148,7 +148,7 @@ TEST(Distance, ErrorHoldsTheWidthBetweenPlaneAndPoints) {
                 (p.a.radius + p.b.radius + (p.a.height + p.b.height) / 2 + (p.b.center - p.a.center).norm()));
 }
 
-// Where nothing but the heights differs they alone say which is first.
+// If only the heights differ, they alone decide which solid is first.
 TEST(Distance, SwapOfSolidsAboutOneCentre) {
   const Cylinder a = upright(1, 2, 3, 1, 2), b = upright(1, 2, 3, 1, 4);
   const Distance d = distance(a, b), back = distance(b, a);
@@ -157,7 +157,7 @@ TEST(Distance, SwapOfSolidsAboutOneCentre) {
   EXPECT_EQ(d.on_b, back.on_a);
 }
 
-// The lowest direction is next to the axis of a, where the point of the pole is exactly on the rim.
+// The lowest direction is next to the axis of a, and the point of the pole is exactly on the rim.
 TEST(Distance, MinimumBesideAStationaryPole) {
   const Cylinder askew{Vector3(2, -1, -3), Vector3(-1, 0, -2), 3, 6};
   const Distance d = distance(askew, upright(3, 1, 0, 3, 4));
@@ -270,8 +270,8 @@ TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
   }
 }
 
-// What is deepest lies in its solid also where a whole side is, where caps all but lie on each other, and
-// where a rim is all but square to the direction.
+// The deepest point lies in its solid. This holds if a whole side is deepest, if caps all but lie on each
+// other, and if a rim is all but square to the direction.
 TEST(Distance, DeepestPointsLieInTheirSolids) {
   const Pair pairs[] = {
       {upright(0, 0, 0, 0.1, 2), lying(0, 0, 1.9, 1, 100)},
@@ -333,8 +333,8 @@ TEST(Distance, DirectionIsOfUnitLengthWhereSquaresVanish) {
     }
 }
 
-// A circle whose lowest point is where two others meet: its search ended where the tangent of an angle was
-// subnormal, and what a number is then depends on the unit.
+// The lowest point of a circle is the meeting point of two others. Its search ended when the tangent of an
+// angle was subnormal, and the value of a subnormal number depends on the unit.
 TEST(Distance, UnitsDoNotShowWhereALowestPointIsAtAnEnd) {
   const Pair pair{{{-0.69492695114483305, -0.63410625349428928, 0.34496909509936036},
                    {-0.68766948294923613, 0.4423907275606298, -0.57567449692083594},

@@ -86,7 +86,7 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
         verdicts + start);
 }
 
-// not covered within: the gate asks decide() for certificates; intersect_batch_test asks here
+// not covered within: the gate asks decide() for certificates, and intersect_batch_test asks here
 void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std::span<const IndexPair> pairs,
                   Answer* answers, Instructions instructions) noexcept {
   const Kernels kernels = kernels_of(instructions);
@@ -107,7 +107,7 @@ void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std:
   }
 }
 
-// not covered within: the gate asks for pairs, not for all of two sets; intersect_batch_test does
+// not covered within: the gate asks for pairs, not for all of two sets, and intersect_batch_test does
 void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
                    Instructions instructions) noexcept {
   const Kernels kernels = kernels_of(instructions);

@@ -21,8 +21,9 @@ std::vector<Instructions> runnable() {
   return sets;
 }
 
-// Solids in a small room, of all the kinds that take another way through the kernel: steep, nearly parallel
-// and parallel axes, needles, coins, segments, points, far beyond the ordinary, invalid.
+// Solids in a small room, of all the kinds that take another way through the kernel. They have steep, nearly
+// parallel and parallel axes. They are needles, coins, segments, points, far beyond the ordinary, or
+// invalid.
 std::vector<Prepared> crowd(int count) {
   Numbers numbers(20261121);
   auto unit = [&] { return numbers.unit(); };
@@ -63,7 +64,7 @@ TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
   }
 }
 
-// What intersect_test has of square axes, in every lane.
+// The square axes of intersect_test, in every lane.
 TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
   const Cylinder a{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2};
   const Cylinder b{Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2};

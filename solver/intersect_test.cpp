@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// intersect() on pairs whose truth is known on paper. That touching is meeting holds here where no operation
-// rounds; intersect promises it nowhere.
+// Tests intersect() on pairs whose truth is known on paper. Touching counts as meeting here because no
+// operation rounds. intersect() never promises it.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -36,8 +36,8 @@ TEST(Intersect, RimsThatTouchMeet) {
   EXPECT_EQ(intersect(a, {Vector3(4, 9.0001, 13), Vector3(1, 0, 0), 13, 2}), Verdict::disjoint);
 }
 
-// A billion pairs of a campaign found three of these, all of one shape: axes square but for a rounding, and
-// the end of one solid in line with the rim of the other. The gap is 0.006 of the size.
+// A campaign of a billion pairs found three of these, all of one shape. The axes are square but for a
+// rounding, and the end of one solid is in line with the rim of the other. The gap is 0.006 of the size.
 TEST(Intersect, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
   const Pair pairs[] = {{{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2},
                          {Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of the solver: what comes with its verdicts. A shortcut that is never taken and a bad start are right all
-// the same, and only the count of steps shows them: bounds are what was measured.
+// Tests the data that come with the solver's verdicts. A shortcut that is never taken and a bad start give
+// right answers, so only the count of steps shows them. The bounds are measured values.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ struct Work {
   double unresolved = 0, iterated = 0, intersect_steps = 0, hit_cap = 0;  // of intersect()
 };
 
-/// Of one kind of pairs, what Work holds in the mean, at most.
+/// The most that the mean of Work may be for one kind of pairs.
 struct Bounds {
   double decide_steps, undecided, distance_steps, error, outside, unresolved, iterated, intersect_steps;
 };
@@ -57,7 +57,7 @@ double gap_along(const Pair& pair, const Vector3& d) {
   return f;
 }
 
-/// Everything that solver/distance.hpp says of value, error, direction and points.
+/// Checks all that solver/distance.hpp promises of value, error, direction and points.
 void measure(const Pair& pair, Work& work) {
   const Distance d = distance(pair.a, pair.b);
   const auto expect = [&](bool right, const char* what) { check_that(right, what, pair); };
@@ -95,7 +95,7 @@ void measure(const Pair& pair, Work& work) {
   }
 }
 
-/// The steps of intersect(), which says nothing of them, taken one by one.
+/// Takes the steps of intersect() one by one, because intersect() does not report them.
 void count_steps(const Pair& pair, Work& work) {
   const Prepared a = prepare(pair.a), b = prepare(pair.b);
   if (!(a.ordinary & b.ordinary)) return;

@@ -78,8 +78,8 @@ TEST(Rounded, WhatIsNoRoundingIsInvalid) {
   EXPECT_EQ(within(wide, a, most), Verdict::invalid);
 }
 
-// The points are as far apart as the value says, along the direction, where many directions are as good
-// within rounding and the roundings are large.
+// The points are as far apart as the value, along the direction. Here many directions are as good within
+// rounding, and the roundings are large.
 TEST(Rounded, PointsOfTheDistanceFitItsValue) {
   const Pair pairs[] = {
       {{{0, 0, 0}, {0, 0, 1}, 0, 0, 99999999}, {{100000000, 1, 1}, {0, 1, 0}, 0, 0}},
@@ -166,7 +166,7 @@ TEST(Rounded, TheDistanceMayBeADoubleWhereThatOfTheCoresIsNone) {
   }
 }
 
-// Where the points of a certificate lose bits on their way back into the scene's unit.
+// The points of this certificate lose bits on their way back into the scene's unit.
 TEST(Rounded, SubnormalSolidsThatOverlapAreProvedTo) {
   const Cylinder grain{{0, 0, 0}, {1, 2, 3}, 1e-319, 1e-319},
       ground{{4e-315, 0, 5e-315}, {0, 1, 1}, 4e-315, 5e-315, 2.7e-315};

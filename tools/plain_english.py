@@ -50,7 +50,7 @@ def comments(text):
     comment. An empty line or the mark of a list begins another one. Lines that are indented are code."""
     start, column, held, item, block = 0, 0, [], None, False
     for number, line in enumerate(text.splitlines() + [''], 1):
-        mark = re.match(r' *(?:\*(?!/)|(?!\*))', line) if block else re.search(r'//[/!]?<?|/\*', line)
+        mark = re.match(r' *(?:\*(?!/)|(?!\*))', line) if block else re.search(r'//[/!]?<?|(?<!\S)/\*', line)
         if mark and not block and (line[:mark.start()].endswith(':') or line[:mark.start()].count('"') % 2):
             mark = None
         words = line[mark.end():] if mark and 'SPDX' not in line else ''

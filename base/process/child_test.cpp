@@ -49,7 +49,7 @@ TEST(Child, ItsDeathIsToldWhoeverHoldsThePipe) {
       },
       {.own_group = true});
   EXPECT_EQ(how_it_ended(child.wait()), "killed by signal 9 (Killed)");
-  // The other was of its group, and goes with it: then nobody holds the pipe open.
+  // The other process is in its group, and ends with it. Then no process holds the pipe open.
   char none;
   ssize_t got = -1;
   while (got < 0) got = read(child.output(), &none, 1);

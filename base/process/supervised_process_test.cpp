@@ -29,7 +29,7 @@
 namespace cyl {
 namespace {
 
-/// What the system allows a keeper: a PID namespace, one inside a user namespace, none.
+/// The system allows a keeper a PID namespace, one inside a user namespace, or none.
 enum class System { all, user_namespaces, none };
 
 void refuse_namespaces(System system) {
@@ -45,7 +45,7 @@ void refuse_namespaces(System system) {
   seccomp_release(filter);
 }
 
-/// What `work` says in a process on such a system.
+/// Returns the text of `work` in a process on such a system.
 std::string on(System system, const std::function<std::string()>& work) {
   Child child([&] {
     refuse_namespaces(system);
@@ -148,7 +148,7 @@ TEST_P(SupervisedProcessOn, EndsWithItsOwner) {
                  const bool lived = kill(id, 0) == 0;
                  owner.kill_now();
                  owner.wait();
-                 while (kill(id, 0) == 0) usleep(1000);  // for ever, where it does not end
+                 while (kill(id, 0) == 0) usleep(1000);  // endless if the process does not end
                  return std::string(lived ? "lived" : "never lived");
                }),
             "lived");
@@ -195,7 +195,7 @@ TEST(Confine, NamesWhatIsDenied) {
     });
     return denied->load() < 0 ? ending : system_call_name(denied->load());
   };
-  // Signal 0 reaches nobody, should the filter fail.
+  // Signal 0 reaches no process if the filter fails.
   EXPECT_EQ(named([] { kill(-1, 0); }), "kill");
   EXPECT_EQ(named([] { kill(0, 0); }), "kill");
   EXPECT_EQ(named([] { kill(getppid(), 0); }), "kill");

@@ -64,7 +64,7 @@ TEST(Builds, CountWhatChangesAndWhatIsWrongByIt) {
     after[9 + m].verdict = Verdict::intersecting;  // wrong, by less than any of them claims
     after[9 + m].has_distance = false;             // changed by no number
   }
-  before[5].verdict = Verdict::touching;  // of the costly one, at an index where it is not asked
+  before[5].verdict = Verdict::touching;  // of the costly one, at an index for which it is not asked
   const std::vector<BuildDifference> changed = comparison.compare(before, after);
   ASSERT_EQ(changed.size(), 3u);
   EXPECT_EQ(changed[0].verdicts_changed, 3u);
@@ -78,7 +78,7 @@ TEST(Builds, CountWhatChangesAndWhatIsWrongByIt) {
   EXPECT_EQ(changed[2].beyond_claim, 1u);
   EXPECT_EQ(changed[2].distances_changed, 1u);
   after[0] = said(Verdict::disjoint, 6e-3);
-  after[0].status = Status::failed;  // no answer any more: nothing is said, but that a failure is one
+  after[0].status = Status::failed;  // a failure is counted, and it is not a changed answer
   EXPECT_EQ(comparison.compare(before, after)[0].verdicts_changed, 3u);
   after.pop_back();
   EXPECT_THROW(comparison.compare(before, after), std::invalid_argument);

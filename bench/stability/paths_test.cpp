@@ -151,7 +151,7 @@ TEST(Stability, SeesADistanceThatJumps) {
     std::vector<MethodAnswer> answers = right_answers(path);
     const std::size_t at = path.steps.size() / 2 + 3;
     answers[at].distance += 0.25 * size_of(path.steps[at].pair);
-    answers[2].distance = std::nan("");  // told as no distance, not as a jump
+    answers[2].distance = std::nan("");  // counts as no distance, not as a jump
     const PathStability s = stability_along(path, "jumps", answers);
     ASSERT_TRUE(s.distance_jump);
     EXPECT_NEAR(*s.distance_jump, 0.25, 1e-3) << path.name;

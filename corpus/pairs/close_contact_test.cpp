@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What needs no referee; that the distance is as built: oracles/trial/close_contact_test.cpp.
+// The tests that need no referee. oracles/trial/close_contact_test.cpp tests that the distance is as built.
 #include "corpus/pairs/close_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST(CloseContact, HasTheAnglesOfItsCell) {
     }
     exact[c.cell.lie] += small == 0;
     ASSERT_LE(small, ends[band] + rounding_error) << to_string(c.cell.lie) << ' ' << to_string(c.feature);
-    // Where a whole turn about the normal was free, both angles make the small one up together.
+    // If a whole turn about the normal was free, both angles together make up the small one.
     ASSERT_GE(small, ends[band + 1] / 2 - rounding_error)
         << to_string(c.cell.lie) << ' ' << to_string(c.feature);
   });

@@ -47,7 +47,8 @@ Wide excess(const Cylinder& c, const Wide3& x) {
 Wide sine(const Pair& p) { return unit_axis(p.a).cross(unit_axis(p.b)).norm(); }
 Wide cosine(const Pair& p) { return unit_axis(p.a).dot(unit_axis(p.b)); }
 
-/// Closest points by projecting from solid to solid; 0 where they meet. Crude: a small value proves nothing.
+/// The distance of the closest points by projecting from solid to solid, 0 if they meet. A small value
+/// proves nothing.
 Wide crude_distance(const Pair& p) {
   const auto project = [](const Cylinder& c, const Wide3& x) {
     const Wide3 w = unit_axis(c), d = x - wide(c.center);

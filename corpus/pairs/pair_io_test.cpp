@@ -333,7 +333,7 @@ TEST(PairIo, RefusesALineBeyondTheCapAndGoesOn) {
   EXPECT_EQ(read_all(line_of(line_cap + 1)).at(0).error, "line 1, " + too_long);
 }
 
-// Whatever the bytes, a line gives a value or an error, and a value is valid and survives a round trip.
+// For any bytes, a line gives a value or an error. A value is valid and survives a round trip.
 TEST(PairIo, SurvivesMutatedBytes) {
   const std::vector<std::string> seeds = {
       good_line,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What needs no referee; that verdict, margin and feature are as built: oracles/trial/contact_test.cpp.
+// The tests that need no referee. oracles/trial/contact_test.cpp tests verdict, margin and feature.
 #include "corpus/pairs/strata.hpp"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,7 @@ namespace {
 /// Apart by 2^-4298 of their size, less than the referee can see.
 const Pair hair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{-0x1p-1074, 2, 0}, {1, 0x1p-1074, 0}, 1, 2}};
 
-/// Asked in disputes alone here, so that a pair nobody decides is judged twice.
+/// Asked only in disputes here, so that a pair without a proof is judged twice.
 std::unique_ptr<Method> costly() {
   return fake_method("costly", [](const Pair&) { return answered(Verdict::disjoint); }, {.share = 100});
 }
@@ -55,7 +55,7 @@ TEST(Batch, AnUndecidedPairIsCountedOnceAndWithItsTimeAtTheLastStage) {
   EXPECT_EQ(rows["referee-exact"].nanoseconds, rows[referee_row].nanoseconds);
 }
 
-/// Wrong of every pair that is apart; where it has a memory, of every other call.
+/// Wrong for every pair that is apart. With a memory, it is wrong for every other call.
 std::unique_ptr<Method> wrong(bool memory) {
   const auto ask = [memory, calls = 0](const Pair&) mutable {
     return answered(!memory || ++calls % 2 == 0 ? Verdict::intersecting : Verdict::disjoint);
@@ -117,7 +117,7 @@ TEST(Batch, AMemoryIsNoted) {
   EXPECT_TRUE(noted);
 }
 
-/// What broke after many questions and not alone did break: it keeps its words, and is not counted as wrong.
+/// A failure after many questions that does not recur alone keeps its words, and is not counted as wrong.
 TEST(Batch, AStateThatBreaksIsNamed) {
   std::vector<std::unique_ptr<Method>> methods;
   const auto ask = [calls = 0](const Pair&) mutable {

@@ -175,7 +175,7 @@ TEST_F(SelfCheck, OneThatIsNotFoundIsRedThoughNothingElseIsFound) {
   EXPECT_EQ(value_of(RunStore::open(folder / "run").config(), "status"),
             status_failed + longer.harness_failure);
   EXPECT_EQ(format_self_checks(self_checks("run")).find("SELF-CHECK FAILED: planted fault "), 0u);
-  // What is stored stays red, and nothing is planted twice.
+  // The stored failure stays, and no fault is planted twice.
   const std::size_t before = planted();
   EXPECT_EQ(exit_code(go_on(options("run", self_check_start(seed, 0) + 1))), 1);
   EXPECT_EQ(planted(), before);

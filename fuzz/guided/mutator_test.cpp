@@ -24,7 +24,7 @@ const Move& move_named(std::string_view name) {
   return *std::find_if(moves().begin(), moves().end(), [&](const Move& m) { return m.name == name; });
 }
 
-/// What the move makes of many random pairs.
+/// Applies the move to many random pairs.
 template <class Accept>
 void look_at(std::string_view name, Accept look) {
   for (std::uint64_t i = 0; i < 200; ++i) {

@@ -33,7 +33,7 @@ Claim promising(double relative) {
   return claim;
 }
 
-/// `distance`, said longer by a part of the size and with an error told that is `told` of it.
+/// Reports a distance that is too long by a part of the size, and an error that is `told` of that part.
 std::unique_ptr<Method> lying(double off, double told) {
   const auto ask = [=](const Pair& pair) {
     MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));

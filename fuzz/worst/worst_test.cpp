@@ -148,7 +148,7 @@ TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
   EXPECT_FALSE(not_beyond.beyond_claim());
 }
 
-/// Aborts or throws where the axes are parallel, right elsewhere.
+/// Aborts or throws if the axes are parallel, and is right otherwise.
 std::unique_ptr<Method> breaking(bool abort) {
   return faulty([abort](const Pair& pair, double) {
     if (pair.a.axis.cross(pair.b.axis).norm() == 0) {

@@ -46,8 +46,8 @@ TEST(Errata, EachThatAPairShowsIsShownByItsCase) {
   for (const auto& [id, c] : left) ADD_FAILURE() << id << " belongs to no erratum";
 }
 
-/// Those that no pair shows, though a program can follow them: neither alone nor in the printed text do they
-/// change a verdict.
+/// A program can follow these errors, but no pair shows them. They change no verdict, alone or in the
+/// printed text.
 TEST(Errata, HarmlessOnesChangeNoVerdict) {
   for (const Erratum& e : errata()) {
     if (e.shown_by != ShownBy::none || !e.fault) continue;

@@ -41,7 +41,7 @@ std::unique_ptr<Method> command(const std::string& text) {
   return std::move(open_guest(read_guest(GuestKind::command, "test=" + text)).front().method);
 }
 
-/// What it says of so many pairs, numbered from 1 by their first radius.
+/// Returns its answers to so many pairs, numbered from 1 by their first radius.
 std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count,
                               CallMode mode = CallMode::usual) {
   std::vector<std::unique_ptr<Method>> methods;
@@ -54,7 +54,7 @@ std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count,
   return answers;
 }
 
-/// A program that does `body` where the first radius is 2, and is right elsewhere.
+/// A program that does `body` if the first radius is 2, and is right otherwise.
 std::vector<MethodAnswer> ask_with_trouble(const std::string& body) {
   const std::string trouble =
       "case $q in *'\"radius\":2,\"height\":2},\"b\"'*) " + body + ";; *) " + say(apart) + ";; esac";
@@ -134,7 +134,7 @@ TEST(GuestCommand, TheTimeOfWhatItStartedCountsAsItsOwn) {
   EXPECT_STREQ(answers[1].reason, "no answer within 1000 ms of CPU time");
 }
 
-/// Says that a program of its own hung.
+/// Reports that a program of its own hung.
 TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("sleeper",
@@ -204,7 +204,7 @@ TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
 TEST(GuestCommand, NothingOfItOutlivesIt) {
   const Scratch scratch;
   const fs::path file = scratch.folder / "pipe";
-  // What it starts, in a session of its own, holds the pipe open as long as it lives.
+  // A process that it starts, in a session of its own, holds the pipe open as long as it lives.
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   const int pipe = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   const std::string orphan = "setsid sh -c 'exec 9>" + file.string() + "; echo here >&9; sleep 1000' & ";

@@ -58,7 +58,7 @@ TEST(LiteraturePrinted, IsOftenWrong) {
 
 using literature::Minimiser;
 
-/// What the whole text of 2017 put right says of the cases, by both minimisers.
+/// The verdicts of the corrected text of 2017 about the cases, by both minimisers.
 TEST(Errata2017, NoneIsWrongOncePutRight) {
   for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
     if (c.id.find("-2017-") == std::string::npos) continue;

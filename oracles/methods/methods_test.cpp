@@ -23,7 +23,7 @@ namespace {
 struct Known {
   Pair pair;
   Verdict verdict;
-  double distance;  ///< exact up to rounding where disjoint
+  double distance;  // exact up to rounding if disjoint
 };
 
 /// The point of c farthest along the unit vector d.
@@ -41,8 +41,8 @@ Known apart(Pair p, Vector3 d, double gap) {
   return {p, Verdict::disjoint, gap};
 }
 
-/// Pairs a margin of 0.1 or more away from touching, at a length unit of `scale`: in generic poses, apart and
-/// with one centre, then side by side and end to end, apart and overlapping.
+/// Pairs a margin of 0.1 or more away from touching, at a length unit of `scale`. They lie in generic poses,
+/// apart and with one centre. Then they lie side by side and end to end, apart and overlapping.
 std::vector<Known> easy_pairs(double scale = 1) {
   const Vector3 axes[] = {{0, 0, 1}, {0.3, -0.2, 1}, {1, 2, 3}, {-1, 0.5, 0.1}};
   const Vector3 directions[] = {{1, 0.1, 0.2}, {0.1, -1, 0.7}, {-0.3, 0.4, 1.1}};
@@ -258,8 +258,8 @@ TEST(Nlopt, TheSamePairGivesTheSameAnswerWhateverCameBefore) {
   }
 }
 
-// The depth of an overlap is where a search can end in the wrong basin: 0.8 along the common axis, near the
-// middle of one chart, and 0.9 across it.
+// A search for the depth of an overlap can end in the wrong basin. One depth is 0.8 along the common axis,
+// near the middle of one chart, and the other is 0.9 across it.
 TEST(Nlopt, FindsTheLeastDepthOnEveryChart) {
   for (int i = 0; i < 3; ++i) {
     Vector3 w(0.05, 0.02, 0.03);

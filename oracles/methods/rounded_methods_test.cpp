@@ -86,7 +86,7 @@ TEST(RoundedMethods, AreRightWhereThatIsEasy) {
   EXPECT_EQ(answers["fcl-libccd"], 500u);
 }
 
-// What Bullet's constructor makes of a cylinder is another solid, and it says so.
+// Bullet's constructor makes another solid of a cylinder, and the method reports it.
 TEST(RoundedMethods, ThatRoundEdgesNameTheirModel) {
   const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 1}, 1, 2}};
   for (const auto& method : all_methods()) {

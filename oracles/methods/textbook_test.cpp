@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The referee against a slow twin that shares nothing with it but the support gap: the ellipsoid method
-// (Shor; Khachiyan) on f~(D) = r0 |P0 D| + h0/2 |D.w0| + r1 |P1 D| + h1/2 |D.w1| - D.delta over the ball |D|
-// <= 1, in 256-bit numbers. f~ is convex and f~(0) = 0; the solids are disjoint iff its minimum is below 0.
+// Compares the referee with a slow twin. They share only the support gap. The twin is the ellipsoid method
+// (Shor; Khachiyan) in 256-bit numbers over the ball |D| <= 1, on f~(D) = r0 |P0 D| + h0/2 |D.w0| + r1 |P1
+// D| + h1/2 |D.w1| - D.delta. f~ is convex and f~(0) = 0. The solids are disjoint iff its minimum is below
+// 0.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -38,8 +39,8 @@ struct Slow {
     w1 = w1 / sqrt(dot(w1, w1));
   }
 
-  // f~(D) and a subgradient: the support point of D. Where D is along an axis, to all of the precision but 56
-  // bits, the middle of the cap serves.
+  // f~(D) and a subgradient, the support point of D. If D is along an axis up to the last 56 bits, the
+  // middle of the cap serves.
   MpFloat evaluate(const W3& d, W3& gradient) const {
     MpFloat value = -dot(d, delta);
     gradient = MpFloat(-1.0) * delta;
@@ -57,7 +58,7 @@ struct Slow {
   }
 };
 
-// disjoint; or intersecting, meaning: no gap of more than 2^-resolution size.
+// Returns disjoint, or intersecting if there is no gap of more than 2^-resolution size.
 Verdict slow_verdict(const Pair& pair, int resolution) {
   const PrecisionScope precision(256);
   const Slow slow(pair);
@@ -78,7 +79,7 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
     }
     const W3 pg{dot(p[0], g), dot(p[1], g), dot(p[2], g)};
     const MpFloat gpg = dot(g, pg);
-    if (gpg <= zero) return Verdict::intersecting;  // the minimum is where we stand
+    if (gpg <= zero) return Verdict::intersecting;  // this is the minimum
     const MpFloat width = sqrt(gpg);
     // All of the ellipsoid has f~ >= f~(c) - width >= -width, and the cut parts were higher than their
     // centres.
@@ -94,14 +95,14 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
   return Verdict::undecided;
 }
 
-// How many pairs of each family: a few in the daily tests, many where the environment asks for them.
+// The number of pairs of each family, a few in the daily tests, or as many as the environment states.
 std::uint64_t pairs_a_family() {
   const char* asked = std::getenv("DAYLIGHT_TEXTBOOK_PAIRS");
   return asked ? std::strtoull(asked, nullptr, 10) : 4;
 }
 
 TEST(Textbook, AgreesWithTheRefereeOnEveryFamily) {
-  constexpr int resolution = 64;  // bits: gaps and depths above 2^-64 size are told apart
+  constexpr int resolution = 64;  // bits: gaps and depths above 2^-64 size are resolved
   int disjoint = 0, intersecting = 0;
   for (const Family& family : families())
     for (std::uint64_t i = 0; i < pairs_a_family(); ++i) {

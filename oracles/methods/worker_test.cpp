@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Workers as those who ask see them: what lives on, what a guest may, and what is told of it.
+// Workers from the outside: which of them live on, what a guest may do, and what is reported of it.
 #include "oracles/methods/worker.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ MethodAnswer ask_guest(std::function<void()> act, const Caps& caps = {}) {
 
 TEST(Worker, AGuestReachesNoOtherProcess) {
   const std::pair<std::function<void()>, const char*> attempts[] = {
-      // Signal 0 reaches nobody, should the filter fail.
+      // Signal 0 reaches no process if the filter fails.
       {[] { kill(getppid(), 0); }, "called kill(), which a method may not"},
       {[] { kill(-1, 0); }, "called kill(), which a method may not"},
       {[] { kill(0, 0); }, "called kill(), which a method may not"},

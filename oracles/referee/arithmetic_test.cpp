@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t interval_count = 6000, number_count = 1500, sum_count = 150;
 
-/// Exactly. Of a long double: its leading 53 bits and the rest.
+/// Returns the exact number. A long double consists of its leading 53 bits and the rest.
 mpq_class exactly(double x) { return mpq_class(x); }
 mpq_class exactly(long double x) {
   const double head = static_cast<double>(x);
@@ -107,7 +107,7 @@ void check_intervals(RandomStream& stream, const char* kind) {
   if (a.hi >= 0) expect(holds_root(sqrt(a), std::max(mpq_class(0), al), ah), "intervals: root");
 }
 
-/// What no number comes of proves nothing.
+/// An operation without a number as its result proves nothing.
 template <class R>
 void check_overflow() {
   using I = BasicInterval<R>;
@@ -121,7 +121,7 @@ void check_overflow() {
   check_that(is_everything(all + far - far) && is_everything(all), "intervals: everything");
 }
 
-/// Of `bits`, to nearest: within half a unit of the last place.
+/// Returns whether x is the nearest number of `bits`, within half a unit of the last place.
 bool is_rounded(const mpq_class& x, const mpq_class& exact, int bits) {
   mpq_class unit = abs(exact);
   mpq_div_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<mp_bitcnt_t>(bits));

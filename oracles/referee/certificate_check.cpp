@@ -104,11 +104,11 @@ template <class R>
 bool BasicFilter<R>::separates(const double direction[3]) const {
   const Vec3<double> given{direction[0], direction[1], direction[2]};
   const double most = max_abs(given);
-  // not covered: our directions are finite; others' may be anything
+  // not covered: our directions are finite, but others may not be
   if (!(most > 0) || !std::isfinite(most)) return false;
   bool exact = true;
   const Vec3<double> d = scaled(given, -std::ilogb(most), exact);
-  // not covered: of our directions the greatest coordinate is about 1, where the scale is
+  // not covered: the greatest coordinate of our directions is about 1, as the scale is
   return exact && separates(Vec3<R>{d.x, d.y, d.z});
 }
 
@@ -230,7 +230,7 @@ Vec3<Interval> enclosed(const Rational3& v) {
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 
-// not covered within: tests and exports read certificates that are written; the gate has them in hand
+// not covered within: tests and exports read written certificates, and the gate has them in hand
 Rational3 exact(const ExactVector& v) {
   const auto c = [&](std::size_t i) {
     return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
@@ -261,7 +261,7 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
 }
 
 bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits) {
-  // not covered: our directions and the search's are not 0; others' may be
+  // not covered: our directions and the search's are not 0, but others may be
   if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
   return support_gap_sign(pair, direction, bits) < 0;
 }

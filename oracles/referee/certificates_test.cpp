@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs are drawn so that a direction or a point is near the edge of proving something: there a wrong sign, a
-// bound rounded inwards and a lost term all show. What is so is computed with other formulas than the
+// Pairs are drawn so that a direction or a point is near the edge of a proof. There a wrong sign, a bound
+// rounded inwards and a lost term all show. The expected results come from other formulas than the
 // referee's.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::uint64_t direction_count = 4000, point_count = 3000, hull_count = 6000;
 
-/// What a filter may lose to rounding, in units of its last place, times the pair's reach: 60 operations,
-/// each rounded outward by two units.
+/// The most that a filter may lose to rounding, in units of its last place, times the pair's reach. A filter
+/// takes 60 operations, each rounded outward by two units.
 constexpr double filter_loss_error = 256;
 constexpr int real_bits = 512;
 
@@ -140,7 +140,7 @@ bool is_inside(const Cylinder& c, const Rationals& point) {
   const Beyond by = beyond(c, point);
   return by.along <= 0 && by.across <= 0;
 }
-/// Whether the point stays inside where each length that the solid has is less by `room`.
+/// Returns whether the point stays inside if each length of the solid that is not 0 shrinks by `room`.
 bool has_room(Cylinder c, const Rationals& point, double room, bool level, bool thin) {
   if ((!level && c.height <= 2 * room) || (!thin && c.radius <= room)) return false;
   c.height -= 2 * room;
@@ -155,7 +155,7 @@ Vector3 point_of(RandomStream& stream, const Cylinder& c, double along, double a
   return along * c.height / 2 * w + across * c.radius * out;
 }
 
-/// Half of them within a little of 1, where the surface is; others anywhere inside or a little outside.
+/// Half of the numbers are within a little of 1, at the surface. The others are inside or a little outside.
 double draw_place(RandomStream& stream) {
   const double near = 1 + draw_share(stream), any = stream.between(0, 1.1);
   return stream.coin() ? near : any;
@@ -240,7 +240,7 @@ Hull both_of(Hull x, bool level, bool thin) {
   thin = thin || is_thin(x);
   return level && thin ? Hull::center : level ? Hull::plane : thin ? Hull::line : Hull::space;
 }
-/// A flat solid's own hull counts whatever is said.
+/// A flat solid's own hull counts for any hull.
 Hull hull_of(const Cylinder& c, Hull said) { return both_of(said, c.height == 0, c.radius == 0); }
 
 bool is_on(const Cylinder& c, Hull hull, const Rationals& point) {

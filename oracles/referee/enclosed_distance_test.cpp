@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What solver/distance.hpp says, against the referee's enclosures. A few pairs daily;
-// DAYLIGHT_DISTANCE_PAIRS=5000 DAYLIGHT_SEED=n for a long run.
+// Compares solver/distance.hpp with the referee's enclosures. It asks a few pairs daily.
+// DAYLIGHT_DISTANCE_PAIRS=5000 DAYLIGHT_SEED=n makes a long run.
 #include <gtest/gtest.h>
 
 #include <algorithm>

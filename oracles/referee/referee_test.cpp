@@ -23,7 +23,7 @@
 namespace cyl {
 namespace {
 
-// Every certificate is checked again, in the widest arithmetic, whatever stage handed it out.
+// Every certificate of any stage is checked again, in the widest arithmetic.
 void expect_proved(const Pair& pair, const Truth& truth, const std::string& what) {
   const Certificate& c = truth.certificate;
   switch (truth.verdict) {
@@ -67,12 +67,12 @@ TEST(Referee, ProvesEveryFamily) {
       if (family.name == "whiskers") beyond_algebra += alone.bits > 128;
       ++seen[truth.verdict];
       ++stages[truth.stage];
-      // Our solver says what it is sure of; the referee has not heard it.
+      // Our solver reports the verdicts that it is sure of. The referee does not know them.
       const Answer said = decide(pair.a, pair.b);
       if (said.verdict != Verdict::undecided && truth.verdict != Verdict::undecided) {
         EXPECT_EQ(said.verdict == Verdict::disjoint, truth.verdict == Verdict::disjoint) << what;
       }
-      // An undecided pair is one that cannot be told from touching.
+      // An undecided pair cannot be separated from touching.
       if (truth.verdict == Verdict::undecided) {
         const Enclosure e = enclose_distance(pair, truth);
         EXPECT_LE(e.lo, 1e-13 * size_of(pair)) << what;
@@ -89,7 +89,7 @@ TEST(Referee, ProvesEveryFamily) {
 
 TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
   const Pair touching[] = {
-      // caps; walls, parallel and crossing; a cap and a wall; segments; points; a rim point; rims
+      // caps, then walls, parallel and crossing, then a cap and a wall, segments, points, a rim point, rims
       {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 2}, {0, 0, 1}, 1, 2}},
       {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}},
       {{{0, 0, 0}, {1, 1, 0}, 1, 2}, {{0, 0, 2}, {1, -1, 0}, 1, 2}},
@@ -136,9 +136,9 @@ TEST(Referee, AgreesWithOurSolverOnEveryCase) {
 }
 
 TEST(Referee, RightAtMarginsFarBelowDoubles) {
-  // A wall of radius 3 touches the origin in the plane with normal (2, 2, 1); what comes near it from the
-  // other side is moved by t (2, 2, 1): a gap of exactly 3 t, or a depth of 3 |t| (of the wall's own depth,
-  // for a segment or a disk).
+  // A wall of radius 3 touches the origin in the plane with normal (2, 2, 1). The other solid comes near it
+  // from the other side, moved by t (2, 2, 1). That is a gap of exactly 3 t, or a depth of 3 |t| (the wall's
+  // own depth for a segment or a disk).
   const Vector3 normal(2, 2, 1);
   const Cylinder wall{-normal, Vector3(1, 0, -2), 3, 8};
   const Cylinder cap{-normal, normal, 5, 6};
@@ -161,7 +161,7 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
           EXPECT_GE(e.hi, known) << format_pair(pair);
         }
       }
-  // Two fat walls can only be told apart as finely as their centres' doubles.
+  // Two fat walls can only be separated as finely as the doubles of their centres allow.
   for (const double side : {1.0, -1.0}) {
     Pair pair{wall, wall};
     pair.b.axis = Vector3(1, -1, 0);
@@ -177,8 +177,8 @@ TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
   const Truth truth = judge(pair);
   ASSERT_EQ(truth.verdict, Verdict::touching);
   ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
-  // Within 2^-200 size: inside both once they have grown by that much; the plane separates them once they
-  // have shrunk.
+  // Within 2^-200 size. A point is inside both solids once they have grown by that much. The plane separates
+  // them once they have shrunk by it.
   const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
   const Rational3 x = exact(truth.certificate.vector);
   for (const Cylinder* c : {&pair.a, &pair.b}) {
@@ -211,8 +211,8 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
   EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
 }
 
-// A disk of radius 2 about (c, 0, 0), its axis across x, and a flat or thick solid at the origin: whether
-// they share more than a point of the border is known on paper. The guess is off by far more than rounding.
+// A disk of radius 2 about (c, 0, 0) has its axis across x. A flat or thick solid is at the origin. Paper
+// shows if they share more than a point of the border. The guess is off by far more than rounding.
 template <class R>
 void expect_overlaps(const char* what) {
   struct Known {
@@ -288,7 +288,7 @@ TEST(Enclosure, HoldsDistancesKnownOnPaper) {
     Pair pair;
     double distance;
   };
-  const Known all[] = {// along an axis; across; both (corner to corner); depth: the least way out
+  const Known all[] = {// along an axis, across, both (corner to corner), and the depth by the least way out
                        {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 3}, {0, 0, 1}, 1, 2}}, 1},
                        {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 6}, {0, 0, 1}, 1, 2}}, 5},
                        {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.5, 0, 0}, {0, 0, 2}, 1, 2}}, -0.5},
@@ -371,8 +371,8 @@ TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
   }
 }
 
-// The support point of a direction within 1e-9 of an axis lies on the rim, though the direction hardly says
-// where. The distance, to 16 digits: mpmath.
+// The support point of a direction within 1e-9 of an axis lies on the rim. The direction hardly determines
+// its place. The distance, to 16 digits, is from mpmath.
 TEST(Enclosure, KeepsToTheRimNearAnAxis) {
   const Pair p{{{0.07799465032728059, -0.6491270501948554, 0.18302059596377318},
                 {0.36144175990345634, -0.8814801938102229, -0.3038955776548649},

@@ -91,8 +91,8 @@ TEST(RefereeOfRounded, CoresWithATinyPartAreNoHarderThanFlatOnes) {
   }
 }
 
-// A rim on a wall, a disk on a rim, in rational places: algebra settles them at once, so that they
-// cost little more than a tie of the same kind without rounding.
+// A rim on a wall and a disk on a rim, in rational places. Algebra settles them at once, so they cost little
+// more than a tie of the same kind without rounding.
 TEST(RefereeOfRounded, TiesCostWhatTheyDoWithoutRounding) {
   const char* const tied[][2] = {
       {R"("center":[-7168,-7168,-4096],"axis":[-2,11,-10],"radius":3840000,"height":23040000)",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the referee's own search and enclosure get, and in how many steps: a search that goes astray still
-// proves nothing wrong, and only the count shows it: bounds are what was measured.
+// The reach of the referee's own search and enclosure, and their numbers of steps. A search that goes astray
+// proves nothing wrong, so only the count shows it. The bounds are measured values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,12 +22,12 @@
 namespace cyl {
 namespace {
 
-/// Of the pairs drawn one in so many is searched in 128 bits, and one in so many enclosed.
+/// One in so many of the drawn pairs is searched in 128 bits, and one in so many is enclosed.
 constexpr std::size_t fine_share = 20, enclosing_share = 10;
 constexpr double enclosing_widths[] = {1e-3, 1e-6, 1e-9};
 constexpr std::uint64_t parallel_count = 1000;
 
-/// What one kind of pairs takes at most.
+/// The most that one kind of pairs takes.
 struct Bounds {
   double slices, fine_slices;                // in the mean, in double and in 128 bits
   double beyond_double, beyond_long_double;  // shares
@@ -82,8 +82,8 @@ struct EnclosingEffort {
   double pairs = 0, cells = 0, near = 0, capped = 0;
 };
 
-/// What the distance is certainly within, by the solver's two bounds: apart the nearest points and the plane
-/// between them, overlapping what is shown to separate.
+/// Returns an enclosure of the distance by the solver's two bounds. If the solids are apart, these are the
+/// nearest points and the plane between them. If they overlap, they come from the separation that is shown.
 Enclosure bounds_of(const Distance& d) { return {d.value - d.error, d.value + d.error}; }
 
 /// f(d) of a unit direction, in long double.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solids built of integers so that a plane has one on each closed side and both reach it: they touch where
-// the parts that lie in the plane do, and are apart by nothing else.
+// Solids built of integers. A plane has one solid on each closed side, and both reach it. They touch if
+// their parts in the plane do, and otherwise only the plane separates them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct Lattice {
   Vector3 up{2, -1, 2}, right{2, 2, -1}, front{-1, 2, 2};
 };
 
-/// What of a solid lies in the plane, about `middle` from the solid's centre: a disk, a segment along the
-/// unit vector (x, y) on right and front, or a point.
+/// The part of a solid that lies in the plane, about `middle` from the solid's centre. It is a disk, a
+/// segment along the unit vector (x, y) on right and front, or a point.
 struct Part {
   Cylinder solid;
   Vector3 middle;
@@ -64,7 +64,8 @@ Part draw_part(RandomStream& stream, const Lattice& l) {
   return part;
 }
 
-/// How far two parts are from sharing a point, b's middle at (x, y) from a's: below 0 where they do.
+/// Returns how far two parts are from sharing a point, with b's middle at (x, y) from a's. Below 0 if they
+/// share one.
 double apart(const Part& a, const Part& b, double x, double y) {
   const double radii = a.disk + b.disk;
   double least = std::hypot(x, y);
@@ -104,7 +105,7 @@ void touch(std::uint64_t index) {
              pair);
 }
 
-/// The simplest rational near a number is that number, where it is simple, and near it in any case.
+/// The simplest rational near a simple number is that number. In any case it is near the number.
 void simplify(std::uint64_t index) {
   RandomStream stream("simple rationals", drawing_seed, index);
   mpq_class simple(stream.integer(-300, 300), stream.integer(1, 30));

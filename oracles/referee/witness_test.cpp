@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the referee makes of witnesses, and that it needs none.
+// The referee's checks of witnesses, and its work without them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -107,7 +107,7 @@ TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
     EXPECT_EQ(check_witness(pair, point_in(hull, Hull::space, origin)), Verdict::intersecting);
     EXPECT_EQ(check_witness(pair, point_in(Hull::space, hull, origin)), Verdict::intersecting);
   }
-  // Where they do meet, but in no inner point of the solids.
+  // They meet here, but in no inner point of the solids.
   EXPECT_EQ(check_witness({segment, {{9, 9, 0}, z, 2, 0}}, point_in(Hull::line, Hull::plane, beside)),
             Verdict::undecided);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ TEST(HullWitness, OfTouchingLeavesItTouching) {
   }
 }
 
-// Every witness that decide() offers holds, and the referee says the same with it and without.
+// Every witness that decide() offers holds, and the referee's verdict is the same with it and without it.
 TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
   const Cylinder disk{{0, 0, 0}, {1, 2, 3}, 1, 0};
   Cylinder above = disk;
@@ -195,7 +195,7 @@ TEST(Referee, ProvesThatASegmentTouchesARim) {
     });
 }
 
-// What took 200 to 2000 slices: contacts within 2^-500 of a rim or of a tie.
+// These took 200 to 2000 slices: contacts within 2^-500 of a rim or of a tie.
 TEST(Referee, FindsExtremeContactsInFewSlices) {
   const Pair extreme[] = {{{{1, 0, 0}, {12, 0, 1.03904747e-316}, 1, 0}, {{1, 1, 1}, {12, 0, 5}, 1, 0}},
                           {{{0, -1, 0}, {3, 6.664204317189761e-213, 0}, 1, 0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever the doubles of a pair, every line that `daylight check` makes of it is JSON.
+// For any doubles of a pair, every line that `daylight check` makes of it is JSON.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -35,7 +35,7 @@ Pair wild_pair(RandomStream& stream) {
   return pair;
 }
 
-/// Whether an end of an enclosure is a number, or a string of decimals where no double reaches it.
+/// Returns whether an end of an enclosure is a number, or a string of decimals if no double reaches it.
 bool is_end(const nlohmann::json& end, double value) {
   return std::isfinite(value) ? end.get<double>() == value : end == format_end(value);
 }

@@ -41,7 +41,7 @@ TEST(CoordinateOf, TellsWhatIsExtreme) {
             Coordinate::scale);
   EXPECT_EQ(of([](Pair& p) { p.a.radius = 0.0099; }), Coordinate::aspect);
   EXPECT_EQ(of([](Pair& p) { p.a.radius = 0.0101; }), Coordinate::plain);
-  EXPECT_EQ(of([](Pair& p) { p.a.radius = 0; }), Coordinate::plain);  // a segment is no needle
+  EXPECT_EQ(of([](Pair& p) { p.a.radius = 0; }), Coordinate::plain);  // a segment is not a needle
   EXPECT_EQ(of([](Pair& p) { p.b.height = 0.0199; }), Coordinate::aspect);
   EXPECT_EQ(of([](Pair& p) { p.b.radius = 0.01, p.b.height = 0.01; }), Coordinate::aspect);
   EXPECT_EQ(of([](Pair& p) { p.b.axis = {0, 1e-9, 1}; }), Coordinate::angle);

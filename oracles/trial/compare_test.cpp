@@ -92,7 +92,7 @@ TEST(Compare, AWrongVerdictWithinTheClaimIsAResolutionFinding) {
 }
 
 TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
-  // 1e-11 / 8 is above a claim of 1e-13 and below one of 1e-11, and the first enclosure says neither.
+  // 1e-11 / 8 is above a claim of 1e-13 and below one of 1e-11. The first enclosure shows neither.
   EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-13, 0, ""}, said(Verdict::intersecting))->severity,
             Severity::contract);
   EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-11, 0, ""}, said(Verdict::intersecting))->severity,
@@ -272,7 +272,7 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->kind, FindingKind::bad_witness);
   EXPECT_EQ(finding->severity, Severity::contract);
-  // Who claims a tolerance, however small, has not promised a proof.
+  // A claim with a tolerance, however small, promises no proof.
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::resolution);
   direction.has_distance = true;
   direction.distance = 3;
@@ -309,7 +309,7 @@ TEST(SameAnswer, ComparesWhatWasSaidBitForBit) {
   MethodAnswer hung;
   hung.status = Status::failed;
   hung.failure = Failure::hang;
-  EXPECT_TRUE(same_answer(x, hung));  // time is no function of the pair
+  EXPECT_TRUE(same_answer(x, hung));  // time is not a function of the pair
   MethodAnswer point = said(Verdict::intersecting), elsewhere = point;
   point.witness = elsewhere.witness = CertificateKind::point;
   EXPECT_TRUE(same_answer(point, elsewhere));

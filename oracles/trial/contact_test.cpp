@@ -21,12 +21,12 @@ constexpr std::uint64_t seed = 20261121;
 
 /// Rounding of a margin that was built (near_touching.hpp).
 constexpr double built_margin_error = 5e-16;
-/// Of the narrowest enclosures, in sizes.
+/// The width of the narrowest enclosures, in sizes.
 constexpr double enclosure_width = 4e-14;
 /// The last decade whose pairs the referee must find as they were built.
 constexpr int checked_decade = 13;
 
-// Of strata: verdict and margin are as built, and so is the feature.
+// The verdict, the margin and the feature of strata are as built.
 TEST(ContactFeatureOf, StrataIsAsBuilt) {
   int pairs = 0, other_feature = 0;
   for (const ContactFeature built : enum_values<ContactFeature>) {
@@ -167,7 +167,7 @@ TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
         gap -= c.radius * d.cross(w).norm() + c.height / 2 * std::abs(d.dot(w));
       }
       const double allowed = 1e-14 * (size_of(p) + static_cast<double>(delta.stableNorm()));
-      // A lower end of 0 is what the verdict alone tells.
+      // The verdict alone gives a lower end of 0.
       if (found.distance.lo != 0)
         EXPECT_GE(static_cast<double>(gap), found.distance.lo - allowed) << format_pair(p);
       else

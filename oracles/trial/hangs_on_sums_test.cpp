@@ -6,7 +6,7 @@
 namespace cyl {
 namespace {
 
-// Disjoint by 1/3; libccd's GJK says intersecting if our sums go from the left.
+// Disjoint by 1/3. libccd's GJK reports intersecting if our sums go from the left.
 TEST(HangsOnSums, TwoCoins) {
   const Pair coins{{Vector3(0, 0, 0), Vector3(1, 2, 2), 3, 1}, {Vector3(-4, -2, 2), Vector3(1, 2, 2), 3, 1}};
   const auto methods = ccd_methods();
@@ -15,7 +15,7 @@ TEST(HangsOnSums, TwoCoins) {
   EXPECT_EQ(hangs_on_our_sums("ode", FindingKind::wrong_intersecting, coins), std::nullopt);
 }
 
-// Apart by a length that GJK takes for zero, whatever is summed how.
+// Apart by a length that GJK takes for zero with sums in any order.
 TEST(HangsOnSums, NotAnAbsoluteLength) {
   const Pair tiny{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1e-9, 2e-9},
                   {Vector3(3e-9, 1e-10, 0), Vector3(0, 0, 1), 1e-9, 2e-9}};

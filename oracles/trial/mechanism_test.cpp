@@ -20,7 +20,7 @@
 namespace cyl {
 namespace {
 
-/// Wrong wherever `errs` says so.
+/// Wrong for the pairs of `errs`.
 std::unique_ptr<Method> erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false,
                                bool guest = false) {
   const auto ask = [errs = std::move(errs), capped](const Pair& pair) {
@@ -89,7 +89,7 @@ TEST(Mechanism, TellsWhatLeavesTheDoubles) {
             Mechanism::underflow);
 }
 
-/// A cut-off of the method's own is no overflow, however large the pair.
+/// A cut-off of the method's own is not an overflow, however large the pair.
 TEST(Mechanism, NamesTheLengthThatDecides) {
   for (const auto& [size, wrong] : {std::pair(
                                         0x1p200, +[](const Pair& p) { return size_of(p) > 300; }),

@@ -13,8 +13,8 @@
 namespace cyl {
 namespace {
 
-// What solver/distance.hpp promises always, and on every machine: of the smallest solids too, where all that
-// is told is a few of the smallest doubles.
+// Tests what solver/distance.hpp promises always and on every machine. It includes the smallest solids, for
+// which the reported values are a few of the smallest doubles.
 TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItTells) {
   for (const Family& family : families()) {
     for (std::uint64_t i = 0; i < 200; ++i) {

@@ -19,7 +19,7 @@ const LawFilter everything = [](std::size_t, const Law&) { return true; };
 const WorthShrinking anything = [](const LawFailure&) { return true; };
 constexpr std::uint64_t seed = 20261121;
 
-/// What RapidCheck shrank and named.
+/// Returns the failure that RapidCheck shrank and named.
 const LawFailure& named(const SearchRound& round) {
   const auto found = std::find_if(round.failures.begin(), round.failures.end(),
                                   [](const LawFailure& c) { return !c.reproduce.empty(); });

@@ -46,7 +46,7 @@ TEST(AnswerLaws, CatchADistanceTooLarge) {
             Numbers{33});
 }
 
-// The distance is wrong, as well, and a gap where there is none no triangle knows.
+// The distance is wrong too, and no triangle shows a gap if there is none.
 TEST(AnswerLaws, CatchADistanceOfTheOtherSign) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair&, MethodAnswer& answer) {
@@ -146,8 +146,9 @@ TEST(AnswerLaws, CatchADirectionTheWrongWay) {
             Numbers{40});
 }
 
-// Of a gap and of a common ball 1e-13 of the size is the border; a coin has room for a disk, a needle for a
-// segment. Of two that are flat, and of what is thinner than the ball and not flat, nothing is said.
+// The border is a gap or a common ball of 1e-13 of the size. A coin has room for a disk, and a needle for a
+// segment. The law does not apply to two flat solids, or to a solid that is thinner than the ball and not
+// flat.
 TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
   Planted method = plant(
       "decide",
@@ -174,8 +175,8 @@ TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
   EXPECT_TRUE(violation(upright(0), upright(0.5, 1, 3e-13)));
 }
 
-// The enclosure tells the same, what moves on along the direction is nearer than that shows, and from a gap
-// to none the distance jumps.
+// Three other laws see it too. The enclosure disagrees, a solid moved on along the direction is nearer than
+// that proves, and the distance jumps from a gap to none.
 TEST(AnswerLaws, CatchADistanceBelowWhatADirectionProves) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {

@@ -81,7 +81,7 @@ TEST(ApproximateLaws, CatchARoundingThatCountsTwice) {
   EXPECT_NE(std::find(violated.begin(), violated.end(), 25), violated.end());
 }
 
-// Next to touching, where no pair that is drawn lies and every slide ends.
+// Next to touching. No drawn pair lies there, and every slide ends there.
 TEST(ApproximateLaws, CatchADepthBeyondTheWayBack) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -92,7 +92,7 @@ TEST(ApproximateLaws, CatchADepthBeyondTheWayBack) {
             Numbers{24});
 }
 
-// Of a method that never takes the right way out, the gap that a slide leaves tells.
+// For a method that never takes the right way out, the gap that a slide leaves shows the fault.
 TEST(ApproximateLaws, CatchADepthThatOpensAGap) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair&, MethodAnswer& answer) {

@@ -29,7 +29,7 @@ MethodAnswer cubes(const Pair& pair) {
   return answer;
 }
 
-/// The exact laws broken; cubes are no cylinders, so other laws are, too.
+/// Returns the broken exact laws. Cubes are not cylinders, so other laws are broken too.
 Numbers exact_laws_broken_by(const Planted::Ask& ask, const Claim& claim = of_everything) {
   Numbers numbers = laws_broken_by(Planted(ask, "planted", claim));
   std::erase_if(numbers, [](int number) { return number >= 10; });
@@ -96,7 +96,7 @@ TEST(ExactLaws, CatchAnAnswerThatLooksAtTheSenseOfAnAxis) {
             Numbers{3});
 }
 
-/// How far apart the solids are, in units of their size, where that is next to nothing; the rest is at 1.
+/// Returns the distance of the solids in units of their size, if that is next to nothing, and otherwise 1.
 double margin_near_contact(const Pair& pair) {
   const MethodAnswer measured = ask_ours("distance", pair);
   const double margin = measured.distance / size_of(pair);
@@ -113,8 +113,8 @@ TEST(ExactLaws, CatchAnAnswerThatLooksAtTheLengthOfAnAxis) {
             Numbers{4});
 }
 
-// Which way round the axes wind is nothing a mirror keeps, nor half of the permutations. The verdict is
-// wrong, which 31 proves, the proxies of 11 and 12 show, and 22 sees where the wrong ones begin.
+// A mirror does not keep the sense in which the axes wind, nor do half of the permutations. The verdict is
+// wrong. Law 31 proves it, the proxies of 11 and 12 show it, and 22 sees it at the first wrong ones.
 TEST(ExactLaws, CatchAnAnswerThatKnowsLeftFromRight) {
   EXPECT_EQ(laws_broken_by(plant("intersect",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -139,7 +139,7 @@ TEST(ExactLaws, CatchAnAnswerThatFavoursACoordinate) {
       (Numbers{6, 11, 12, 20, 22, 31}));
 }
 
-// Of round solids these hulls prove nothing, so that 32 finds them, too.
+// These hulls prove nothing about round solids, so law 32 finds them too.
 TEST(ExactLaws, CatchHullsThatStayWithTheFirst) {
   EXPECT_EQ(laws_broken_by(plant(
                 "decide",

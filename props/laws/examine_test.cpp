@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Methods that misbehave, side by side with an honest one: each is counted, law 30 says so, and the honest
-// one is as it is alone.
+// Methods that misbehave, side by side with an honest one. Each is counted, law 30 reports it, and the
+// honest one is as it is alone.
 #include "props/laws/examine.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Only who spins can use so much processor time; nobody is hurried by what else the machine does.
+// Only a method that spins can use so much CPU time. The load of the machine hurries no method.
 constexpr Caps short_caps{.call_cpu = milliseconds(200), .call_wall = std::chrono::hours(1), .hangs = 2};
 constexpr std::uint64_t pair_count = 8;
 

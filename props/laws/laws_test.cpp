@@ -21,7 +21,7 @@ namespace cyl {
 
 namespace {
 
-/// What our own methods break on this pair against their contract, or empty.
+/// Returns the laws that our own methods break on this pair against their contract, or nothing.
 std::string broken_by_ours(const Pair& pair) {
   for (const auto& method : own_methods()) {
     for (const Law& law : all_laws()) {

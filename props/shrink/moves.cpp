@@ -20,7 +20,7 @@ namespace {
 
 /// Sine of the angle below which axes are also tried as an axis and a little beside it.
 constexpr double near_sine_margin = 1e-2;
-/// Newton steps towards a distance. The distance is smooth in a number except at kinks, where the steps end.
+/// Newton steps towards a distance. The distance is smooth in a number except at kinks, which end the steps.
 constexpr int newton_cap = 8;
 /// Relative to a distance that is to be kept. A pair farther from it is not asked about.
 constexpr double kept_part_tol = 0.25;

@@ -165,7 +165,7 @@ TEST(SimplifyTo, TheOriginalWhereNothingElseFails) {
         simplify_by(pair, [&](const Pair& p) { return format_pair(p) == format_pair(pair); });
     EXPECT_EQ(format_pair(s.pair), format_pair(pair));
     EXPECT_FALSE(s.at_cap);
-    // Too few answers are no "yes".
+    // Too few answers do not mean yes.
     EXPECT_EQ(format_pair(simplify(pair, [](std::span<const Pair>) { return std::vector<bool>{}; }).pair),
               format_pair(pair));
   }
@@ -186,7 +186,7 @@ TEST(SimplifyTo, WhatFailedWithinAnyCap) {
   }
 }
 
-// What the bucket key is read from does not depend on where the search began.
+// The data of the bucket key does not depend on the start of the search.
 TEST(SimplifyTo, OneBucketForOneFault) {
   for (const ContactFeature feature : {ContactFeature::side_rim, ContactFeature::rim_rim}) {
     const Fails tolerance = [&](const Pair& p) {

@@ -72,7 +72,7 @@ TEST(PlaneProjection2008, HasThreeKinds) {
   EXPECT_NEAR(capped.cap, 2 * 0.8, 1e-15);
 }
 
-// Section 3 says that the wall alone decides: of a line, not of a plane.
+// By section 3, the wall alone decides. This holds for a line, but not for a plane.
 TEST(PlaneProjection2008, TheWallAloneLeavesAHole) {
   const Cylinder coin{{0, 0, 0}, {0, 0, 1}, 2, 0.1};
   for (const Vector3& n : {Vector3(0, 0, 1), Vector3(0, 0.6, 0.8)}) {

@@ -21,7 +21,7 @@ Solids solids_of(const Cylinder& a, const Cylinder& b) {
   return Solids(p, Axes({p.w0x, p.w0y, p.w0z}, {p.w1x, p.w1y, p.w1z}));
 }
 
-/// All ways say so, in either order, and the direction separates.
+/// All ways agree, in either order, and the direction separates.
 void expect(Verdict verdict, const Cylinder& a, const Cylinder& b) {
   for (const CircleWay circle : circle_ways) {
     for (const CriticalWay critical : critical_ways) {
@@ -77,8 +77,8 @@ Verdict literally(const Cylinder& a, const Cylinder& b, Faults faults) {
       .verdict;
 }
 
-// Of two segments in one plane G' is 0 all along the line, and its polynomial has no roots: V0 is to be
-// tested.
+// For two segments in one plane, G' is 0 all along the line, and its polynomial has no roots. So V0 has to
+// be tested.
 TEST(Literal2008, VIsTested) {
   const Cylinder point{{0, 0, 0}, {0, 0, 1}, 0, 0}, segment{{0, 0, 1}, {0, 1, 1}, 0, 4};
   EXPECT_EQ(literally(point, segment, {}), Verdict::disjoint);
@@ -90,7 +90,7 @@ TEST(Literal2008, ARootAtZeroIsARoot) {
   EXPECT_EQ(literally(a, b, printed_2008.without(Fault::derivative_of_the_wrong_term)), Verdict::disjoint);
 }
 
-// A fault in the distance of parallel axes says nothing of axes at an angle, small as it may be.
+// A fault in the distance of parallel axes has no effect on axes at an angle, small as it may be.
 TEST(Literal2008, AxesAreParallelIfTheirProductIsZero) {
   const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2e9};
   for (const double angle : {0.0, 1e-16})
@@ -143,8 +143,8 @@ TEST(Separation2008, BothDeterminantsZeroDecides) {
     }
 }
 
-// phi along the bisector of the axes and equal radii: g0 is least on the whole arc from W0 to W1. Of unequal
-// radii it is not least at W.
+// phi along the bisector of the axes and equal radii: g0 is least on the whole arc from W0 to W1. If the
+// radii differ, it is not least at W.
 TEST(Separation2008, EqualEigenvalues) {
   const Vector3 axis0(std::sin(0.6), 0, std::cos(0.6)), axis1(std::sin(0.6), 0, -std::cos(0.6));
   const Solids unequal = solids_of({{0, 0, 0}, axis0, 1, 2}, {axis0 + axis1 + Vector3(0, 0, 3), axis1, 3, 2});
@@ -258,7 +258,7 @@ TEST(Separation2008, VanishingTermIsTheOtherAxis) {
   EXPECT_NEAR(std::fabs(line.direction(x).normalized().dot(p.w[1])), 1, 1e-15);
 }
 
-// Where g0(D) < 0, D.W0 >= 0 and D.W1 >= 0, D.Delta >= 0 follows: what step 4 leaves unsaid is not missing.
+// If g0(D) < 0, D.W0 >= 0 and D.W1 >= 0, then D.Delta >= 0 follows. So step 4 is complete without it.
 TEST(Separation2008, ThirdInequalityFollows) {
   const Solids p = solids_of(upright, oblique);
   for (const double sign0 : {1.0, -1.0})

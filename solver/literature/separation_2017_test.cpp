@@ -60,7 +60,7 @@ TEST(Quarter2017, DerivativesAreThoseOfF) {
   }
 }
 
-// Equation (10) is printed with 3 r0 for r0: at t = 1/2 of two solids alike it would say 2.83 r0 (3 + c^2
+// Equation (10) is printed with 3 r0 for r0. At t = 1/2 of two equal solids it would give 2.83 r0 (3 + c^2
 // ...).
 TEST(Quarter2017, TheCoefficientOfEquation10IsOne) {
   const Quarter q{.r0 = 1, .r1 = 0, .h1b1 = 0, .c1_square = 0, .a2 = 0, .b2 = 0};
@@ -71,8 +71,7 @@ TEST(Quarter2017, TheCoefficientOfEquation10IsOne) {
   EXPECT_NEAR(q.bend(half), std::sqrt(8.0), 1e-14);
 }
 
-// Beside the kink the slope of its term changes sign where (1-t) a2 + t b2 does, not where (1-t) a2 + b2
-// does.
+// The slope of the term beside the kink changes sign with (1-t) a2 + t b2, not with (1-t) a2 + b2.
 TEST(Quarter2017, TheKinkIsWhereDeltaIsSquareToD) {
   const Quarter q{.r0 = 0, .r1 = 0, .h1b1 = 0, .c1_square = 0, .a2 = 1, .b2 = -half};
   EXPECT_NEAR(q.value(2 / 3.0), 0, 1e-15);
@@ -82,8 +81,8 @@ TEST(Quarter2017, TheKinkIsWhereDeltaIsSquareToD) {
   EXPECT_EQ(q.slope(0.7), -1.5);
 }
 
-// Not convex there, but not below 0 either, unless at an end. With the kink at t = 0 Equation (9) is no
-// slope: it is 1, of a function that falls.
+// F is not convex there, and it is below 0 only at an end, if at all. With the kink at t = 0, Equation (9)
+// is not a slope. It gives 1 for a function that falls.
 TEST(Quarter2017, AKinkHidesNoSeparation) {
   const Quarter at_end{.r0 = 1, .r1 = 1, .h1b1 = 3, .c1_square = 0.25, .a2 = 0, .b2 = 4};
   EXPECT_EQ(at_end.slope(0), 1);
@@ -145,9 +144,9 @@ TEST(Octant2017, GradientIsThatOfG) {
   }
 }
 
-// Section 7 says Q^3 (eta_ss eta_tt - eta_st^2) = (2 Q Q_ss - Q_s^2)(2 Q Q_tt - Q_t^2) - (2 Q Q_st - Q_s
-// Q_t)^2. As 4 Q^(3/2) eta_ss = 2 Q Q_ss - Q_s^2, the right side is 16 times the left; both are 0 for unit
-// axes.
+// The equation of section 7 is Q^3 (eta_ss eta_tt - eta_st^2) = (2 Q Q_ss - Q_s^2)(2 Q Q_tt - Q_t^2) - (2 Q
+// Q_st - Q_s Q_t)^2. As 4 Q^(3/2) eta_ss = 2 Q Q_ss - Q_s^2, the right side is 16 times the left. Both are 0
+// for unit axes.
 TEST(Octant2017, TheDeterminantNeedsASixteenth) {
   const double a = 0.3, b = 0.4, c = half;  // not of unit length
   const double s = 0.2, t = 0.3, u = half;
@@ -263,7 +262,7 @@ TEST_P(Degenerate2017, NoCylinder) {
   EXPECT_EQ(ask({{0, 0, 0}, {0, 0, 0}, 1, 2}, {}).verdict, Verdict::invalid);
 }
 
-// Section 3.1: whoever wants what only touches to be apart, or not, can have it; the text's code mixes both.
+// By section 3.1, touching solids may count as apart or as meeting. The text's code mixes both.
 TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
   const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
   const Cylinder above{{0, 0, 2}, {0, 0, 1}, 1, 2}, beside{{2, 0, 0}, {0, 0, 1}, 1, 2},
