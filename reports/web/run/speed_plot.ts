@@ -46,7 +46,9 @@ const describePoint = (p: SpeedPoint) =>
       `pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
     p.digits === null
       ? "no digits known"
-      : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right above a margin of 1e\u2212${short(p.digits)}`}` +
+      : (p.digits === 0
+          ? "not always right even at 1e\u22121"
+          : `right above a margin of 1e\u2212${short(p.digits)}`) +
         (p.digits_low === null
           ? "; too few answers to show it"
           : `; with 95 % confidence above 1e\u2212${short(p.digits_low)}`),
