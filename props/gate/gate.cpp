@@ -30,25 +30,25 @@ using std::chrono::milliseconds;
 constexpr std::size_t cases_at_once = 32;
 /// The number of draws of one round of the search.
 constexpr int draws_per_round = 4;
-/// A pair under all laws takes as long as so many of the sample: both phases are to take about as long.
+/// A pair under all laws takes as long as this many of the sample. Both phases are to take equally long.
 constexpr std::uint64_t law_cost = 50;
-/// Enclosing a distance takes a hundred times as long as proving a verdict: that law is held in one round of
-/// so many. That of a close contact takes ten times as long again.
+/// It takes a hundred times as long to enclose a distance as to prove a verdict. So that law is checked in
+/// one round of this many. A close contact takes ten times as long again.
 constexpr std::uint64_t distance_share = 8, close_distance_share = 64;
 constexpr int distance_law = 33;
 
 /// How often a failing case is run again.
 constexpr unsigned rerun_count = 10;
-/// The number of questions of the shrinker about one failure. Beyond them it stays as simple as it is.
+/// The most questions of the shrinker about one failure. After these, the failure stays as it is.
 constexpr std::size_t simplify_cap = 1200;
-/// The number of questions about all failures, those of running again included: enough for a few in the
-/// smallest gate, and one for so many pairs drawn.
+/// The questions about all failures, reruns included. They suffice for a few failures in the smallest gate,
+/// and there is one more for this many pairs drawn.
 constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_rerun = 10;
-/// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond
-/// each.
+/// A hang counts as this many questions. It takes half a second, and a question takes some tenths of a
+/// millisecond.
 constexpr std::uint64_t hang_cost = 1000;
 
-/// A method that has hung so often is not asked any more: 8 s of CPU time, or half a minute of sleep.
+/// A method that hangs this often is not asked any more. This is 8 s of CPU time, or half a minute of sleep.
 constexpr std::uint64_t hang_cap = 16;
 
 bool is_of_answer(const Law& law) { return law.kind == LawKind::answer; }
@@ -130,7 +130,7 @@ class Gate {
     report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
-  /// Whether nothing more is wanted.
+  /// Whether the gate is to stop at the first failure, and has found one.
   bool has_failed() const {
     return options_.first_failure && std::any_of(report_.failures.begin(), report_.failures.end(),
                                                  [](const auto& f) { return is_error(f); });
@@ -142,7 +142,7 @@ class Gate {
   /// is not asked, and the report states it.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due || has_failed()) return false;
-    const bool is_first = done == 0 && report_.phases.size() == 1;  // some are always asked
+    const bool is_first = done == 0 && report_.phases.size() == 1;  // the first cases are always asked
     if (is_first || !out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, {}", to_string(report_.phases.back().phase),
                                             due - done, due, things, why_not(options_)));
@@ -192,7 +192,7 @@ class Gate {
     return &failure;
   }
 
-  /// `again`: the pairs themselves were counted before, so only hangs are.
+  /// `again`: the pairs were counted before, so only their hangs are added.
   void count(const std::vector<AnswerCounts>& counts, bool again = false) {
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       AnswerCounts& all = report_.methods[m].counts;
@@ -206,7 +206,7 @@ class Gate {
     }
   }
 
-  /// A method that hangs again and again is not asked any more: the gate is to end.
+  /// A method that hangs again and again is not asked any more. Otherwise the gate would not end.
   bool given_up(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
   Examined examine_all(std::span<const Pair> pairs, const LawFilter& wanted) {
     return examine(
@@ -247,7 +247,7 @@ class Gate {
                      std::tuple(c.method, c.law->number, violation_kind(*c.law, c.violation)));
         };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
-      // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
+      // Each round has its own seed. RapidCheck's generators of neighbouring seeds are unrelated.
       const SearchRound found = find_violations(methods_, all, is_worth_shrinking, source,
                                                 options_.seed + round, draws_per_round, asker_);
       count(found.counts);
@@ -263,8 +263,8 @@ class Gate {
     }
   }
 
-  /// Draws rounds and holds their pairs to the laws that need no further question; to that of the distance in
-  /// one round of so many.
+  /// Draws rounds and checks the laws that need no further question. The law of the distance is checked in
+  /// one round of `distances`.
   void sample(SampleRound (*draw)(std::uint64_t, std::uint64_t), std::uint64_t due, std::uint64_t distances) {
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
       SampleRound drawn = draw(options_.seed, round);
@@ -294,7 +294,7 @@ class Gate {
     }
   }
 
-  /// An asker of the method of `failure` alone, in a worker that knows of nothing else.
+  /// Returns an asker of the method of `failure` alone, in a worker that knows nothing else.
   Asker new_asker(const GateFailure& failure) const { return Asker(method_of(failure), options_.caps); }
 
   std::span<const std::unique_ptr<Method>> method_of(const GateFailure& failure) const {
@@ -303,7 +303,7 @@ class Gate {
     return {&*method, 1};
   }
 
-  /// Returns which of the pairs break the law of `failure` in its way.
+  /// Returns which of the pairs break the law of `failure` in the same way.
   std::vector<bool> fails_again(const GateFailure& failure, std::span<const Pair> pairs, Asker& asker) {
     const LawFilter this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     std::vector<bool> fails(pairs.size(), false);
@@ -322,8 +322,8 @@ class Gate {
     return examined.violations.empty() ? "" : examined.violations.front().violation.what;
   }
 
-  // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
-  // law and kind first: the others are like it.
+  // Starts when all failures are found, so that these do not depend on the shrinking. The first failure of
+  // each law and kind comes first, because the others are like it.
   void simplify_failures() {
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> in_order, duplicates;
@@ -351,19 +351,19 @@ class Gate {
     }
   }
 
-  /// Runs a failure again, however many questions are left, and simplifies it while there are some.
+  /// Reruns a failure even if no questions are left. Simplifies it while there are some.
   void rerun_and_simplify(GateFailure& failure) {
     for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns) {
       Asker asker = new_asker(failure);
       failure.failed_again += fails_again(failure, {&failure.found, 1}, asker)[0];
     }
-    if (failure.failed_again < rerun_count) {  // what comes and goes cannot be shrunk
+    if (failure.failed_again < rerun_count) {  // a failure that comes and goes cannot be shrunk
       failure.simplest = failure.found;
       return;
     }
     // Keeps the feature in contact. Otherwise every failure would shrink to points.
     const auto feature = contact_feature(failure.found);
-    Asker asker = new_asker(failure);  // for all questions: to start a worker costs more than to ask 32 pairs
+    Asker asker = new_asker(failure);  // for all questions: starting a worker costs more than asking 32 pairs
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
       if (questions_left_ == 0 || out_of_time()) return std::vector<bool>(pairs.size(), false);
       std::vector<bool> fails = fails_again(failure, pairs, asker);
@@ -383,12 +383,12 @@ class Gate {
   const GateOptions& options_;
   const std::function<void(const GateProgress&)>& on_progress_;
   const DrawnSolids solids_;
-  Asker asker_;  ///< a failure is run again without it, in a worker that knows of nothing else
+  Asker asker_;  ///< not for the reruns of a failure, which have workers that know nothing else
   GateAmount amount_;
   std::uint64_t questions_left_ = 0;
   GateReport report_;
-  std::vector<bool> skipped_;  ///< by method: some pairs were not asked, for others of their batch hung
-  std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< to failures
+  std::vector<bool> skipped_;  ///< by method: some pairs were not asked because others of their batch hung
+  std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< index of failures
   std::set<std::tuple<std::size_t, int, std::string>> violated_;  ///< method, law and kind: contracts broken
 };
 
@@ -423,7 +423,7 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
     amount.close_rounds = rounds(sampled, close_round);
   }
   if (solids.rounded > 0) {
-    // Only the supported pairs of all that are drawn are asked.
+    // Only the drawn pairs that a method supports are asked.
     const std::uint64_t all = pairs_per_kinds * rounded_families().size() + close_round;
     amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
     amount.rounded_rounds = rounds(sampled, solids.rounded);

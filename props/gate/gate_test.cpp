@@ -50,7 +50,7 @@ const std::vector<Case>& few_cases() {
   return cases;
 }
 
-/// One round of either law search, three of the strata, four of close contacts: 12 pairs of each stratum.
+/// One round of either law search, three of the strata and four of close contacts: 12 pairs of each stratum.
 constexpr std::uint64_t few_pairs = 2500;
 
 /// A guest with spheres and capsules of ordinary size.
@@ -83,13 +83,13 @@ GateReport run_on(const Planted::Ask& ask, GateOptions options) {
   return run_gate(methods, few_cases(), options);
 }
 
-/// Failures stay as they are found, which costs a tenth.
+/// Leaves failures as they are found. This takes a tenth of the time.
 GateReport gate_on(const Planted::Ask& ask, std::uint64_t pairs = few_pairs,
                    std::optional<std::chrono::milliseconds> cap = {}) {
   return run_on(ask, {.pairs = pairs, .cap = cap, .as_found = true});
 }
 
-/// Whether a contract failure of that law was reported, with `what` in its text.
+/// Returns whether a contract failure of that law was reported, with `what` in its text.
 bool reported(const GateReport& report, int law, const std::string& what = {}) {
   return std::any_of(report.failures.begin(), report.failures.end(), [&](const GateFailure& f) {
     return f.law->number == law && f.severity == Severity::contract && f.what.find(what) != std::string::npos;
@@ -132,7 +132,7 @@ TEST(Gate, ACapOnTimeSaysWhatItDidNotAsk) {
 }
 
 TEST(Gate, ACutGateStillFailsForWhatItFound) {
-  // However fast the machine is, it does not draw so many in that time.
+  // Even a fast machine does not draw so many pairs in that time.
   const GateReport report = gate_on([](const Pair&) { return say(Verdict::intersecting); },
                                     std::numeric_limits<std::uint32_t>::max(), std::chrono::seconds(1));
   EXPECT_FALSE(report.not_asked.empty());
@@ -160,7 +160,7 @@ TEST(Gate, AsksAGuestOfSpheresAndCapsulesAboutThese) {
   for (const GatePhaseReport& phase : report.phases)
     EXPECT_TRUE(phase.phase != GatePhase::sample && phase.phase != GatePhase::close_sample);
 
-  // Nearly parallel capsules, taken for parallel ones: the classic fault.
+  // The classic fault takes nearly parallel capsules for parallel ones.
   const GateReport parallel = gate_on_balls(
       [](const Pair& pair) {
         Pair taken = pair;
@@ -347,7 +347,7 @@ TEST(Gate, TheSimplestFailsWithoutTheQuestionsBeforeIt) {
 }
 
 TEST(Gate, SaysWhatDependsOnLuck) {
-  // State is lost with each worker; what all share is not.
+  // Each worker loses its state when it ends. Shared memory keeps it.
   void* const shared =
       mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(shared, MAP_FAILED);
@@ -379,7 +379,7 @@ TEST(Gate, SameSeedSameFailures) {
 }
 
 TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {
-  // Wrong of axes 1.5e-13 to 1e-12 from parallel, which no stratum has but containment.
+  // Wrong if the axes are 1.5e-13 to 1e-12 from parallel. No stratum but containment has such axes.
   const GateReport report = gate_on([](const Pair& pair) {
     const double sine = pair.a.axis.cross(pair.b.axis).norm() / pair.a.axis.norm() / pair.b.axis.norm();
     return sine > 1.5e-13 && sine < 1e-12 ? say(Verdict::disjoint) : honest(pair);

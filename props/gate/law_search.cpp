@@ -18,8 +18,8 @@ constexpr std::array property_ids{"laws", "close contacts", "rounded solids"};
 constexpr std::array generators{pairs_of_one_kind, close_pairs_of_one_kind, rounded_pairs_of_one_kind};
 const char* property_id(PairSource source) { return property_ids[static_cast<std::size_t>(source)]; }
 
-/// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
-/// simplify().
+/// The most draws that RapidCheck may try while it shrinks one case. They take some seconds at most.
+/// simplify() does the rest.
 constexpr int shrink_cap = 400;
 
 class Silent : public rc::detail::TestListener {
@@ -77,7 +77,7 @@ class LawSearch {
     }
   }
 
-  // While RapidCheck shrinks: only what stopped the round counts.
+  // Runs while RapidCheck shrinks. Only the failure that stopped the round counts.
   void shrink(const PairsDrawn& drawn) {
     LawFailure& last = round_.failures.back();
     if (++shrinks_ > shrink_cap || !is_news_(last)) return;

@@ -33,7 +33,7 @@ std::vector<std::unique_ptr<Method>> one(const Planted::Ask& ask) {
   return methods;
 }
 
-/// Takes wide solids a for flat ones.
+/// Misses an intersection if the radius of a is above 3.
 MethodAnswer favours_narrow(const Pair& pair) {
   MethodAnswer answer = ask_ours("intersect", pair);
   if (pair.a.radius > 3) answer.verdict = Verdict::disjoint;
@@ -54,7 +54,7 @@ TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
 
 TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   const auto methods = one(favours_narrow);
-  // Only swaps on the grid, so that it is RapidCheck that shrinks.
+  // Asks for swaps on the grid only, because RapidCheck shrinks no other pairs.
   const LawFilter swap = [](std::size_t, const Law& law) { return law.number == 1; };
   const WorthShrinking on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
   const SearchRound round = find_violations(methods, swap, on_the_grid, PairSource::kinds, seed, 400, {});
@@ -111,7 +111,7 @@ TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
 }
 
 TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
-  // Wrong of flat solids alone, so that not every pair is.
+  // Wrong for flat solids only, so that some pairs pass.
   const auto methods = one([](const Pair& pair) {
     MethodAnswer answer = ask_ours("intersect", pair);
     if (pair.a.height == 0 || pair.a.radius == 0) answer.verdict = Verdict::disjoint;

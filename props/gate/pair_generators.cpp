@@ -41,7 +41,7 @@ rc::Gen<Cylinder> grid_cylinder() {
                       });
 }
 
-/// Generates `count` pairs that `draw` makes of (seed, index), named; to be left as they are.
+/// Generates `count` pairs, with a name. `draw` makes them of (seed, index). RapidCheck never shrinks them.
 template <class Draw>
 rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
   return rc::gen::noShrink(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
@@ -54,12 +54,12 @@ rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
                                         }));
 }
 
-/// How many families version 0.1.0 had.
+/// The number of families in version 0.1.0.
 constexpr std::size_t first_families = 30;
 /// The indices of a family take its kinds in turn. So the first index of close contacts is drawn as well.
 constexpr std::uint64_t turns = 16 * close_cell_count;
 
-/// Generates `count` pairs of one of the families, of the first indices or of any.
+/// Generates `count` pairs of one family, from its first indices or from any index.
 rc::Gen<PairsDrawn> family_of(std::span<const Family> all, int count, bool from_any_index) {
   return rc::gen::mapcat(rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, all.size())), [=](std::size_t i) {
     const Family& f = all[i];
@@ -116,7 +116,7 @@ rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count) {
               return draw_close_contact(CloseKind::by_decade, seed, i + index * close_cell_count).pair;
             });
       });
-  // At the full size: at lesser ones RapidCheck draws the first cells, and seeds next to 0, again and again.
+  // Uses the full size. At a smaller one RapidCheck draws the first cells and seeds near 0 again and again.
   return rc::gen::resize(rc::kNominalSize,
                          rc::gen::weightedOneOf<PairsDrawn>(
                              {{3, cell}, {1, family_of(families().subspan(first_families), count, true)}}));

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// A relative allowance: 10^-13 computed, and a claim rounded up, are still 1e-13.
+/// A relative allowance, so that a computed 10^-13 and a claim that is rounded up still count as 1e-13.
 constexpr double claim_rounding_error = 0x1p-48;
 
 /// Returns whether every pair of this size and decade of margin is beyond the claim.
@@ -24,7 +24,7 @@ bool claims(const Claim& claim, double size, int decade) {
 /// Counts a drawn pair. Its cell is claimed as long as all pairs drawn so far are.
 void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 || cell.claimed) && claimed; }
 
-/// Counts pair `p` as undecided if it is. Returns whether it is a trial: there is an answer to it, and a
+/// Counts pair `p` as undecided if its answer is. Returns whether the pair is a trial, with an answer and a
 /// truth.
 bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided) {
   const MethodAnswer& answer = said.answers[p];

@@ -163,7 +163,7 @@ std::optional<Violation> break_shown(const LawCase& c) {
                                format_double(c.first.distance), format_double(shown))};
 }
 
-// Asked of methods whose witnesses settle most verdicts: what they do not settle the referee does by itself.
+// Asked of methods whose witnesses settle most verdicts. The referee settles the rest by itself.
 std::optional<Violation> break_proof(const LawCase& c) {
   if (!c.method.claim().certified || c.first.status != Status::answered ||
       c.first.witness == CertificateKind::none)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each law of one answer catches a method with a fault planted, and what else catches it has a reason.
+// Each law of one answer catches a planted fault. If other laws catch it too, there is a reason.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(AnswerLaws, CatchADistanceOfTheOtherSign) {
             (Numbers{23, 33, 34}));
 }
 
-// To ask from another thread is to ask again.
+// A question from another thread is a second question.
 TEST(AnswerLaws, CatchAnAnswerThatChanges) {
   int calls = 0;
   EXPECT_EQ(laws_broken_by(plant("decide",

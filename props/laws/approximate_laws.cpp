@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Laws 20 to 29: within an allowance that is proved. The signed distance is -min f over unit directions D,
-//   f(D) = sum of r |D x w| + h/2 |D.w| over both solids, less |D.Delta|,
-// so it changes by no more than f does at any D. |D x w| and |D.w| change by at most the change of w, hence
+// Laws 20 to 29 hold within a proved allowance. The signed distance is -min f over unit directions D, with
+//   f(D) = sum of r |D x w| + h/2 |D.w| over both solids, less |D.Delta|.
+// So it changes by no more than f does at any D. |D x w| and |D.w| change by at most the change of w. Hence
 //   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + (r + h/2) |w' - w|.
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -35,7 +35,7 @@ std::optional<Violation> break_change(const LawCase& c, std::size_t i, double ch
     }
   }
   if (says_meet(first) == says_meet(second)) return {};
-  // Proofs of verdicts are cheap, of distances not.
+  // Proofs of verdicts are cheap, but proofs of distances are not.
   if (!is_refuted(c, c.pair, first) && !is_refuted(c, changed, second)) return {};
   Trial& proved = c.proofs.of(c.pair);
   if (proved.truth.verdict == Verdict::undecided) return {};
@@ -48,7 +48,7 @@ std::optional<Violation> break_change(const LawCase& c, std::size_t i, double ch
 /// The relative error of change_between(), which takes some 20 roundings.
 constexpr double sum_error = 0x1p-48;
 
-/// The bound above, from the numbers of two pairs; rounded up.
+/// Returns the bound above for the numbers of two pairs, rounded up.
 double change_between(const Pair& x, const Pair& y) {
   const Vector3 from = x.b.center - x.a.center, to = y.b.center - y.a.center;
   double change = (to - from).norm(), lost = unit_roundoff_error * (from.norm() + to.norm());
@@ -67,7 +67,7 @@ std::optional<Violation> break_changes(const LawCase& c) {
                   [&](std::size_t i) { return break_change(c, i, change_between(c.pair, c.asked[i].pair)); });
 }
 
-// A quaternion of integers, as the integer matrix of its rotation times the sum of its squares.
+// The rotation of a quaternion of integers. Its matrix times the sum of their squares has integers only.
 struct Rotation {
   Eigen::Matrix3d times_square;
   double square;
@@ -81,12 +81,12 @@ Rotation rotation(double w, double x, double y, double z) {
   return {m, w * w + x * x + y * y + z * z};
 }
 
-/// About a coordinate axis, and about none, by small and by large angles.
+/// About a coordinate axis and about other axes, by small and by large angles.
 const std::array rotations{rotation(2, 1, 0, 0), rotation(7, 0, 1, -1), rotation(1, 2, 3, -4)};
 
-// A centre: three products, two sums and a quotient, 4 u in each coordinate of |c| (the rows are of unit
-// length), so 7 u |c| in all. An axis: 4 u of unit_axis, and 5.2 u of |w| by products and sums. Both stay
-// below this bound, times |c| and times the extent.
+// A centre takes three products, two sums and a quotient: 4 u |c| in each coordinate, as the rows are of
+// unit length. So it takes 7 u |c| in all. An axis takes 4 u of unit_axis, and 5.2 u of |w| by products and
+// sums. Both stay below this bound, times |c| and times the extent.
 constexpr double rotation_error = 16 * unit_roundoff_error;
 
 double rotation_change(const Pair& pair) {
@@ -128,8 +128,8 @@ std::vector<LawQuery> translated(const Method&, const Pair& pair, const MethodAn
   return asked;
 }
 
-/// How much is changed of a and of b, in units of the size, and in radians: a jump shows where the change is
-/// smaller than it.
+/// How much a and b are changed, in units of the size, and in radians. A jump shows if it is larger than the
+/// change.
 constexpr double coarse = 0x1p-10, fine = 0x1p-30;
 
 std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer&) {

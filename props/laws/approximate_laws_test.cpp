@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each approximate law catches a method with a fault planted, and what else catches it has a reason.
+// Each approximate law catches a planted fault. If other laws catch it too, there is a reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace cyl {
 namespace {
 
-// The angle to the coordinate axes: no mirror or permutation changes it. Beyond 1 the factor makes moves too
-// long, as well.
+// The fault depends on the angle to the coordinate axes. No mirror or permutation changes it. The factor is
+// above 1, so moves are too long as well.
 TEST(ApproximateLaws, CatchADistanceThatDependsOnTheDirection) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -40,7 +40,7 @@ TEST(ApproximateLaws, CatchAVerdictThatDependsOnThePlace) {
             Numbers{21});
 }
 
-// The distance is wrong, too, and below what its direction shows, and two ways are shorter than one.
+// The distance is also wrong and below what its direction shows. Two ways are shorter than the direct one.
 TEST(ApproximateLaws, CatchADistanceInSteps) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -50,7 +50,7 @@ TEST(ApproximateLaws, CatchADistanceInSteps) {
             (Numbers{13, 22, 23, 33, 42}));
 }
 
-// An axis of nearly unit length, as a turn by little leaves it.
+// A small turn leaves the axis at nearly unit length.
 TEST(ApproximateLaws, CatchAVerdictThatMissesASmallTurn) {
   EXPECT_EQ(laws_broken_by(plant("intersect",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -61,7 +61,7 @@ TEST(ApproximateLaws, CatchAVerdictThatMissesASmallTurn) {
             Numbers{22});
 }
 
-// One solid much smaller than the other: among what is asked only the one in the middle.
+// One solid is much smaller than the other. Only the middle solid of the triangle is.
 TEST(ApproximateLaws, CatchAWayThatIsLongerThanAround) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -81,7 +81,7 @@ TEST(ApproximateLaws, CatchARoundingThatCountsTwice) {
   EXPECT_NE(std::find(violated.begin(), violated.end(), 25), violated.end());
 }
 
-// Next to touching. No drawn pair lies there, and every slide ends there.
+// The fault lies next to touching. No drawn pair lies there, but every slide ends there.
 TEST(ApproximateLaws, CatchADepthBeyondTheWayBack) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws 1 to 9: changes that alter no digit of the problem, so that an answer may alter none either. A method
-// that computes promises that bit for bit; of one that searches the verdict alone is held to it.
+// Laws 1 to 9 make changes that alter no digit of the problem, so the answer may not change either. A method
+// that computes promises this bit for bit. If a method searches, only its verdict is checked.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -188,8 +188,8 @@ std::vector<LawQuery> permuted(const Method&, const Pair& pair, const MethodAnsw
   return asked;
 }
 
-// Roles and signs that break ties, and the order of sums, may change: digits may differ, and who does not
-// know need not know the same.
+// Roles and signs that break ties may change, and the order of sums. So digits may differ, and a verdict may
+// be undecided for one pair only.
 std::optional<Violation> turned_verdict(const LawCase& c, bool promised) {
   return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     const MethodAnswer& second = c.answers[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each exact law catches a method with a fault that it alone, of the exact ones, can see.
+// Each exact law catches a method with a fault that no other exact law can see.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-/// Keeps every exact law: two cubes, one around each centre.
+/// Keeps every exact law. It takes each solid for a cube around its centre.
 MethodAnswer cubes(const Pair& pair) {
   const Vector3 delta = pair.b.center - pair.a.center;
   MethodAnswer answer;
@@ -127,7 +127,7 @@ TEST(ExactLaws, CatchAnAnswerThatKnowsLeftFromRight) {
             (Numbers{5, 6, 11, 12, 22, 31}));
 }
 
-// A rotation turns x to y as well. The rest as above.
+// A rotation also turns x to y. The rest is as above.
 TEST(ExactLaws, CatchAnAnswerThatFavoursACoordinate) {
   EXPECT_EQ(
       laws_broken_by(plant("intersect",
@@ -150,7 +150,7 @@ TEST(ExactLaws, CatchHullsThatStayWithTheFirst) {
             (Numbers{1, 32}));
 }
 
-// At the first scale asked the solids are below an absolute claim, at the last they are not.
+// At the first scale that is asked, the solids are below an absolute claim. At the last scale they are not.
 TEST(ExactLaws, FindABreakBeyondTheClaimBehindOneWithinIt) {
   const auto turns = [](const Pair& pair) {
     MethodAnswer answer = ask_ours("intersect", pair);

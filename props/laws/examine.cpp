@@ -11,7 +11,7 @@
 namespace cyl {
 namespace {
 
-/// The questions of one law to one method about one pair, a stretch of all questions of the second round.
+/// The questions of one law to one method about one pair. They are consecutive in the second round.
 struct Job {
   std::size_t method, pair;
   const Law* law;
@@ -47,7 +47,7 @@ class Examination {
     ask_pairs();
     make_jobs();
     ask_further();
-    // By pair, so that what is proved of it serves all methods.
+    // Goes by pair, so that what is proved of a pair serves all methods.
     std::vector<std::vector<const Job*>> by_pair(pairs_.size());
     for (const Job& job : jobs_) by_pair[job.pair].push_back(&job);
     for (std::size_t p = 0; p < pairs_.size(); ++p) hold_to_laws(p, by_pair[p]);
@@ -57,7 +57,7 @@ class Examination {
  private:
   MethodAnswer& answer(std::size_t m, std::size_t p) { return result_.answers[p * methods_.size() + m]; }
 
-  // Method by method, so that each worker stays with one library.
+  // Goes method by method, so that each worker stays with one library.
   void ask_pairs() {
     std::vector<Question> questions;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -138,7 +138,7 @@ class Examination {
   Asker& asker_;
   WitnessSet offers_;
   std::vector<Job> jobs_;
-  // The second round: what laws made of the pairs.
+  // For the second round: the pairs that the laws made.
   std::vector<Pair> changed_;
   std::vector<Question> further_;
   std::vector<MethodAnswer> further_answers_;

@@ -128,7 +128,7 @@ TEST_F(Misbehaving, LeavesTheHonestOneAlone) {
     EXPECT_TRUE(same_answer(examined.answers[p * methods.size() + honest], expected.answers[p]));
 }
 
-// A law asks only who answered, and only what it is wanted for.
+// A law asks only methods that answered, and only those for which it is wanted.
 TEST(Examine, HoldsAMethodToTheLawsThatAreWanted) {
   std::vector<std::unique_ptr<Method>> methods;
   for (int i = 0; i < 2; ++i)

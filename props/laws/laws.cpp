@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Relative, of a distance rounded by a method that claims to make no error: as compare() allows.
+/// The relative rounding of a distance by a method that claims no error, as compare() allows it.
 constexpr double distance_rounding_error = 0x1p-50;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of laws, and that our own methods keep all of them.
+// Tests the table of laws, and that our own methods keep all of them.
 #include <gtest/gtest.h>
 // After gtest.h.
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact laws and the texts: put right they keep them. As printed a verdict turns if the solids are
+// The exact laws and the texts. A corrected text keeps them. As printed, the verdict turns if the solids are
 // swapped or an axis is reversed.
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ TEST_P(Literature2017Laws, HoldBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Families, Literature2017Laws, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
-// Random pairs are far from touching: what breaks a law there is not rounding. The printed r1 |W0 x W1|^2
-// mixes powers of lengths, and a reversed axis has another tangent line, which misses another U0.
+// Random pairs are far from touching, so no law breaks there by rounding. The printed r1 |W0 x W1|^2 mixes
+// powers of lengths. A reversed axis has another tangent line, which misses another U0.
 TEST(PrintedLaws, OnlyThePrintedTextOf2008BreaksThemOnRandomPairs) {
   std::set<std::string> broken;
   for (const auto& method : literature_2008_methods())
@@ -53,7 +53,7 @@ struct Turned {
   int swapped = 0, reversed0 = 0, reversed1 = 0;
 };
 
-/// On how many pairs of `random` the verdict turns.
+/// Returns on how many pairs of `random` the verdict turns.
 Turned turned(const std::vector<std::unique_ptr<Method>>& methods, std::string_view name,
               std::uint64_t pairs) {
   Method& printed = **std::ranges::find(methods, name, [](const auto& method) { return method->name(); });
@@ -76,7 +76,7 @@ Turned turned(const std::vector<std::unique_ptr<Method>>& methods, std::string_v
   return sum;
 }
 
-// One quarter circle ends all, and which one that is depends on the roles and on the axes' senses.
+// One quarter circle ends the search. Which one it is depends on the roles and on the senses of the axes.
 TEST(PrintedLaws, AVerdictOf2017TurnsWithTheRolesAndTheAxes) {
   const Turned sum = turned(literature_2017_methods(), "seed2017-printed", 20000);
   EXPECT_GT(std::min({sum.swapped, sum.reversed0, sum.reversed1}), 40);

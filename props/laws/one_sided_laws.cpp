@@ -23,7 +23,7 @@ std::string verdict_text(const MethodAnswer& answer) {
   return std::string("answers ") + to_string(answer.verdict);
 }
 
-/// By how much solids grow, in units of the size, beside what the claim asks for.
+/// How much solids grow beyond the need of the claim, in units of the size.
 constexpr double growth = 0x1p-20;
 
 // If a rounding grows by g, the signed distance falls by g. If all radii grow by g and all heights by 2 g,
@@ -43,7 +43,7 @@ std::vector<LawQuery> grown(const Method& method, const Pair& pair, const Method
   asked[4].pair = {asked[0].pair.a, asked[2].pair.b};
   asked[4].pair.a.height += 2 * g;
   asked[4].pair.b.height += 2 * g;
-  // Twice as much of a. If only one solid is rounded, no other grows in all directions.
+  // Grows a rounding by twice as much. If one solid has none, it would not grow in all directions.
   if (asked.size() > 5) (pair.a.rounding > 0 ? asked[5].pair.a : asked[5].pair.b).rounding += 2 * g;
   std::erase_if(asked, [](const LawQuery& x) { return !std::isfinite(size_of(x.pair)); });
   return asked;
@@ -59,8 +59,8 @@ std::optional<Violation> break_growing(const LawCase& c) {
 /// A proxy thinner than this, times the solid's largest number, is lost in the rounding of its centre.
 constexpr double thinnest_proxy = 0x1p-40;
 
-/// b scaled to half of the width of a's inner proxy and put around `point` on its axis: nothing of it is
-/// outside a.
+/// Returns b scaled to half of the width of a's inner proxy and put around `point` on its axis. None of it
+/// is outside a.
 Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder& b) {
   const double extent = b.radius + b.height / 2 + b.rounding;
   const double factor = extent > 0 ? proxy.radius / 2 / extent : 0;
@@ -104,7 +104,7 @@ std::optional<Violation> break_proxies(const LawCase& c) {
                    severity_on(c, c.pair)};
 }
 
-/// How far b is moved, in units of size and centres' distance.
+/// How far b is moved, in units of the sum of the size and the distance of the centres.
 constexpr double moves[] = {0x1p-20, 0x1p-3, 0x1p10};
 
 std::vector<LawQuery> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
@@ -141,10 +141,10 @@ std::optional<Violation> break_moving_apart(const LawCase& c) {
   });
 }
 
-/// So far inside the ends of the axis that the rounding of a slice's centre does not carry it out.
+/// This far inside the ends of the axis, the rounding of a slice's centre does not carry it out.
 constexpr double inward = 1 - 0x1p-30;
 
-// A rounded solid is swept by the slice across its middle, along its axis: a capsule by its sphere.
+// The slice across the middle sweeps a rounded solid along its axis. A sphere sweeps a capsule.
 std::vector<LawQuery> swept(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_rounded(pair) || !is_in_range(pair) || !is_legal(pair)) return {};
   std::vector<LawQuery> asked;

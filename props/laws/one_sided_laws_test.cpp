@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each one-sided law catches a method with a fault planted, and what else catches it has a reason.
+// Each one-sided law catches a planted fault. If other laws catch it too, there is a reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 
 double centre_distance(const Pair& pair) { return (pair.b.center - pair.a.center).norm(); }
 
-// Some radii are left out of an otherwise right table: growing out of the right ones is a jump, as any small
-// change of a radius is.
+// Some radii are left out of a table that is otherwise right. To grow out of the right ones is a jump, as is
+// any small change of a radius.
 TEST(OneSidedLaws, CatchSolidsThatGrowApart) {
   EXPECT_EQ(laws_broken_by(plant("intersect",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -26,7 +26,7 @@ TEST(OneSidedLaws, CatchSolidsThatGrowApart) {
             (Numbers{10, 11, 12, 22, 31}));
 }
 
-// Needles of one length: only a copy is so much smaller.
+// The needles have one length, so only a copy is so much smaller.
 TEST(OneSidedLaws, CatchASolidMissedInsideAnother) {
   EXPECT_EQ(laws_broken_by(plant("intersect",
                                  [](const Pair& pair, MethodAnswer& answer) {
@@ -38,7 +38,7 @@ TEST(OneSidedLaws, CatchASolidMissedInsideAnother) {
             Numbers{11});
 }
 
-// Without a direction nothing is moved along it; a centre moved across the limit is (22).
+// Without a direction, nothing is moved along it. But (22) moves a centre across the limit.
 TEST(OneSidedLaws, CatchSolidsSaidToMeetAcrossASpace) {
   EXPECT_EQ(laws_broken_by(plant("intersect",
                                  [](const Pair& pair, MethodAnswer& answer) {

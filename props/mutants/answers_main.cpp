@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every answer of our own methods on the first pairs of every family, and every verdict of the batch kernels:
-// to compare two builds of them bit for bit.
+// Prints every answer of our own methods on the first pairs of every family, and every verdict of the batch
+// kernels. Two builds can thus be compared bit for bit.
 #include <cstdint>
 #include <cstdio>
 #include <vector>

@@ -18,8 +18,8 @@ using json = nlohmann::ordered_json;
 /// In the order in which they are run.
 constexpr const char* detectors[] = {"laws", "corpus", "differential", "fuzz", "gate", "tests"};
 
-/// Faults that the kill matrix found only from this pair of a family on are not planted: by bad luck they
-/// could take more than self_check_pairs_cap.
+/// A fault is not planted if the kill matrix found it only from this pair of a family on. With bad luck it
+/// could take more than self_check_pairs_cap pairs.
 constexpr std::uint64_t rare_from = 50;
 
 KillMatrixRow row_of(const nlohmann::json& line) {

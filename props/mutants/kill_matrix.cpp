@@ -25,8 +25,8 @@ namespace {
 /// Bytes of a message that are kept.
 constexpr std::size_t message_cap = 4096;
 
-/// Pairs drawn of each family, and of each family for timing; enough that chance plays no part with faults
-/// that are seen at all.
+/// Pairs of each family for the laws, and for the differential detector. They are so many that luck plays no
+/// part with faults that are seen at all.
 constexpr std::uint64_t law_pairs = 100, differential_pairs = 400;
 constexpr std::uint64_t detector_seed = 20261121;
 
@@ -63,8 +63,8 @@ std::vector<Pair> pairs_of(std::span<const Case> cases) {
 
 auto methods_of(const Mutant& mutant) { return select_methods(all_methods(), mutant.asks); }
 
-// The statement of a case is compared with the proof, as an answer of a method that is always right. If it
-// states a verdict, the verdict has been proved once.
+// Compares the statement of a case with the proof, as an answer of a method that is always right. If the
+// case states a verdict, the verdict has been proved once.
 std::string contradiction(std::span<const Case> cases) {
   for (const Case& c : cases) {
     if (!c.truth) continue;

@@ -55,8 +55,8 @@ TEST(KillMatrix, OneOutcomeOtherThanSurvivalIsAKill) {
 TEST(KillData, NamesTheFaultsThatCampaignsSoonFindWithTheMethodsAsked) {
   const auto rows = read_kill_matrix(DAYLIGHT_SOURCE_DIR "/props/mutants/kill_matrix.jsonl");
   const auto own = own_methods();
-  // Too few, and a campaign's faults could be guessed: measure the column again, daylight mutants matrix
-  // --detectors fuzz.
+  // With too few faults, a campaign's faults could be guessed. Then measure the column again: daylight
+  // mutants matrix --detectors fuzz.
   EXPECT_GE(faults_soon_found(rows, own).size(), 40u);
   EXPECT_TRUE(faults_soon_found(rows, std::span(own).first(1)).empty());
   EXPECT_GE(faults_soon_found(rows, all_methods()).size(), faults_soon_found(rows, own).size());

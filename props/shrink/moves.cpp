@@ -48,7 +48,7 @@ std::array<double*, 2 * cylinder_number_count> numbers(Pair& p) {
 
 std::array<double*, 4> lengths(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
 
-/// A changed copy.
+/// Returns a changed copy.
 template <class Change>
 Pair with(Pair p, Change change) {
   change(p);
@@ -65,7 +65,7 @@ double slope(const Distance& d, const Pair& p, std::size_t which) {
   return which % 2 == 1 ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
 }
 
-/// The scene turned so that `up` is the z axis and `side` lies in the plane y = 0.
+/// Turns the scene so that `up` is the z axis and `side` lies in the plane y = 0.
 struct Frame {
   Eigen::Matrix3d turn;
   Frame(const Vector3& up, const Vector3& side) {
@@ -75,7 +75,7 @@ struct Frame {
   }
 };
 
-/// Divided by its length, its largest and its smallest coordinate.
+/// Returns w divided by its length, its largest and its smallest coordinate.
 std::vector<Vector3> multiples(const Vector3& w) {
   std::vector<Vector3> out{w.stableNormalized()};
   double least = w.cwiseAbs().maxCoeff();
@@ -92,7 +92,7 @@ Vector3 smallest_multiple(const Vector3& integers) {
   return common == 0 ? integers : Vector3(integers / static_cast<double>(common));
 }
 
-/// Directions of small integers near w, the boldest first, and w itself at other lengths.
+/// Returns directions of small integers near w, the simplest first, and w itself at other lengths.
 std::vector<Vector3> near_axes(const Vector3& w) {
   std::vector<Vector3> out;
   const Vector3 unit = w / w.cwiseAbs().maxCoeff();
@@ -125,14 +125,14 @@ void add_nearly_parallel(const Pair& p, Pairs& out) {
   }
 }
 
-/// Numbers that might stand in for x; only the simpler ones will be asked about.
+/// Returns numbers that might replace x. The search asks only about the simpler ones.
 std::vector<double> simpler_numbers(double x) {
   if (x == 0) return {0};
   std::vector<double> out{0,           1, std::copysign(1, x), std::fabs(x), std::round(x), std::floor(x),
                           std::ceil(x)};
   const int e = decimal_of(x).exponent, sign = x < 0 ? -1 : 1;
   for (int k = 1; k <= 10; ++k) out.push_back(decimal(sign * k, e));
-  // Towards 1: the exponents.
+  // Exponents closer to 0.
   for (const int other : {e / 2, e > 0 ? e - 1 : e + 1}) {
     out.push_back(decimal(sign, other));
     out.push_back(decimal(static_cast<long long>(rounded(x / decimal(1, e), 1)), other));
@@ -149,7 +149,7 @@ std::vector<double> simpler_numbers(double x) {
     out.push_back(rounded(y + unit, digits));
     out.push_back(rounded(y - unit, digits));
   }
-  // A simple number and a tiny rest: the rest to powers of ten.
+  // For a simple number plus a tiny rest, the rest becomes a power of ten.
   for (const double whole : {rounded(x, 1), rounded(x, 2), std::round(x)}) {
     const double rest = x - whole;
     if (whole == 0 || rest == 0 || std::fabs(rest) > near_margin * std::fabs(x)) continue;
@@ -267,7 +267,7 @@ Pairs symmetries(const Pair& p) {
       if (which & 4) std::swap(q.a, q.b);
       if (which & 8) std::swap(q.a.center, q.b.center);
     }));
-  // No minus sign on zeros.
+  // Zeros get no minus sign.
   for (Pair& q : out)
     for (double* x : numbers(q)) *x += 0.0;
   return out;

@@ -17,12 +17,12 @@ namespace {
 
 using namespace moves;
 
-/// Pairs a call: enough that a fork costs little beside them, few enough that little is asked in vain.
+/// Pairs in one call. They are many, so that a fork costs little, and few, so that few are asked in vain.
 constexpr std::size_t batch_cap = 32;
 
 using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 
-/// Bits of the numbers: equal for the same pair alone.
+/// Returns the bits of the numbers, which are equal only for the same pair.
 Bits bits_of(const Pair& p) { return std::bit_cast<Bits>(numbers_of(p)); }
 
 class Search {
@@ -33,12 +33,12 @@ class Search {
   Simplified run() {
     using Move = Pairs (*)(const Pair&);
     constexpr Move moves[] = {translations, shapes, axes, frames, centres, roundings, scales, equalities};
-    // Until a whole round finds nothing: then what was found depends on the pair alone, not on the way to it.
+    // Goes on until a round finds nothing. Then the result depends on the pair alone, not on the way to it.
     for (bool changed = true; changed && !at_cap_;) {
       changed = false;
       for (const Move move : moves)
         while (improve([&] { return move(best_); }, true)) changed = true;
-      // Roundings, lengths and centres before axes: scenes of simple shapes are easier to keep failing.
+      // Roundings, lengths and centres come before axes. Scenes of simple shapes keep failing more easily.
       for (const std::size_t which :
            {8u, 17u, 6u, 7u, 15u, 16u, 0u, 1u, 2u, 9u, 10u, 11u, 3u, 4u, 5u, 12u, 13u, 14u})
         while (improve([&] { return one_number(best_, which); }, true)) changed = true;

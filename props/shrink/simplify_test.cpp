@@ -26,7 +26,7 @@ constexpr std::uint64_t seed = 20261121;
 
 using Fails = std::function<bool(const Pair&)>;
 
-/// Asks one after the other and counts.
+/// Asks about one pair after the other, and counts.
 struct Asker {
   Fails fails;
   std::size_t asked = 0, illegal = 0;
@@ -45,7 +45,7 @@ Simplified simplify_by(const Pair& pair, const Fails& fails, std::size_t cap = q
   return simplify(pair, Asker{fails}, cap);
 }
 
-/// The pairs of a family that fail.
+/// Returns pairs of a family that fail.
 std::vector<Pair> failing(std::string_view family, const Fails& fails, std::size_t count,
                           std::uint64_t pairs = 20000) {
   std::vector<Pair> out;
@@ -81,14 +81,14 @@ bool shallow(const Pair& p) {
 bool apart(const Pair& p) { return judge(p).verdict == Verdict::disjoint; }
 bool long_axes(const Pair& p) { return p.a.axis.stableNorm() > 1e40; }
 
-/// Nothing but noise: one pair in sixteen.
+/// A fault that is only noise, for one pair in sixteen.
 bool chaotic(const Pair& p) { return std::hash<std::string>{}(format_pair(p)) / 128 % 16 == 0; }
 
 struct Planted {
   const char* name;
   const char* family;
   bool (*fails)(const Pair&);
-  int digits;             ///< at most, of the simplest
+  int digits;             ///< at most, of the simplest pair
   std::size_t questions;  ///< at most
 };
 
@@ -127,7 +127,7 @@ TEST_P(Simplify, EndsSimpleAndKeepsItsLaws) {
     EXPECT_FALSE(s.at_cap);
     EXPECT_EQ(s.questions, asker.asked);
     EXPECT_EQ(asker.illegal, 0u);
-    // Deterministic, and at an end.
+    // The search is deterministic, and it is at its end.
     EXPECT_EQ(format_pair(simplify_by(pair, fault.fails).pair), format_pair(s.pair));
     EXPECT_EQ(format_pair(simplify_by(s.pair, fault.fails).pair), format_pair(s.pair));
   }
@@ -165,7 +165,7 @@ TEST(SimplifyTo, TheOriginalWhereNothingElseFails) {
         simplify_by(pair, [&](const Pair& p) { return format_pair(p) == format_pair(pair); });
     EXPECT_EQ(format_pair(s.pair), format_pair(pair));
     EXPECT_FALSE(s.at_cap);
-    // Too few answers do not mean yes.
+    // Missing answers do not count as failures.
     EXPECT_EQ(format_pair(simplify(pair, [](std::span<const Pair>) { return std::vector<bool>{}; }).pair),
               format_pair(pair));
   }
@@ -214,7 +214,7 @@ TEST(SimplifyTo, ItselfWhereThePairIsIllegal) {
   EXPECT_EQ(format_pair(s.pair), format_pair(pair));
 }
 
-// Numbers at the ends of the range: nothing overflows into an illegal question.
+// At the ends of the range of numbers, nothing overflows into an illegal question.
 TEST(SimplifyTo, SomethingLegalFromAnyLengths) {
   for (const double length : {0.0, 5e-324, 1e-310, 1e-200, 1e200, 1.7e308}) {
     Pair pair = find_family("random")->generate(seed, 1);
