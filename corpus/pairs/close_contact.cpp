@@ -13,10 +13,10 @@ namespace {
 
 using enum ContactFeature;
 
-/// 10^-U for about uniform U in (first, last).
+/// Returns 10^-U for an approximately uniform U in (first, last).
 double within(RandomStream& s, int first, int last) {
   const double power = tenths[static_cast<std::size_t>(s.integer(first, last - 1))];
-  return power * s.between(0.11, 0.95);  // off the ends, so that rounding leaves none
+  return power * s.between(0.11, 0.95);  // keeps off the ends, so that rounding crosses none
 }
 
 /// An angle of 0 to pi/2.
@@ -29,7 +29,7 @@ Turn turn_of(double tangent) {
 }
 Turn rest_of(const Turn& t) { return {t.sine, t.cosine}; }
 Turn with_cosine(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
-/// t and more or less, as it is asked for, unless an end is nearer than `least`.
+/// Returns t plus `by`, or minus if `more` is false, unless an end is nearer than `least`.
 Turn shifted(const Turn& t, const Turn& by, bool more, double least) {
   const double sine = (more || t.sine <= least) && t.cosine > least ? by.sine : -by.sine;
   return {t.cosine * by.cosine - t.sine * sine, t.sine * by.cosine + t.cosine * sine};
@@ -45,21 +45,21 @@ bool is_generic(double cosine) {
   return std::abs(cosine) > generic_tol && sine > generic_tol;
 }
 
-/// Half of the angles uniform, the others by decades from either end.
+/// Half of the angles are uniform. The others lie by decades from either end.
 Turn extreme_turn(RandomStream& s, int last) {
   const bool uniform = s.coin(), at_right = s.coin();
   if (uniform) return uniform_turn(s);
   const Turn t = turn_of(within(s, 0, last));
   return at_right ? rest_of(t) : t;
 }
-/// A third of them uniform, a third by decades from 0, a third from pi/2, a quarter of these exactly there.
+/// A third is uniform. The others lie by decades from 0 or from pi/2, and a quarter of them exactly there.
 Turn azimuth(RandomStream& s) {
   const std::size_t way = s.below(3);
   if (way == 0) return uniform_turn(s);
   const Turn t = turn_of(s.below(4) == 0 ? 0 : within(s, 0, 17));
   return way == 1 ? t : rest_of(t);
 }
-/// From 0, the middle, to 1, the border: either exactly, by decades from either, uniform.
+/// From 0, the middle, to 1, the border. It is exactly one of them, near one by decades, or uniform.
 double place(RandomStream& s) {
   switch (s.below(5)) {
     case 0:
@@ -77,11 +77,11 @@ double place(RandomStream& s) {
 
 enum class Part { side, rim, cap };
 
-/// How the two axes lie about the normal: by which tilts from it, towards the contact, and at which azimuth
-/// to each other.
+/// How the two axes lie about the normal. The tilts are from the normal, towards the contact. The azimuth is
+/// from one axis to the other.
 struct Poise {
   Turn tilt_a, tilt_b, azimuth;
-  bool opposite = false;  ///< the azimuth is to be taken from pi
+  bool opposite = false;  ///< true if the azimuth counts from pi
 };
 
 /// The cosine of the angle between both axes towards the contact.
@@ -92,10 +92,10 @@ double cosine_of(const Poise& p) {
 
 constexpr Turn at_side{0, 1}, at_cap{1, 0};
 
-// Rim on rim, axes at the angle s, which two square to each other make up, towards the normal and about it.
-// Either both rims are as good as sides, or the caps face each other.
+// Rim on rim, with axes at the angle s. It has two parts square to each other, towards the normal and about
+// it. Either both rims are nearly sides, or the caps face each other.
 Poise parallel_rims(RandomStream& r, double s) {
-  constexpr double tilted_share = 0x1p-4;  // of the tilt: s is so small that azimuths of both rims are alike
+  constexpr double tilted_share = 0x1p-4;  // of the tilt: below it, the azimuths of both rims are alike
   const Turn share = extreme_turn(r, 12);
   const bool as_sides = r.below(3) == 0, more = r.coin();
   if (as_sides) {
@@ -131,7 +131,7 @@ Poise square_rims(RandomStream& r, double s) {
   }
 }
 
-// Side on rim: the sine of the tilt times the cosine of the azimuth is s. Either of them may be the small
+// Side on rim. The sine of the tilt times the cosine of the azimuth is s. Either of them may be the small
 // one.
 Poise square_side_rim(RandomStream& r, double s) {
   for (;;) {
@@ -176,7 +176,7 @@ Poise square_poise(RandomStream& r, ContactFeature feature, double s) {
   }
 }
 
-// The small angle is a rim's, to the plane of contact or to the normal.
+// A rim has the small angle, to the plane of contact or to the normal.
 Poise generic_poise(RandomStream& r, ContactFeature feature, double s) {
   for (;;) {
     const Turn small = r.coin() ? turn_of(s) : rest_of(turn_of(s));
@@ -205,7 +205,7 @@ std::pair<Part, Part> parts_of(ContactFeature feature) {
   }
 }
 
-/// The features that can meet so: a side's or cap's own angle to the normal is none of the small ones.
+/// Returns the features that can meet so. A side's or cap's own angle to the normal is not a small one.
 std::span<const ContactFeature> features_of(AxesLie lie, AngleBand band) {
   static constexpr std::array all{side_rim, rim_rim, side_side, cap_rim};
   static constexpr std::array parallel{side_rim, rim_rim, side_side, cap_rim, cap_cap};
@@ -261,8 +261,8 @@ void draw_lengths(RandomStream& s, CloseKind kind, Pair& p) {
   if (std::all_of(lengths.begin(), lengths.end(), [](const double* x) { return *x == 0; })) p.a.radius = 1;
 }
 
-/// Sets the axis of a solid whose outward normal at the contact is `n`, and returns the contact relative to
-/// its centre. `e`: the direction of the axis in the plane of contact.
+/// Sets the axis of a solid whose outward normal at the contact is `n`. `e` is the direction of the axis in
+/// the plane of contact. Returns the contact relative to the centre of the solid.
 Vector3 set_solid(RandomStream& s, Cylinder& solid, Part part, const Vector3& n, const Vector3& e,
                   const Turn& tilt) {
   const Vector3 towards = tilt.cosine * n + tilt.sine * e, radial = tilt.sine * n - tilt.cosine * e;
@@ -323,8 +323,8 @@ CloseContact build(RandomStream& s, CloseKind kind, const CloseCell& cell, Conta
   return c;
 }
 
-// Taken for parallel, as their axes' mean, rods lose a quarter of the angle times the heights at most, so
-// that the least margins show it oftenest.
+// A method that takes rods for parallel, at the mean of their axes, loses at most a quarter of the angle
+// times the heights. So the least margins show this most often.
 CloseContact draw_rods(RandomStream& s, std::uint64_t index) {
   const double angle = s.between(2e-13, 9e-13), part = s.unit();
   const double margin = least_close_margin + part * part * part * (angle - least_close_margin);

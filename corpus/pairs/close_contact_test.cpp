@@ -25,13 +25,13 @@ using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 Wide3 unit(const Vector3& v) { return (v.cast<Wide>() / v.cast<Wide>().stableNorm()).eval(); }
 Wide size_of(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
 
-/// The lesser of the angle between a line and another and what it lacks of a right one.
+/// Returns the angle between two lines, or what it lacks of a right angle if that is less.
 Wide small_angle(const Vector3& u, const Vector3& v) {
   const Wide3 x = unit(u), y = unit(v);
   return std::asin(std::min({Wide(1), x.cross(y).norm(), std::abs(x.dot(y))}));
 }
 
-/// Every kind, its rounds' first `rounds`.
+/// Calls `see` for the contacts of every kind in the first `rounds` rounds.
 template <class See>
 void see_rounds(std::uint64_t rounds, See see) {
   for (std::uint64_t round = 0; round < rounds; ++round)
@@ -52,7 +52,7 @@ TEST(CloseContact, ARoundHasEveryCellAndEveryDecadeOfTheAngle) {
   EXPECT_EQ(seen[CloseKind::by_decade].size(), close_cell_count);
   for (const auto& [cell, count] : seen[CloseKind::by_decade]) EXPECT_EQ(count, 8) << cell;
   EXPECT_EQ(seen[CloseKind::rods].size(), 1u);
-  // By angle a margin is within the decade of the angle or the next: of 12 decades, of 3 lies each.
+  // By angle, a margin is within the decade of the angle or the next one: 12 decades for each of 3 lies.
   std::map<int, int> decades;
   for (const auto& [cell, count] : seen[CloseKind::by_angle]) {
     decades[close_cells[cell].decade] += count;
@@ -90,10 +90,10 @@ TEST(CloseContact, HasTheAnglesOfItsCell) {
       if (c.feature != ContactFeature::side_rim && c.feature != ContactFeature::rim_rim) return;
       small = small_angle(c.normal, c.pair.a.axis);
       const Wide other = small_angle(c.normal, c.pair.b.axis);
-      // A side's own angle to the normal is right.
+      // The axis of a side is square to the normal.
       if (c.feature == ContactFeature::side_rim) small = std::max(small, other);
       if (c.feature == ContactFeature::rim_rim) small = std::min(small, other);
-      if (band == 0) return;  // the other rim's may be the smaller
+      if (band == 0) return;  // the angle of the other rim may be smaller
     }
     exact[c.cell.lie] += small == 0;
     ASSERT_LE(small, ends[band] + rounding_error) << to_string(c.cell.lie) << ' ' << to_string(c.feature);

@@ -17,10 +17,10 @@ Vector3 lattice_axis(RandomStream& s) {
   }
 }
 
-/// n/64 from 1 to 4, so that sums of some of them, and halves, are exact.
+/// Returns n/64 from 1 to 4, so that the sums of some of them and their halves are exact.
 double dyadic(RandomStream& s) { return s.integer(64, 256) / 64.0; }
 
-/// A coordinate vector square to another.
+/// Returns a coordinate vector square to another.
 Vector3 beside(RandomStream& s, const Vector3& axis) {
   for (;;)
     if (const Vector3 v = s.coordinate_axis(); inner_product(v, axis) == 0) return v;
@@ -79,7 +79,7 @@ Pair of_the_smallest(RandomStream& s) {
   return p;
 }
 
-/// The step from a's centre to b's at which they touch.
+/// Returns the step from a's centre to b's at which the solids touch.
 Vector3 touch_exactly(RandomStream& s, std::uint64_t kind, Pair& p) {
   Cylinder &a = p.a, &b = p.b;
   a.axis = s.coordinate_axis();

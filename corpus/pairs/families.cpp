@@ -39,7 +39,7 @@ void draw_center(RandomStream& s, Cylinder& c) {
   for (int i = 0; i < 3; ++i) c.center[i] = s.between(-1, 1);
 }
 
-// Centres apart by at most 0.9 of the sum of the circumscribed radii: about half of the pairs intersect.
+// Centres are apart by at most 0.9 of the sum of the circumscribed radii. About half of the pairs intersect.
 void scatter(RandomStream& s, Pair& p) {
   draw_center(s, p.a);
   const Vector3 direction = s.unit_vector();
@@ -47,7 +47,7 @@ void scatter(RandomStream& s, Pair& p) {
   p.b.center = p.a.center + distance * direction;
 }
 
-// A point of a's axis and a point of b's axis apart by `distance` along `direction`.
+// Puts a point of a's axis and a point of b's axis `distance` apart along `direction`.
 void link_axes(RandomStream& s, Pair& p, const Vector3& direction, double distance) {
   draw_center(s, p.a);
   const double on_a = s.between(-0.5, 0.5) * p.a.height;
@@ -55,7 +55,7 @@ void link_axes(RandomStream& s, Pair& p, const Vector3& direction, double distan
   p.b.center = p.a.center + (on_a * p.a.axis - on_b * p.b.axis) + distance * direction;
 }
 
-// Side by side, the axes apart by up to twice the sum of the radii.
+// Puts the solids side by side. The axes are apart by up to twice the sum of the radii.
 void lay_beside(RandomStream& s, Pair& p) {
   const Vector3 direction = s.perpendicular(p.a.axis);
   const double distance = s.between(0, 2) * (p.a.radius + p.b.radius);
@@ -91,8 +91,7 @@ Pair axes_parallel(RandomStream& s, std::uint64_t) {
   return p;
 }
 
-// Below 1e-14 the angle would be lost in the rounding of a general axis, so a's axis is a coordinate axis
-// there.
+// Below 1e-14, the rounding of a general axis would hide the angle. So a's axis is then a coordinate axis.
 Pair axes_nearly_parallel(RandomStream& s, std::uint64_t index) {
   const double angle = angles[(index / 2) % angles.size()];
   Pair p = random_pair(s);
@@ -163,8 +162,8 @@ Pair flat_disks(RandomStream& s, std::uint64_t index) {
   return p;
 }
 
-// Disks almost in one plane whose edges almost meet: what one axis shows and what the other shows are nearly
-// the same, and their difference is what decides.
+// The disks lie almost in one plane, and their edges almost meet. The two axes show nearly the same. The
+// difference between them decides.
 Pair coins_edge_to_edge(RandomStream& s, std::uint64_t index) {
   constexpr std::array<double, 8> tilts{1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
   Pair p = random_pair(s);
@@ -179,8 +178,8 @@ Pair coins_edge_to_edge(RandomStream& s, std::uint64_t index) {
   return p;
 }
 
-// A point and a solid, either way round, and every third time two points, equal or apart by as little as
-// 1e-16.
+// A point and a solid, in either order. Every third pair has two points, which are equal or apart by as
+// little as 1e-16.
 Pair points(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
   Cylinder& point = index % 3 == 0 ? p.a : p.b;
@@ -212,7 +211,7 @@ Pair contained(RandomStream& s, std::uint64_t) {
   return p;
 }
 
-// By index: overlapping ends, one inside the other, apart.
+// By index, the ends overlap, one solid is inside the other, or they are apart.
 Pair coaxial(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
   if (s.coin()) p.a.axis = s.coordinate_axis();

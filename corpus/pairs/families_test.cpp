@@ -26,13 +26,13 @@ Wide3 wide(const Vector3& v) { return v.cast<Wide>(); }
 Wide3 unit_axis(const Cylinder& c) { return (wide(c.axis) / wide(c.axis).stableNorm()).eval(); }
 Wide size_of(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
 
-/// The greatest x.m over the solid, from its centre.
+/// Returns the greatest x.m over the solid, with x relative to its centre.
 Wide support(const Cylinder& c, const Wide3& m) {
   const Wide3 w = unit_axis(c);
   return c.radius * m.cross(w).norm() + Wide(c.height) / 2 * std::abs(m.dot(w));
 }
 
-/// By how much the planes orthogonal to the unit vector m separate a from b: at most the signed distance.
+/// Returns how far planes square to the unit vector m separate a from b. It is at most the signed distance.
 Wide gap_along(const Pair& p, const Wide3& m) {
   return m.dot(wide(p.b.center) - wide(p.a.center)) - support(p.a, m) - support(p.b, m);
 }
@@ -47,8 +47,8 @@ Wide excess(const Cylinder& c, const Wide3& x) {
 Wide sine(const Pair& p) { return unit_axis(p.a).cross(unit_axis(p.b)).norm(); }
 Wide cosine(const Pair& p) { return unit_axis(p.a).dot(unit_axis(p.b)); }
 
-/// The distance of the closest points by projecting from solid to solid, 0 if they meet. A small value
-/// proves nothing.
+/// Returns the distance of the closest points, or 0 if the solids meet. It projects from solid to solid. A
+/// small value proves nothing.
 Wide crude_distance(const Pair& p) {
   const auto project = [](const Cylinder& c, const Wide3& x) {
     const Wide3 w = unit_axis(c), d = x - wide(c.center);
@@ -160,7 +160,7 @@ constexpr std::array touching{Touching{"touching_side_side", ContactKind::side_s
                               Touching{"touching_needles", ContactKind::needle_needle},
                               Touching{"touching_disks", ContactKind::disk_disk}};
 
-/// Part of the size: half of the smallest margin, so that rounding changes no pair's side.
+/// Relative to the size. It is half of the smallest margin, so rounding takes no pair across contact.
 constexpr Wide construction_tol = 5e-16L;
 
 TEST(Families, TouchAtTheMarginTheyName) {
@@ -199,7 +199,7 @@ TEST(Families, TouchAtTheMarginTheyName) {
   }
 }
 
-/// Which features meet: for either solid, whether n is orthogonal (side), parallel (cap) or neither (rim).
+/// Returns which features meet. For each solid, n is orthogonal (side), parallel (cap) or neither (rim).
 std::string features(const Contact& c) {
   std::string out;
   for (const Cylinder& s : {c.pair.a, c.pair.b}) {
@@ -242,7 +242,7 @@ TEST(Families, HaveTheAnglesTheyName) {
     ASSERT_LE(std::abs(cosine(right)), 1e-15L);
     beside += right.a.axis.dot(right.b.axis) == 0;
 
-    // The axis segments meet: the centres' difference is a combination of the axes within the heights.
+    // The axis segments meet, so the centres' difference is a combination of the axes within the heights.
     const Pair crossing = draw("axes_crossing", i);
     const Wide3 u = unit_axis(crossing.a), v = unit_axis(crossing.b);
     const Wide3 d = wide(crossing.b.center) - wide(crossing.a.center);

@@ -118,7 +118,7 @@ Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin) {
   auto [first, second] = features_of(kind);
   if (stream.coin()) std::swap(first, second);
 
-  // Two directions perpendicular to the normal, |cos| of their angle at most 0.6, or one for parallel sides.
+  // Two directions perpendicular to the normal. |cos| of their angle is at most 0.6. Parallel sides need one.
   const Vector3 va = stream.perpendicular(c.normal);
   Vector3 vb =
       kind == ContactKind::parallel_sides ? Vector3(stream.sign() * va) : stream.perpendicular(c.normal);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// The place of a field's numbers among those of a cylinder.
+/// The place of a field's numbers among the numbers of a cylinder.
 struct Field {
   std::string_view name;
   std::size_t first, count;
@@ -29,7 +29,7 @@ constexpr std::array<Field, 5> cylinder_fields{
 constexpr std::size_t needed_field_count = 4;  // rounding may be left out
 constexpr std::array<std::string_view, 3> guarded_keys{"source", "truth", "note"};
 
-/// The most bytes of a file's own words that an error text repeats.
+/// The most bytes that an error text repeats from a file.
 constexpr std::size_t shown_cap = 40;
 
 constexpr const char* too_long = "the line is longer than 1 MiB";
@@ -168,7 +168,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
       return fail(subject() + " is " + word + ", expected " + expected());
     start_ = position - 1;
     // "[json.exception...] parse error at line 1, column 9: syntax error while parsing value - invalid
-    // literal; last read: '...'": what stands between the dash and what was read, which may be long.
+    // literal; last read: '...'". Keeps the part between the dash and the last words, which may be long.
     std::string_view what = fault.what();
     what.remove_prefix(std::min(what.find(" - ") + 3, what.size()));
     return fail("not JSON: " + std::string(what.substr(0, what.find("; last read: "))));
@@ -261,7 +261,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return depth_ == in_list || check_field(" (" + format_double(x) + ")");
   }
 
-  // A cylinder begins without defect, so the first defect is of the field just read.
+  // A cylinder begins without a defect, so the first defect is in the field just read.
   bool check_field(const std::string& shown) {
     const Defect defect = find_defect(cylinder());
     return defect == Defect::none || fail(key_ + "." + to_string(defect) + shown);

@@ -20,7 +20,7 @@ bool has_height(SolidKind kind) { return kind != SolidKind::sphere; }
 bool has_radius(SolidKind kind) { return kind == SolidKind::cylinder || kind == SolidKind::rounded; }
 bool has_rounding(SolidKind kind) { return kind != SolidKind::cylinder; }
 
-/// With lengths as `length` draws them.
+/// Draws a solid of this kind, with lengths from `length`.
 template <class Length>
 Cylinder draw_kind(SolidKind kind, RandomStream& s, Length length) {
   Cylinder c;
@@ -75,8 +75,8 @@ Vector3 touch_plane(Cylinder& c, const Vector3& n, RandomStream& s) {
   return half * towards + c.radius * radial;
 }
 
-// The cores are on either side of two parallel planes, as far apart as both roundings and the margin
-// together: then so are the cores, at the two contacts.
+// The cores lie on either side of two parallel planes. The planes are as far apart as both roundings and the
+// margin together. So the cores are too, at the two contacts.
 Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
   const auto length = [&] { return s.between(0.5, 2); };
   Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
@@ -84,7 +84,7 @@ Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
   const Vector3 n = s.unit_vector();
   const Vector3 on_a = touch_plane(p.a, n, s), on_b = touch_plane(p.b, -n, s);
   for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
-  // No room for the overlap would leave the cores overlapping.
+  // An overlap deeper than both roundings would make the cores overlap, so the cores then touch.
   const double apart = std::fmax(0, p.a.rounding + p.b.rounding + margin * size_of(p));
   p.b.center = p.a.center + (on_a + apart * n - on_b);
   return p;
@@ -94,7 +94,7 @@ Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
   const auto length = [&] { return static_cast<double>(s.integer(1, 4)); };
   Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
   constexpr std::array<std::array<int, 3>, 6> rational{
-      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 4, 0}, {0, 3, -4}, {1, 2, 2}}};  // of whole lengths
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 4, 0}, {0, 3, -4}, {1, 2, 2}}};  // their lengths are integers
   for (Cylinder* c : {&p.a, &p.b}) {
     const auto& w = rational[s.below(rational.size())];
     c->axis = Vector3(w[0], w[1], w[2]);

@@ -50,8 +50,8 @@ std::optional<Pair> fitted(const Pair& pair, const SizeRange& range) {
   const Lengths a = lengths_of(pair.a), b = lengths_of(pair.b);
   const double least = std::min(a.least, b.least), greatest = std::max(a.greatest, b.greatest);
   if (!(greatest > 0)) return {};
-  // The least power of two that makes the least length large enough, else the greatest that keeps the
-  // greatest length small enough.
+  // Takes the least power of two that makes the least length large enough. Otherwise takes the greatest that
+  // keeps the greatest length small enough.
   const double factor = least < range.least ? range.least / least : range.greatest / greatest;
   const int exponent = least < range.least ? static_cast<int>(std::ceil(std::log2(factor)))
                                            : static_cast<int>(std::floor(std::log2(factor)));

@@ -69,7 +69,7 @@ Pair draw_containment(RandomStream& s, double margin) {
   const Vector3 contact = at_cap ? Vector3(outer.height / 2 * normal + part * outer.radius * radial)
                                  : Vector3(outer.radius * normal + part * outer.height / 2 * outer.axis);
 
-  switch (s.below(3)) {  // parallel, as nearly as a power of ten, anyhow
+  switch (s.below(3)) {  // parallel, parallel up to a power of ten, or any
     case 0:
       inner.axis = s.sign() * outer.axis;
       break;
@@ -81,7 +81,7 @@ Pair draw_containment(RandomStream& s, double margin) {
     default:
       inner.axis = s.unit_vector();
   }
-  // In units of the depth; with g = margin (R + H + (r + h) g) and r + h <= 0.5 that gives g.
+  // In units of the depth g, which follows from g = margin (R + H + (r + h) g) and r + h <= 0.5.
   inner.radius = s.between(0.05, 0.15);
   inner.height = s.between(0.05, 0.2);
   const double outer_size = outer.radius + outer.height;
@@ -101,7 +101,7 @@ Pair draw_containment(RandomStream& s, double margin) {
   if (s.coin())
     for (int i = 0; i < 3; ++i) outer.center[i] = s.between(-1, 1);
   inner.center = outer.center + (contact + (support - depth) * normal);
-  // Which of the two is `a` is drawn.
+  // Draws which of the two is `a`.
   return s.coin() ? Pair{outer, inner} : Pair{inner, outer};
 }
 
@@ -113,7 +113,7 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
   if (feature == containment && decade == last_decade) return {};
   const auto cell = static_cast<std::uint64_t>(decade);
   RandomStream s(to_string(feature), seed, index * (last_decade + 1) + cell);
-  // Keeps off the ends of the decade, or rounding might leave it. The lower end is not in the decade.
+  // Keeps off the ends, so that rounding does not leave the decade. The lower end is not in the decade.
   const double margin = tenths[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
   if (feature == containment) return draw_containment(s, margin);
   const bool penetrates = index % 2 == 1 && decade >= penetration_decade;

@@ -9,7 +9,7 @@
 namespace cyl {
 namespace {
 
-/// JSON has no numbers that are not finite: they become strings.
+/// JSON has only finite numbers. Other numbers become strings.
 std::string number(double x) { return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"'; }
 
 void append(std::string& s, const ExactVector& v) {
@@ -26,8 +26,8 @@ void append(std::string& s, const ExactVector& v) {
   s += ']';
 }
 
-/// Appends the members of the certificate's object without braces, each after a comma. Nothing if it has
-/// none.
+/// Appends the members of the certificate's object without braces, each after a comma. Appends nothing if it
+/// has none.
 void append(std::string& s, const Certificate& c) {
   if (c.kind == CertificateKind::none) return;
   const bool is_near = c.kind == CertificateKind::near || c.kind == CertificateKind::near_points;
@@ -58,13 +58,13 @@ std::string verdict_member(Verdict verdict) {
   return std::string("{\"verdict\":\"") + to_string(verdict) + '"';
 }
 
-/// A length of JSON; of a string there the decimals.
+/// Returns a length as JSON: a number, or a string of decimals if it is not finite.
 std::string end_text(double x) { return std::isfinite(x) ? format_double(x) : '"' + format_end(x) + '"'; }
 
 }  // namespace
 
-// Between centres there are at most 2 sqrt(3) of the largest double, 6.23e308, and a depth is at most r0 +
-// h0 / 2 + r1 + h1 / 2, three of them.
+// The distance of centres is at most 2 sqrt(3) times the largest double, 6.23e308. A depth is at most r0 +
+// h0 / 2 + r1 + h1 / 2, which is three times the largest double.
 std::string format_end(double x) {
   if (std::isfinite(x)) return format_double(x);
   return x < 0 ? "-6.3e308" : "6.3e308";

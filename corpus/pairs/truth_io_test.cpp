@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Truths and answers as text: what JSON has no number for, and the hulls of a point.
+// Truths and answers as text: numbers that JSON does not have, and the hulls of a point.
 #include "corpus/pairs/truth_io.hpp"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 
 #include "base/json.hpp"
 
-// As their bits: CBOR of JSON numbers keeps infinities, but makes every NaN one.
+// Stores the bits, because CBOR of JSON numbers keeps infinities but makes all NaNs one.
 template <>
 struct nlohmann::adl_serializer<std::optional<cyl::Enclosure>> {
   static void to_json(json& to, const std::optional<cyl::Enclosure>& margin) {
@@ -33,7 +33,7 @@ std::string as_utf8(const std::string& text) {
 
 }  // namespace
 
-/// An enum travels as its word, so that a number without a meaning does not come in.
+/// An enum travels as its word, so that no number without a meaning comes in.
 template <class Enum>
 requires std::is_enum_v<Enum>
 void to_json(json& to, Enum value) { to = to_string(value); }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int store_version = 3;  ///< of the tables below, in PRAGMA user_version
 
-/// A judged pair takes 2 to 4 KB: pages of SQLite's usual 4096 bytes would be a third empty.
+/// A judged pair takes 2 to 4 KB. SQLite's usual pages of 4096 bytes would be a third empty.
 constexpr int page_bytes = 16384;
 
 constexpr const char* tables = R"(
@@ -82,7 +82,7 @@ RunStore::RunStore(std::unique_ptr<SqliteFile> file) : file_(std::move(file)) {}
 RunStore::RunStore(RunStore&&) noexcept = default;
 RunStore::~RunStore() = default;
 
-// The file appears under its name when it is complete: a kill before leaves no half a run.
+// The file appears under its name when it is complete, so a kill before that leaves no half run.
 RunStore RunStore::create(const std::string& folder, const Config& config,
                           const std::vector<MethodRecord>& methods) {
   namespace fs = std::filesystem;

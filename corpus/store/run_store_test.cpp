@@ -44,7 +44,7 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
 /// pattern.
 std::uint64_t scatter(std::uint64_t i) { return (i + 1) * 2654435761u % 4294967296u >> 8; }
 
-/// Findings i in [first, next), each of the margin that `margin(i)` gives, as a batch would send them.
+/// Returns the findings i in [first, next) as a batch would send them. `margin(i)` is the margin of each.
 template <class Margin>
 BatchRecord batch_of(std::uint64_t first, std::uint64_t next, Margin margin) {
   BatchRecord batch;
@@ -195,7 +195,7 @@ TEST_F(Store, RefusesABatchOutOfOrder) {
 
 TEST_F(Store, KeepsTheFirstAndEveryNewBinadeAndCountsAll) {
   RunStore store = RunStore::create(folder, {});
-  // All 1e-9, but for one 1e-3 and, later, a smaller 1e-6.
+  // All margins are 1e-9, except for one of 1e-3 and, later, a smaller one of 1e-6.
   const auto margin = [](std::uint64_t i) { return i == 70 ? 1e-3 : i == 80 ? 1e-6 : 1e-9; };
   store.commit(batch_of(0, 50, margin), 0);
   store.commit(batch_of(50, 100, margin), 0);
@@ -251,7 +251,7 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
   }
 }
 
-/// Bytes of the store with all that SQLite keeps beside it.
+/// Returns the bytes of the store, with all files that SQLite keeps beside it.
 std::uintmax_t size_of(const fs::path& folder) {
   std::uintmax_t bytes = 0;
   for (const auto& file : fs::directory_iterator(folder)) bytes += file.file_size();

@@ -113,7 +113,7 @@ std::string line_of(const Suppression& s) {
   return line.dump();
 }
 
-// Days of this form are in order as texts are.
+// Days in this form have the order of their texts.
 bool is_expired(const Suppression& suppression, std::string_view today) {
   return std::string_view(suppression.expires) < today;
 }

@@ -26,7 +26,7 @@ std::string error_of(const std::string& text) {
   return "none";
 }
 
-/// `good` with the first `from` replaced.
+/// Returns `good` with the first `from` replaced.
 std::string with(const std::string& from, const std::string& to) {
   std::string text = good;
   return text.replace(text.find(from), from.size(), to);
