@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t pairs_per_family = 100;
 constexpr std::uint64_t family_seed = 20080302;
-/// In sizes: below it the methods put right are rounding too.
+/// Relative to the size. Below it, rounding also decides for the corrected methods.
 constexpr double rounding_margin = 1e-12;
 
 std::map<std::string, Case> cases() {
@@ -89,7 +89,7 @@ TEST(Errata, OneDependsOnTheUnitOfLength) {
   }
 }
 
-/// Which half of the critical points is lost is the program's choice of frames and eigenvectors.
+/// The frames and eigenvectors that the program chooses decide which half of the critical points is lost.
 TEST(Errata, ANegatedPairIsKeptInAnotherFrame) {
   Pair pair = cases().at("erratum-2008-negated-pair").pair;
   const auto wrong = ShownErratum::method_named("seed2008-only-negated-pair");

@@ -25,7 +25,7 @@ using std::chrono::milliseconds;
 
 constexpr const char* apart = R"({"verdict":"disjoint","distance":0.5,"direction":[1,0,0]})";
 
-/// A shell's program that answers each line by `body`, which finds it in $q and how many there were in $n.
+/// Returns a shell program that runs `body` for each line. $q is the line, and $n is the number of lines.
 std::string each_line(const std::string& body) {
   return "n=0; while read -r q; do n=$((n+1)); " + body + "; done";
 }
@@ -41,7 +41,7 @@ std::unique_ptr<Method> command(const std::string& text) {
   return std::move(open_guest(read_guest(GuestKind::command, "test=" + text)).front().method);
 }
 
-/// Returns its answers to so many pairs, numbered from 1 by their first radius.
+/// Returns the method's answers to `count` pairs, which have the first radius 1, 2 and so on.
 std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count,
                               CallMode mode = CallMode::usual) {
   std::vector<std::unique_ptr<Method>> methods;
@@ -54,7 +54,7 @@ std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count,
   return answers;
 }
 
-/// A program that does `body` if the first radius is 2, and is right otherwise.
+/// Asks a program that runs `body` if the first radius is 2, and is right otherwise.
 std::vector<MethodAnswer> ask_with_trouble(const std::string& body) {
   const std::string trouble =
       "case $q in *'\"radius\":2,\"height\":2},\"b\"'*) " + body + ";; *) " + say(apart) + ";; esac";
@@ -107,7 +107,7 @@ TEST(GuestCommand, AskedFromAThreadThatEndsItGoesOn) {
   const auto method = command(each_line("echo \"{\\\"verdict\\\":\\\"disjoint\\\",\\\"distance\\\":$n}\""));
   for (int i = 1; i <= 3; ++i) {
     const MethodAnswer answer = call(*method, numbered_pairs(1)[0], CallMode::other_thread);
-    EXPECT_EQ(answer.distance, i + 1) << answer.reason;  // of one process, which was asked when it was opened
+    EXPECT_EQ(answer.distance, i + 1) << answer.reason;  // of one process, which the opening asked once
   }
 }
 
@@ -134,7 +134,7 @@ TEST(GuestCommand, TheTimeOfWhatItStartedCountsAsItsOwn) {
   EXPECT_STREQ(answers[1].reason, "no answer within 1000 ms of CPU time");
 }
 
-/// Reports that a program of its own hung.
+/// A method reports that a program of its own hung.
 TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("sleeper",
@@ -177,7 +177,7 @@ TEST(GuestCommand, WhoSaysTwoLinesToOneQuestionIsNotBelieved) {
 }
 
 TEST(GuestCommand, ManyLinesAreUnderWay) {
-  // Answers by fours: who waits for one before it sends the next waits for ever.
+  // It answers by fours. A caller that waits for each answer before it sends the next pair waits for ever.
   const auto answers =
       ask(command("read -r q; " + say(apart) +
                   "; while read -r q && read -r q && read -r q && read -r q; do for i in 1 2 3 4; do " +
@@ -204,7 +204,7 @@ TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
 TEST(GuestCommand, NothingOfItOutlivesIt) {
   const Scratch scratch;
   const fs::path file = scratch.folder / "pipe";
-  // A process that it starts, in a session of its own, holds the pipe open as long as it lives.
+  // A process that the guest starts, in its own session, holds the pipe open as long as it lives.
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   const int pipe = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   const std::string orphan = "setsid sh -c 'exec 9>" + file.string() + "; echo here >&9; sleep 1000' & ";
@@ -215,7 +215,7 @@ TEST(GuestCommand, NothingOfItOutlivesIt) {
   char text[256];
   while (read(pipe, text, sizeof text) > 0) {
   }
-  EXPECT_EQ(read(pipe, text, sizeof text), 0) << "an orphan lives on";  // the end, and not: nothing yet
+  EXPECT_EQ(read(pipe, text, sizeof text), 0) << "an orphan lives on";  // 0 is the end, -1 an empty pipe
   close(pipe);
 }
 

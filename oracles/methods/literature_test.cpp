@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts of 2008 and 2017 against the solver and the referee: put right, and as printed.
+// Tests the texts of 2008 and 2017 against the solver and the referee, corrected and as printed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::uint64_t family_seed = 20080302;
 
 class Literature : public testing::TestWithParam<std::size_t> {};
 
-// `decide` and its certificates against every setting without faults.
+// Compares every setting without faults with `decide` and its certificates.
 TEST_P(Literature, AgreesWithDecideBeyondItsClaim) {
   const Family& family = families()[GetParam()];
   for (const auto make : {literature_2008_methods, literature_2017_methods})
@@ -58,7 +58,7 @@ TEST(LiteraturePrinted, IsOftenWrong) {
 
 using literature::Minimiser;
 
-/// The verdicts of the corrected text of 2017 about the cases, by both minimisers.
+/// Checks the verdicts of the corrected text of 2017 about the cases, by both minimisers.
 TEST(Errata2017, NoneIsWrongOncePutRight) {
   for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
     if (c.id.find("-2017-") == std::string::npos) continue;

@@ -26,22 +26,22 @@ struct Known {
   double distance;  // exact up to rounding if disjoint
 };
 
-/// The point of c farthest along the unit vector d.
+/// Returns the point of c farthest along the unit vector d.
 Vector3 support(const Cylinder& c, const Vector3& d) {
   const Vector3 w = unit_axis(c.axis);
   const Vector3 side = w.cross(d).cross(w);
   return c.center + std::copysign(c.height / 2, d.dot(w)) * w + c.radius * side.normalized();
 }
 
-/// Moves b so that its point nearest along d is `gap` beyond a's: then `gap` is the distance, d its
-/// direction.
+/// Moves b so that its point nearest along d is `gap` beyond a's point. Then `gap` is the distance, and d is
+/// its direction.
 Known apart(Pair p, Vector3 d, double gap) {
   d.normalize();
   p.b.center += support(p.a, d) + gap * d - support(p.b, -d);
   return {p, Verdict::disjoint, gap};
 }
 
-/// Pairs a margin of 0.1 or more away from touching, at a length unit of `scale`. They lie in generic poses,
+/// Returns pairs whose margin is 0.1 or more, at a length unit of `scale`. First they lie in generic poses,
 /// apart and with one centre. Then they lie side by side and end to end, apart and overlapping.
 std::vector<Known> easy_pairs(double scale = 1) {
   const Vector3 axes[] = {{0, 0, 1}, {0.3, -0.2, 1}, {1, 2, 3}, {-1, 0.5, 0.1}};
@@ -234,7 +234,7 @@ TEST(Nlopt, FindsTheDistanceAtEveryScale) {
   }
 }
 
-// Rim against rim, neither axis nor their cross product separates: only a search can find it.
+// Rim against rim. Neither an axis nor the cross product separates, so only a search finds the direction.
 TEST(Nlopt, FindsANarrowSeparation) {
   const Pair p{{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}};
   const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * size_of(p));
@@ -309,14 +309,14 @@ TEST(BulletHull, DeclinesBetweenThePrisms) {
 }
 
 TEST(Bullet, TheDefaultMarginRoundsTheRims) {
-  // Rims that cross by less than what the margins round off, (sqrt(2) - 1) * 0.04 each.
+  // The rims cross by less than the margins round off, which is (sqrt(2) - 1) * 0.04 each.
   const Pair p{upright({0, 0, 0}), {{1.99, 0, 1.99}, {0, 0, 1}, 1, 2}};
   for (const auto& m : chosen("bullet-cylinder"))
     EXPECT_EQ(m->ask(p).verdict, m->name() == "bullet-cylinder" ? Verdict::disjoint : Verdict::intersecting);
 }
 
 TEST(Libccd, AnyLengthOfADirectionWillDo) {
-  // Its directions are products of lengths; their squares overflow here, or vanish.
+  // Its directions are products of lengths. The squares of these overflow here, or vanish.
   for (const auto& m : chosen("libccd-gjk"))
     for (const Known& k : easy_pairs(1e60)) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
 }
@@ -381,7 +381,7 @@ TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
   fs::current_path(before);
 }
 
-// Their squares vanish.
+// The squares of their coordinates vanish.
 TEST(OwnMethods, DistanceIsSureOfPointsVeryNearEachOther) {
   const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{0x1p-600, 0, 0}, {0, 0, 1}, 0, 0}};
   for (const auto& method : own_methods())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each packaged library about the spheres, capsules and rounded cylinders that it has shapes for.
+// Asks each packaged library about the spheres, capsules and rounded cylinders for which it has shapes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(RoundedMethods, HaveTheShapesOfTheirLibraries) {
   EXPECT_TRUE(expected.empty()) << expected.begin()->first << " is no method";
 }
 
-/// Two solids that lie anywhere, clearly apart or deep in each other.
+/// Returns pairs of solids that lie anywhere, either clearly apart or deep in each other.
 std::vector<Pair> clear_pairs(const Family& family, std::size_t count) {
   std::vector<Pair> pairs;
   for (std::uint64_t i = 0; pairs.size() < count; i += 4) {

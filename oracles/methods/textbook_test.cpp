@@ -95,7 +95,7 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
   return Verdict::undecided;
 }
 
-// The number of pairs of each family, a few in the daily tests, or as many as the environment states.
+// Returns the number of pairs of each family: a few in daily tests, or as many as the environment states.
 std::uint64_t pairs_a_family() {
   const char* asked = std::getenv("DAYLIGHT_TEXTBOOK_PAIRS");
   return asked ? std::strtoull(asked, nullptr, 10) : 4;

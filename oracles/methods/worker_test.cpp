@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Workers from the outside: which of them live on, what a guest may do, and what is reported of it.
+// Tests workers from the outside: which of them live on, what a guest may do, and what is reported of it.
 #include "oracles/methods/worker.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Worker, AWorkerLivesOnAndKnowsWhatCameBefore) {
   EXPECT_EQ(ask_contained(counting, numbered_pairs(1), one)[0].answer.distance, 1);
 }
 
-/// A method of a guest's library, which is confined.
+/// Asks a method of a guest's library, which is confined.
 MethodAnswer ask_guest(std::function<void()> act, const Caps& caps = {}) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("guest",
@@ -70,7 +70,7 @@ TEST(Worker, AGuestReachesNoOtherProcess) {
   }
 }
 
-/// Calls itself distance `n` at its n-th call in one process; every other call fails by `fail`.
+/// A method that answers the distance `n` at its n-th call in one process. Every other call fails by `fail`.
 std::vector<std::unique_ptr<Method>> failing_every_other_time(std::function<void()> fail) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("fails",
@@ -97,7 +97,7 @@ TEST(Worker, AnAssertionOfALibraryWithoutStateCostsNoProcess) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const MethodAnswer& answer = answers[i].answer;
     if (i % 2 == 0) {
-      // After so many, and the one that ends the process, it counts anew.
+      // After this many failures, and the one that ends the process, the count starts again.
       EXPECT_EQ(answer.distance, i < 2 * recovery_cap + 2 ? i + 1 : i - (2 * recovery_cap + 1)) << i;
     } else {
       EXPECT_EQ(answer.failure, Failure::crash) << i;

@@ -24,11 +24,11 @@ mpq_class exactly(long double x) {
   return mpq_class(mpq_class(head) + mpq_class(static_cast<double>(x - static_cast<long double>(head))));
 }
 
-/// A unit of the last place of 1.
+/// The unit in the last place of 1.
 template <class R>
 const R last_place = std::ldexp(R(1), 1 - std::numeric_limits<R>::digits);
 
-/// A number of either sign, or 0, near 1 or some decades away; with all digits, or a small integer.
+/// Returns a number of either sign, or 0, near 1 or some decades away. It has all digits or is an integer.
 template <class R>
 R draw_number(RandomStream& stream) {
   const std::size_t kind = stream.below(8);
@@ -48,7 +48,7 @@ BasicInterval<R> draw_interval(RandomStream& stream) {
   return {lo, hi};
 }
 
-/// Whether the end is at the exact value or outside of it, by no more than two units of the last place.
+/// Returns whether the end is at the exact value or outside of it, by at most two units in the last place.
 template <class R>
 bool is_outward(R end, const mpq_class& exact, int side) {
   const mpq_class beyond = side * (exactly(end) - exact), unit = abs(exact) * exactly(last_place<R>);
@@ -60,7 +60,7 @@ bool holds(const BasicInterval<R>& x, const mpq_class& lo, const mpq_class& hi) 
   return std::isfinite(x.lo) && std::isfinite(x.hi) && is_outward(x.lo, lo, -1) && is_outward(x.hi, hi, 1);
 }
 
-/// The same of the square root: squared, so that it stays rational.
+/// The same for the square root. It compares squares, which are rational.
 template <class R>
 bool holds_root(const BasicInterval<R>& x, const mpq_class& lo, const mpq_class& hi) {
   const auto square = [](R end) { return mpq_class(exactly(end) * exactly(end)); };
@@ -192,7 +192,7 @@ void check_mp_intervals(RandomStream& stream) {
   expect(a.negative() == (x < 0) && a.positive() == (x > 0), "intervals of MPFI: sign");
 }
 
-/// (x + y)^2 = x^2 + 2 x y + y^2 for sums of three square roots, and the sign of what is a little beside.
+/// Checks (x + y)^2 = x^2 + 2 x y + y^2 for sums of three square roots, and the sign of a small difference.
 void check_root_sums(RandomStream& stream) {
   const auto draw = [&] {
     RootSum sum;

@@ -41,7 +41,7 @@ std::array<T, 3> minus(const std::array<T, 3>& u, const std::array<T, 3>& v) {
   return {T(u[0] - v[0]), T(u[1] - v[1]), T(u[2] - v[2])};
 }
 
-/// A length of either 0, or a few decades below the unit; `flat` in eight is 0.
+/// Returns 0 in `flat` of eight cases, and otherwise a length up to a few decades below the unit.
 double draw_length(RandomStream& stream, std::size_t flat) {
   const bool none = stream.below(8) < flat;
   const double decade = std::ldexp(1.0, -stream.integer(0, 12)), part = stream.between(0.5, 1);
@@ -58,13 +58,13 @@ Cylinder draw_solid(RandomStream& stream, std::size_t flat) {
   return c;
 }
 
-/// By a power of two that is exact for such pairs: half of them stay, others come near the ends of the range.
+/// Returns the exponent of an exact scaling. Half of the pairs stay, and some come near the range's ends.
 int draw_exponent(RandomStream& stream) {
   const int far = stream.integer(-900, 900), near = stream.integer(-30, 30);
   return stream.coin() ? 0 : stream.coin() ? near : far;
 }
 
-// f(d) = radius |d x w|/|w| + height/2 |d.w|/|w| of both, less |d.delta|; |d x w|^2 = |d|^2 |w|^2 - (d.w)^2.
+// f(d) = radius |d x w|/|w| + height/2 |d.w|/|w| of both, less |d.delta|. |d x w|^2 = |d|^2 |w|^2 - (d.w)^2.
 mpf_class reach_along(const Cylinder& c, const Reals& d) {
   const Reals w = numbers_in<mpf_class>(c.axis);
   const mpf_class ww = inner(w, w), dw = inner(d, w), across = inner(d, d) * ww - dw * dw;
@@ -76,7 +76,7 @@ mpf_class gap_of(const Pair& pair, const Reals& d) {
 }
 double reach_of_pair(const Pair& pair) { return size_of(pair) + (pair.b.center - pair.a.center).lpNorm<1>(); }
 
-/// Moves b along d until f(d) is `share` of the reach, below 0 or above: as well as doubles can.
+/// Moves b along d until f(d) is `share` of the reach, below or above 0, as exactly as doubles can.
 void bring_near(Pair& pair, const Vector3& d, double share) {
   for (int round = 0; round < 3; ++round) {
     const double side = inner_product(d, pair.b.center - pair.a.center) < 0 ? -1 : 1;
@@ -86,7 +86,7 @@ void bring_near(Pair& pair, const Vector3& d, double share) {
   }
 }
 
-/// 2^-60 to 2^-1 of either sign.
+/// Returns 2^-60 to 2^-1 with either sign.
 double draw_share(RandomStream& stream) {
   const double sign = stream.sign(), part = stream.between(0.5, 1);
   return sign * std::ldexp(part, -stream.integer(0, stream.coin() ? 60 : 8) - 1);
@@ -127,7 +127,7 @@ void check_direction(std::uint64_t index) {
              "directions: judged with a witness", *scene);
 }
 
-// The square of x.w/|w| against height^2/4, and of what x has across it against radius^2.
+// Compares the square of x.w/|w| with height^2/4, and the square of the part of x across w with radius^2.
 struct Beyond {
   mpq_class along, across;  // times |w|^2; negative inside, 0 on it
 };
@@ -149,7 +149,7 @@ bool has_room(Cylinder c, const Rationals& point, double room, bool level, bool 
   return (level || by.along <= 0) && (thin || by.across <= 0);
 }
 
-/// A point of the solid's frame: along its axis by `along` half heights, across by `across` radii.
+/// Returns a point of the solid's frame, `along` half heights along its axis and `across` radii across it.
 Vector3 point_of(RandomStream& stream, const Cylinder& c, double along, double across) {
   const Vector3 w = normalise(c.axis), out = stream.perpendicular(w);
   return along * c.height / 2 * w + across * c.radius * out;
@@ -179,7 +179,7 @@ MethodAnswer offering(const double (&head)[3], const double (&tail)[3], const Hu
   return answer;
 }
 
-/// Two solids and a point near the surface of one or both; and the same in another unit.
+/// Checks a point near the surface of one or both of two solids, in one unit or another.
 void check_point(std::uint64_t index) {
   RandomStream stream("points", drawing_seed, index);
   Pair pair{draw_solid(stream, 0), draw_solid(stream, 0)};
@@ -223,7 +223,7 @@ void check_point(std::uint64_t index) {
              "points: judged with a witness", *scene);
 }
 
-/// A tail far below the unit cannot be brought to the filter's: then it proves nothing.
+/// A tail far below the unit cannot be brought to the filter's unit. Then it proves nothing.
 void check_lost_tail() {
   const Pair pair{{Vector3(0, 0, 0), Vector3(0, 0, 1), 0x1p300, 0x1p300},
                   {Vector3(0, 0, 0x1p300), Vector3(0, 0, 1), 0x1p300, 0x1p300}};
@@ -249,7 +249,7 @@ bool is_on(const Cylinder& c, Hull hull, const Rationals& point) {
   return (!is_level(hull) || xw == 0) && (!is_thin(hull) || inner(x, x) * inner(w, w) == xw * xw);
 }
 
-/// Whether the way from the guess to its projection is square to what the hulls leave free.
+/// Returns whether the way from the guess to its projection is square to all that the hulls leave free.
 bool is_nearest(const Pair& pair, Hull hull_a, Hull hull_b, const Rationals& way) {
   const Rationals u = numbers_in<mpq_class>(pair.a.axis), v = numbers_in<mpq_class>(pair.b.axis);
   const mpq_class square = inner(way, way);

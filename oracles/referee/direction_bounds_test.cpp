@@ -21,7 +21,7 @@ Vec drawn_direction(RandomStream& stream) {
   return {d.x(), d.y(), d.z()};
 }
 
-/// A direction in the cap, more often near its edge.
+/// Returns a direction in the cap, more often near its edge.
 Vec drawn_in(const Cap& cap, RandomStream& stream) {
   const Vec d = drawn_direction(stream), across = normalized(d - dot(d, cap.center) * cap.center);
   const double sine = 0.999 * cap.sine * std::sqrt(stream.unit());

@@ -171,14 +171,14 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
 }
 
 TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
-  // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis; its middle has irrational
-  // coordinates.
+  // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis. The middle of the segment
+  // has irrational coordinates.
   const Pair pair = {{{0, 0, 0}, {0, 12.5, 33}, 2, 40}, {{5, 12.5, 33}, {0, 12.5, 33}, 3, 45}};
   const Truth truth = judge(pair);
   ASSERT_EQ(truth.verdict, Verdict::touching);
   ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
-  // Within 2^-200 size. A point is inside both solids once they have grown by that much. The plane separates
-  // them once they have shrunk by it.
+  // The point is inside both solids once they have grown by 2^-200 of the size. The plane separates them
+  // once they have shrunk by it.
   const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
   const Rational3 x = exact(truth.certificate.vector);
   for (const Cylinder* c : {&pair.a, &pair.b}) {
@@ -211,8 +211,8 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
   EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
 }
 
-// A disk of radius 2 about (c, 0, 0) has its axis across x. A flat or thick solid is at the origin. Paper
-// shows if they share more than a point of the border. The guess is off by far more than rounding.
+// A disk of radius 2 about (c, 0, 0) has its axis across x. A flat or thick solid is at the origin. We know
+// on paper if they share more than a point of the border. The guess is off by far more than rounding.
 template <class R>
 void expect_overlaps(const char* what) {
   struct Known {
@@ -387,7 +387,7 @@ TEST(Enclosure, KeepsToTheRimNearAnAxis) {
   EXPECT_GE(e.hi, 3.7935233225620569e-10);
 }
 
-// f, whose least value over directions is the depth, goes below no bound on it, from wherever it goes down.
+// The depth is the least value of f over directions. No descent from any start goes below its bound.
 TEST(Enclosure, NoDirectionLeadsOutSooner) {
   const auto f = [](const Pair& p, const Vector3& d) {
     double sum = -d.dot(p.b.center - p.a.center);
@@ -422,8 +422,8 @@ TEST(Enclosure, NoDirectionLeadsOutSooner) {
   }
 }
 
-// Corner to corner, stacked, beside one another: by cancellation the double computation is off by more than
-// the last place, and only the slack covers it.
+// The segments are end to end. By cancellation the double computation is off by more than the last place,
+// and only the slack covers it.
 TEST(Enclosure, CoversItsOwnRounding) {
   for (int i = 1; i <= 200; ++i) {
     const Pair p{{Vector3(0, 0, 0.1 * i), Vector3(0, 0, 1), 0, 0.3 * i},

@@ -44,7 +44,7 @@ TEST(RefereeOfRounded, ALastBitOfRoundingParts) {
   }
 }
 
-// The contact is at irrational points: a ball on the wall of a cylinder whose axis is (1, 1, 0), from the
+// The contact is at irrational points. A ball lies on the wall of a cylinder whose axis is (1, 1, 0), on the
 // side (1, -1, 0).
 TEST(RefereeOfRounded, TouchingAtIrrationalPointsIsProvedToo) {
   const Pair pair = pair_from(R"("center":[0,0,0],"axis":[1,1,0],"radius":0,"height":6,"rounding":1)",
@@ -56,7 +56,7 @@ TEST(RefereeOfRounded, TouchingAtIrrationalPointsIsProvedToo) {
   EXPECT_EQ(judge(tilted).verdict, Verdict::intersecting);
 }
 
-// At rational points, and one at irrational ones: any point of both cores will do.
+// Two pairs touch at rational points, and one at irrational ones. Any point of both cores is enough.
 TEST(RefereeOfRounded, CoresThatTouchMeetHoweverSmallTheRounding) {
   const char* const touching[][2] = {{R"("center":[12,4,3],"axis":[-25,48,36],"radius":13,"height":0)",
                                       R"("center":[-3,0,1],"axis":[0,0,1],"radius":3,"height":8)"},
@@ -75,7 +75,7 @@ TEST(RefereeOfRounded, CoresThatTouchMeetHoweverSmallTheRounding) {
   }
 }
 
-// Half the size deep: each core has a part that no double of the point resolves.
+// The overlap is half the size deep. Each core has a part that no double of the point resolves.
 TEST(RefereeOfRounded, CoresWithATinyPartAreNoHarderThanFlatOnes) {
   for (const char* height : {"1e-154", "5e-324", "1e-60", "1e-17", "0"}) {
     const Truth truth = judge(pair_from(
@@ -118,7 +118,7 @@ TEST(RefereeOfRounded, TiesCostWhatTheyDoWithoutRounding) {
   }
 }
 
-// Their nearest points are at a corner of what one face hides of the other.
+// The nearest points are at a corner of the area that one face hides of the other.
 TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
   const std::pair<const char*, const char*> faces[] = {
       {R"("center":[0,0,0],"axis":[-0.3919077812736112,0.90993462739085651,0.13574706203914061],
@@ -142,8 +142,8 @@ TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
   }
 }
 
-// Parallel but for a rounding: a rim or a small coin over a face. A segment across the rim of a face, at
-// rational points. The search for their nearest points does not depend on the unit either.
+// A rim or a small coin lies over a face, parallel but for rounding. A segment crosses the rim of a face, at
+// rational points. The search for the nearest points does not depend on the unit either.
 TEST(RefereeOfRounded, FacesParallelButForRoundingAreToldInFewBits) {
   struct Told {
     const char *a, *b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reach of the referee's own search and enclosure, and their numbers of steps. A search that goes astray
-// proves nothing wrong, so only the count shows it. The bounds are measured values.
+// Tests the reach of the referee's own search and enclosure, and counts their steps. A search that goes
+// astray proves nothing wrong, so only the count shows it. The bounds are measured values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,12 +22,12 @@
 namespace cyl {
 namespace {
 
-/// One in so many of the drawn pairs is searched in 128 bits, and one in so many is enclosed.
+/// One in this many of the drawn pairs is searched in 128 bits, and one in this many is enclosed.
 constexpr std::size_t fine_share = 20, enclosing_share = 10;
 constexpr double enclosing_widths[] = {1e-3, 1e-6, 1e-9};
 constexpr std::uint64_t parallel_count = 1000;
 
-/// The most that one kind of pairs takes.
+/// The most effort for one kind of pairs.
 struct Bounds {
   double slices, fine_slices;                // in the mean, in double and in 128 bits
   double beyond_double, beyond_long_double;  // shares
@@ -35,12 +35,12 @@ struct Bounds {
   double cells;                              // in the mean
   double no_guess, capped;                   // shares
 };
-/// Families, strata, close contacts.
+/// For families, strata and close contacts.
 constexpr Bounds bounds[] = {{1.7008, 1.2946, 0.065005, 0.032040, 0.049730, 9.6714, 0.166748, 0.000000},
                              {4.2914, 3.1338, 0.095097, 0.000530, 0.026404, 1.2577, 0.357213, 0.000000},
                              {2.1795, 1.8113, 0.031668, 0.004168, 0.012784, 27.2496, 0.168520, 0.000000}};
 
-/// Sums of what one kind of pairs takes.
+/// Sums of the effort for one kind of pairs.
 struct Effort {
   double pairs = 0, slices = 0, in_double = 0, in_long_double = 0, bits = 0, undecided = 0;
   double fine_pairs = 0, fine_slices = 0;
@@ -77,7 +77,7 @@ void search_finely(const Pair& pair, Effort& effort) {
   effort.fine_slices += search(fine, bits).slices;
 }
 
-/// Sums of what enclosures of one kind of pairs take.
+/// Sums of the effort of enclosures for one kind of pairs.
 struct EnclosingEffort {
   double pairs = 0, cells = 0, near = 0, capped = 0;
 };
@@ -86,7 +86,7 @@ struct EnclosingEffort {
 /// nearest points and the plane between them. If they overlap, they come from the separation that is shown.
 Enclosure bounds_of(const Distance& d) { return {d.value - d.error, d.value + d.error}; }
 
-/// f(d) of a unit direction, in long double.
+/// Returns f(d) for a unit direction, in long double.
 long double gap_of(const Pair& pair, const std::array<double, 3>& d) {
   const auto dot = [](const long double(&u)[3], const long double(&v)[3]) {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
@@ -139,7 +139,7 @@ void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
     ++effort.near;
 }
 
-/// Solids of small integers along the coordinates: their distance is a formula of square roots.
+/// The solids have integer sizes and lie along the coordinates. Their distance is a formula of square roots.
 void enclose_parallel(std::uint64_t index) {
   RandomStream stream("parallel solids", drawing_seed, index);
   Pair pair;

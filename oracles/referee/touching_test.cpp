@@ -96,7 +96,7 @@ void touch(std::uint64_t index) {
   const double beyond = apart(a, b, 3 * right, 3 * front);
   for (int i = 0; i < 3; ++i) a.solid.center[i] = stream.integer(-9, 9);
   b.solid.center = a.solid.center + a.middle + right * l.right + front * l.front + b.middle;
-  // b hangs from the plane: its parts are those of the same solid turned round.
+  // b hangs from the plane. Its parts are the parts of the same solid turned round.
   const Pair pair{a.solid, b.solid};
   if (beyond > 0 && beyond < 1e-9) return;
   const Verdict truth = judge(pair).verdict;

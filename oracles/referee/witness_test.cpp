@@ -38,7 +38,7 @@ MethodAnswer witness_of(const Answer& answer, const Pair& pair) {
 
 Pair swapped(const Pair& pair) { return {pair.b, pair.a}; }
 
-// The coordinates in another order, and one of them mirrored.
+// Returns the pair with its coordinates in another order, and with one of them mirrored.
 Pair turned(Pair pair, int how) {
   for (Cylinder* c : {&pair.a, &pair.b})
     for (Vector3* v : {&c->center, &c->axis}) {
@@ -56,7 +56,7 @@ void in_all_positions(const Pair& pair, Check check) {
   }
 }
 
-// A segment along (1, 1, 1) through a disk, in a point (1, 1, 1)/3 that no doubles are; a guess beside it.
+// A segment along (1, 1, 1) crosses a disk in (1, 1, 1)/3, which no doubles are. The guess is beside it.
 const Vector3 x(1, 0, 0), z(0, 0, 1), diagonal(1, 1, 1), beside(0.3125, 0.375, 0.34375);
 const Cylinder segment{Vector3(0, 0, 0), diagonal, 0, 4};
 const Cylinder disk{Vector3(0.5, 0.5, 0), diagonal, 2, 0};
@@ -86,7 +86,7 @@ TEST(HullWitness, StandsForARationalPoint) {
 }
 
 TEST(HullWitness, IsThePointNearestToTheOneWritten) {
-  // Two disks that cross along z at x = 2: they share -0.5 <= z - 3 <= 0.5 of it.
+  // The disks cross along z at x = 2. They share -0.5 <= z - 3 <= 0.5 of this line.
   const Pair pair{{{0, 0, 3}, {0, 1, 0}, 4, 0}, {{2, 0, 3}, x, 0.5, 0}};
   const auto said = [&](const Vector3& at) {
     return check_witness(pair, point_in(Hull::plane, Hull::plane, at));
@@ -98,7 +98,7 @@ TEST(HullWitness, IsThePointNearestToTheOneWritten) {
 }
 
 TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
-  // Rods across each other; their lines pass at 2^-80.
+  // The rods cross each other. Their lines pass at a distance of 2^-80.
   const Pair pair{{{0, 0, 0}, x, 0.125, 2}, {{0, 0, 0x1p-80}, {0, 1, 0}, 0.125, 2}};
   const Vector3 origin(0, 0, 0);
   EXPECT_EQ(check_witness(pair, point_in(Hull::line, Hull::line, origin)), Verdict::undecided);
@@ -107,7 +107,7 @@ TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
     EXPECT_EQ(check_witness(pair, point_in(hull, Hull::space, origin)), Verdict::intersecting);
     EXPECT_EQ(check_witness(pair, point_in(Hull::space, hull, origin)), Verdict::intersecting);
   }
-  // They meet here, but in no inner point of the solids.
+  // The hulls meet here, but in no inner point of the solids.
   EXPECT_EQ(check_witness({segment, {{9, 9, 0}, z, 2, 0}}, point_in(Hull::line, Hull::plane, beside)),
             Verdict::undecided);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -168,7 +168,7 @@ TEST(Witness, OfOurSolverIsNotNeeded) {
   EXPECT_GT(in_hulls, 30);
 }
 
-// The best slice ends the range: one disk's width is 0 there, and two of the four functions tie.
+// The best slice ends the range. There one disk's width is 0, and two of the four functions tie.
 TEST(Referee, ProvesGapsWhereTwoFunctionsTieAtARim) {
   const Pair apart[] = {{{{0, 0, 0}, z, 5, 4}, {{8, 7, 4}, x, 3, 6}},
                         {{{0, 0, 0}, z, 10, 2}, {{-8, 19, -3}, {0, 1, 0}, 2, 18}}};
@@ -180,7 +180,7 @@ TEST(Referee, ProvesGapsWhereTwoFunctionsTieAtARim) {
     });
 }
 
-// A segment through a rational point of a rim: D is square to the segment and to the rim's tangent.
+// A segment goes through a rational point of a rim. D is square to it and to the rim's tangent.
 TEST(Referee, ProvesThatASegmentTouchesARim) {
   const Pair touching[] = {{{{0, 0, 0}, z, 5, 6}, {{4, 3, -3}, {1, 2, 2}, 0, 8}},
                            {{{-2, -2, -3}, {2, 2, -1}, 2, 2}, {{-2, -4, -4}, {-2, 1, 0}, 0, 2}},
@@ -195,7 +195,7 @@ TEST(Referee, ProvesThatASegmentTouchesARim) {
     });
 }
 
-// These took 200 to 2000 slices: contacts within 2^-500 of a rim or of a tie.
+// These contacts are within 2^-500 of a rim or of a tie. They once took 200 to 2000 slices.
 TEST(Referee, FindsExtremeContactsInFewSlices) {
   const Pair extreme[] = {{{{1, 0, 0}, {12, 0, 1.03904747e-316}, 1, 0}, {{1, 1, 1}, {12, 0, 5}, 1, 0}},
                           {{{0, -1, 0}, {3, 6.664204317189761e-213, 0}, 1, 0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For any doubles of a pair, every line that `daylight check` makes of it is JSON.
+// For any doubles of a pair, `daylight check` prints only lines of JSON.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 
-/// Lengths and coordinates at the ends of the range beside ordinary ones.
+/// Returns lengths and coordinates at the ends of the range, and ordinary ones.
 double wild(RandomStream& stream) {
   constexpr std::array lengths{0.0, 5e-324, 1e-308, 1e-300, 1e-150, 1.0, 3.0, 1e150, 1e300, 1.7e308, largest};
   return lengths[stream.bits() % lengths.size()] * (stream.bits() % 2 == 0 ? 1 : -1);

@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-/// Upright, of radius 1 and height 2; the other beside it at a gap, in sizes of the pair (6).
+/// An upright cylinder of radius 1 and height 2, and another at a gap of `margin` times the size of 6.
 Pair beside(double margin, const Vector3& axis = {0, 0, 1}) {
   return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, axis, 1, 2}};
 }
@@ -63,7 +63,7 @@ TEST(Cells, MarginsByTheirDecadesOnEitherSideAndTouchingApart) {
   EXPECT_EQ(margin_axis().labels[touching_bin], "touching");
 }
 
-// The place of the margin is the solver's; that it is not far off is checked by pairs of known margin.
+// The solver places the margin. Pairs of known margin check that it is not far off.
 TEST(Cells, MarginsKnownByConstructionAreFound) {
   for (const ContactKind kind : {ContactKind::side_side, ContactKind::side_rim, ContactKind::rim_rim,
                                  ContactKind::cap_rim, ContactKind::cap_side, ContactKind::cap_cap}) {

@@ -16,7 +16,7 @@
 namespace cyl {
 namespace {
 
-/// Relative to the size: roundings of two axes, two contacts and a centre.
+/// Relative to the size. It covers the roundings of two axes, two contacts and a centre.
 constexpr double construction_error = 4e-15;
 
 TEST(CloseContact, GapsAreAsBuiltAndOverlapsNoDeeper) {
@@ -29,7 +29,7 @@ TEST(CloseContact, GapsAreAsBuiltAndOverlapsNoDeeper) {
       const double size = size_of(c.pair), off = construction_error * size;
       if (c.distance < 0) {
         ++overlaps[truth.verdict];
-        // Cells of depth cost too much to be had for each.
+        // The enclosure of a small depth takes too many cells.
         const double margin = -c.distance / size;
         if (truth.verdict == Verdict::intersecting && margin > 1e-4) {
           ASSERT_GE(enclose_distance(c.pair, truth, margin / 4).hi, c.distance - off) << format_pair(c.pair);

@@ -36,7 +36,7 @@ MethodAnswer said_distance(Verdict verdict, double distance) {
   return answer;
 }
 
-/// A distance known to +- relative_width * size / 2, counting how often it was asked for.
+/// A distance known to +- relative_width * size / 2. It counts how often it was asked for.
 struct Known {
   double distance;
   int asked = 0;
@@ -233,7 +233,7 @@ TEST(Compare, WhoTellsAnErrorIsHeldToIt) {
       MethodAnswer apart = said_distance(Verdict::disjoint, 0.5 + off);
       apart.error_bound = told;
       EXPECT_EQ(judged(Verdict::disjoint, 0.5, claim, apart).has_value(), told < 1e-5);
-      // Overlapping, that the depth is less is not ruled out.
+      // If they overlap, a smaller depth is not ruled out.
       MethodAnswer into = said_distance(Verdict::intersecting, -0.5 + off);
       into.error_bound = told;
       EXPECT_EQ(judged(Verdict::intersecting, -0.5, claim, into).has_value(), told < 1e-5 && off > 0);

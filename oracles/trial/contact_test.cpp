@@ -88,7 +88,7 @@ TEST(ContactFeatureOf, PlainScenes) {
       {containment, solid(origin, z, 2, 4), solid({0.5, 0, 0}, {1, 2, 3}, 0.5, 1)},
       {containment, solid({0.5, 0, 0}, {1, 2, 3}, 0, 0), solid(origin, z, 2, 4)},  // a point
       {containment, solid(origin, z, 1, 2), solid(origin, -z, 1, 2)},              // equal
-      // Disks have no side and segments no cap, points neither.
+      // Disks have no side, segments have no cap, and points have neither.
       {rim_rim, solid(origin, z, 1, 0), solid({3, 0, 0}, z, 1, 0)},
       {cap_cap, solid(origin, z, 1, 0), solid({0, 0, 1}, z, 1, 0)},
       {rim_rim, solid(origin, z, 0, 2), solid({0, 0, 3}, z, 0, 2)},
@@ -117,7 +117,7 @@ TEST(ContactFeatureOf, PlainScenes) {
   }
 }
 
-// Axes nearly parallel: the common normal is the direction however small the angle.
+// The axes are nearly parallel. The common normal is the direction, however small the angle is.
 TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
   for (int power = 3; power <= 15; ++power) {
     const Cylinder a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
@@ -132,12 +132,12 @@ TEST(Contains, IsSharp) {
     const bool in = off < 0;
     EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * u, w, 0.5, 4)), in);
     EXPECT_EQ(contains(outer, solid(outer.center + (1 + off) * w, -w, 0.5, 2)), in);
-    // Square to each other: along the axis by the radius, across it to the corner of half height and radius.
+    // Square axes: the radius counts along the outer axis, the corner of half height and radius across it.
     EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * w, u, 0.5, 1)), in);
     EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * u, u, 0.5, 1)), false);
     EXPECT_EQ(contains(outer, solid(outer.center + (std::sqrt(3.75) - 0.5 + off) * u, u, 0.5, 1)), in);
     EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * v, u, 0.5, 0)), in);
-    // A tilted disk about the axis: an ellipse, whose long half axis is the radius.
+    // A tilted disk about the axis looks like an ellipse, whose long half axis is the radius.
     EXPECT_EQ(contains(outer, solid(outer.center, w + u, 2 + off, 0)), in);
   }
   EXPECT_TRUE(contains(outer, outer));

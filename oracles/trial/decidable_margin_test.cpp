@@ -17,7 +17,7 @@ TEST(Room, IsTheGapOrTheLargestBallInCommon) {
   Trial into(walls(1));  // a lens 1 wide
   for (const double slack : {estimated_margin(into.pair), certified_margin(into)}) {
     EXPECT_LE(slack, 0.5 / 6);
-    EXPECT_GT(slack, 0.5 / 6 / 1.34);  // 8 a decade
+    EXPECT_GT(slack, 0.5 / 6 / 1.34);  // 8 steps per decade
   }
 }
 

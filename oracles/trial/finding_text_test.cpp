@@ -35,7 +35,7 @@ TEST(InWords, AMarginBeyondMeasureIsNoNumber) {
             "margin of more than 1000 sizes");
 }
 
-// Two unit balls' worth of rod and disk, 3 apart: sizes together 4, f along x is 2 - 3 of 4.
+// Two cylinders of radius and height 1, with centres 3 apart. The size is 4, and f along x is 2 - 3.
 TEST(InWords, AWitnessMissesBySoMuch) {
   const Pair pair{{{0, 0, 0}, {0, 0, 2}, 1, 1}, {{3, 0, 0}, {0, 0, 1}, 1, 1}};
   const auto miss = [&](CertificateKind kind, double x, double y, double z) {

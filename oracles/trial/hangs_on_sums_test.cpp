@@ -15,7 +15,7 @@ TEST(HangsOnSums, TwoCoins) {
   EXPECT_EQ(hangs_on_our_sums("ode", FindingKind::wrong_intersecting, coins), std::nullopt);
 }
 
-// Apart by a length that GJK takes for zero with sums in any order.
+// GJK takes the distance for zero, with sums in any order.
 TEST(HangsOnSums, NotAnAbsoluteLength) {
   const Pair tiny{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1e-9, 2e-9},
                   {Vector3(3e-9, 1e-10, 0), Vector3(0, 0, 1), 1e-9, 2e-9}};

@@ -20,7 +20,7 @@
 namespace cyl {
 namespace {
 
-/// Wrong for the pairs of `errs`.
+/// Returns a method that is wrong if `errs` is true for the pair.
 std::unique_ptr<Method> erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false,
                                bool guest = false) {
   const auto ask = [errs = std::move(errs), capped](const Pair& pair) {
@@ -89,7 +89,7 @@ TEST(Mechanism, TellsWhatLeavesTheDoubles) {
             Mechanism::underflow);
 }
 
-/// A cut-off of the method's own is not an overflow, however large the pair.
+/// If the method itself cuts off a length, this is not an overflow, however large the pair is.
 TEST(Mechanism, NamesTheLengthThatDecides) {
   for (const auto& [size, wrong] : {std::pair(
                                         0x1p200, +[](const Pair& p) { return size_of(p) > 300; }),
@@ -125,7 +125,7 @@ TEST(Mechanism, NamesTheDistanceOfPointsThatDecides) {
       "times 2^0)");
 }
 
-/// At a size at which single precision has no numbers, or of a height that is rounded to 0.
+/// Single precision has no numbers at that size, or the height is rounded to 0.
 TEST(Mechanism, WhatVanishesIsNoCure) {
   EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 0x1p-64; }, crossing(1)).mechanism,
             Mechanism::unclassified);
@@ -137,7 +137,7 @@ TEST(Mechanism, WhatVanishesIsNoCure) {
             Mechanism::unclassified);
 }
 
-/// Off by 2 % at every size; of small solids it answers nothing.
+/// The method is off by 2 % at every size, and answers nothing about small solids.
 TEST(Mechanism, WhatFailsOtherwiseIsNoCure) {
   Methods methods;
   methods.push_back(fake_method("lib-way", [](const Pair& pair) {
@@ -208,7 +208,7 @@ TEST(Kin, IsTheSettingOrTheSameErrors) {
   EXPECT_TRUE(differ_in_setting("bullet-hull-16", "bullet-hull-64"));
   EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-indep"));
   EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-libccdx"));
-  // Wrong by which way b lies: the first two alike, the third on the other half.
+  // The side on which b lies decides. The first two are wrong alike, and the third on the other half.
   const auto up = [](const Pair& p) { return p.b.center.z() > 0; };
   const auto down = [](const Pair& p) { return p.b.center.z() <= 0; };
   Methods methods;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every certificate of many pairs, checked again in wide and rational arithmetic, and every verdict against
-// those of the methods that carry proofs. A few pairs daily; DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n
-// for a long run.
+// Checks every certificate of many pairs again in wide and rational arithmetic. Compares every verdict with
+// the methods that carry proofs. A daily run has few pairs. DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n
+// makes a long run.
 #include <gtest/gtest.h>
 
 #include <cstdio>
