@@ -95,7 +95,7 @@ constexpr Turn at_side{0, 1}, at_cap{1, 0};
 // Rim on rim, with axes at the angle s. It has two parts square to each other, towards the normal and about
 // it. Either both rims are nearly sides, or the caps face each other.
 Poise parallel_rims(RandomStream& r, double s) {
-  constexpr double tilted_share = 0x1p-4;  // of the tilt: below it, the azimuths of both rims are alike
+  constexpr double tilted_share = 0x1p-4;  // of the tilt: if s is below it, both azimuths are alike
   const Turn share = extreme_turn(r, 12);
   const bool as_sides = r.below(3) == 0, more = r.coin();
   if (as_sides) {

@@ -89,7 +89,7 @@ TEST(Mechanism, TellsWhatLeavesTheDoubles) {
             Mechanism::underflow);
 }
 
-/// If the method itself cuts off a length, this is not an overflow, however large the pair is.
+/// A cut-off of the method itself is not an overflow, however large the pair is.
 TEST(Mechanism, NamesTheLengthThatDecides) {
   for (const auto& [size, wrong] : {std::pair(
                                         0x1p200, +[](const Pair& p) { return size_of(p) > 300; }),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checks every certificate of many pairs again in wide and rational arithmetic. Compares every verdict with
-// the methods that carry proofs. A daily run has few pairs. DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n
-// makes a long run.
+// the verdicts of the methods that carry proofs. A daily run has few pairs.
+// DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n makes a long run.
 #include <gtest/gtest.h>
 
 #include <cstdio>

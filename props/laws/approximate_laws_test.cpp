@@ -40,7 +40,7 @@ TEST(ApproximateLaws, CatchAVerdictThatDependsOnThePlace) {
             Numbers{21});
 }
 
-// The distance is also wrong and below what its direction shows. Two ways are shorter than the direct one.
+// The distance is also wrong and below what its direction shows. Two ways together are shorter than one.
 TEST(ApproximateLaws, CatchADistanceInSteps) {
   EXPECT_EQ(laws_broken_by(plant("distance",
                                  [](const Pair& pair, MethodAnswer& answer) {
