@@ -391,7 +391,7 @@ void add_campaign(Program& program) {
   command.section("Self-check");
   command.flag(
       "--self-check,--alarm", arguments->self_check,
-      "plant known faults; fail if one is missed (default: only from 5 minutes or 3,000,000 pairs on)");
+      "plant known faults; fail if one is missed (default: in runs of 5 minutes or 3,000,000 pairs, or more)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");
@@ -400,9 +400,8 @@ void add_campaign(Program& program) {
   command.examples(
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
-      "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign also means that the "
-      "run\n"
-      "stopped before its limit, and 1 also means that it missed a planted fault.");
+      "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
+      "the run stopped before its limit, and 1 that it missed a planted fault.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

@@ -275,13 +275,13 @@ void add_gate(Program& program) {
   command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
       .option("--annotate FILE:LINE", arguments->annotate,
-              "place of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
+              "source line of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
       .one_each();
   command.section("Baseline");
   command
       .option(
           "--against FILE", arguments->against,
-          "JSON of an earlier gate; reruns its pairs and fails only if a failure is new or has more pairs")
+          "JSON of an earlier gate; reruns its pairs; only a failure that is new or affects more pairs counts")
       .excludes("--pairs")
       .excludes("--seed");
   command
@@ -302,9 +302,9 @@ void add_gate(Program& program) {
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
-      "Exit code 2 of gate means broken laws, refuted verdicts, crashes, hangs, or a suppression that "
-      "matches no\n"
-      "stored case. 3 also means that a method gave no verdict on more than half of its pairs.");
+      "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
+      "suppression that matches no stored case. 3 can also mean that a method gave no verdict on more than\n"
+      "half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

@@ -19,10 +19,10 @@ namespace cyl {
 
 class SqliteFile;
 
-/// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index
-/// order. A later one is kept only if its margin reaches a new power of two. So the largest margin is kept
-/// up to a factor of two, and the rest is counted. This bounds the file, and ten are enough to see a
-/// pattern.
+/// How many findings of one (method, kind, severity, family) are kept with their pair: the first ones in
+/// index order. A later one is kept only if its margin reaches a new power of two. So the largest margin is
+/// known to within a factor of two. The other findings are only counted. This bounds the file, and ten are
+/// enough to see a pattern.
 inline constexpr std::uint64_t representatives_cap = 10;
 
 /// How often a method was asked on a family and what came of it.
@@ -33,7 +33,7 @@ struct Counts {
   std::uint64_t contract = 0;    ///< wrong beyond its own claim
   std::uint64_t resolution = 0;  ///< wrong within its own claim
   std::uint64_t undecided = 0;
-  std::uint64_t nanoseconds = 0;       ///< time of the calls; CPU time if they are foreign
+  std::uint64_t nanoseconds = 0;       ///< time of the calls; CPU time for foreign code
   std::uint64_t hung_nanoseconds = 0;  ///< CPU time of the calls that hung, which is not in `nanoseconds`
 
   Counts& operator+=(const Counts& other);
@@ -48,7 +48,7 @@ struct MethodRecord {
   std::string name, version;
   double relative = 0, absolute = 0;
   std::string source;  ///< of the claim
-  unsigned share = 1;  ///< asked on one index in so many, and if another method is wrong
+  unsigned share = 1;  ///< asked on one index in `share`, and if another method is wrong
 
   bool operator==(const MethodRecord&) const = default;
   static constexpr const char* table = "method";
@@ -118,7 +118,7 @@ struct SelfCheckRecord {
   int mutant = 0;           ///< its number
   std::string what;         ///< the fault in words
   bool found = false;
-  std::uint64_t pairs = 0;         ///< until it was found, or as many as were looked at
+  std::uint64_t pairs = 0;         ///< tested until it was found, or all that were tested
   std::uint64_t milliseconds = 0;  ///< CPU time
   std::string said;                ///< which finding it was, or how the process ended; may be empty
 
@@ -134,7 +134,7 @@ struct BatchRecord {
   std::uint64_t first = 0, next = 0;
   std::vector<TallyRecord> tallies;
   std::vector<GroupRecord> groups;      ///< all findings of the batch, counted
-  std::vector<FindingRecord> findings;  ///< those its own Representatives admitted, in index order; id unset
+  std::vector<FindingRecord> findings;  ///< admitted by its Representatives, in index order; id unset
   std::vector<CellRecord> cells;        ///< of the failure maps
 };
 

@@ -89,7 +89,7 @@ export function costPlotOfStudy(study: Study, o: Options): Element {
       x: {
         type: "log",
         domain: [low, high],
-        label: "time a configuration, all pairs \u2192",
+        label: "time per configuration, all pairs \u2192",
         ticks: decades(costs).filter((t) => t >= low && t <= high),
         tickFormat: time,
         grid: true,

@@ -59,7 +59,7 @@ function Near({ study, posed, pick }: { study: Study; posed: Posed; pick: (pair:
       </button>{" "}
       {formatGap(posed.gaps[i]!.distance, 0, unit)}
       {posed.within[i] && standsIn(study, i) && (
-        <span class="soft"> (of the solid around a box or mesh, so it is not known)</span>
+        <span class="soft"> (measured to the solid around a box or mesh, so the pair itself may be clear)</span>
       )}
     </li>
   );
@@ -107,7 +107,7 @@ export function Joints({
         <fieldset>
           <legend>Joints</legend>
           <button type="button" disabled={!posed.set} onClick={reset}>
-            Back to the drawn configuration
+            Back to the sampled configuration
           </button>
           <div class="sliders">
             {free.map((link, k) => (

@@ -50,14 +50,14 @@ export function Legend({ study, filter, set }: { study: Study; filter: Filter; s
   };
   return (
     <span class="chips plain-chips" role="group" aria-label="Model needed">
-      <span class="soft">Pairs that need a</span>
+      <span class="soft">Simplest model needed:</span>
       {used.map(([model, count]) => (
         <button
           type="button"
           class="chip"
           aria-pressed={filter.models.has(model)}
           onClick={() => press(model)}
-          title={`only pairs for which ${aModel(model)} is enough, and nothing simpler`}
+          title={`show only pairs whose simplest sufficient model is ${aModel(model)}`}
           key={model}>
           <Swatch model={model} />
           {model} <span class="count">{grouped(count)}</span>
@@ -82,9 +82,9 @@ const titles: Record<Column, string> = {
 };
 /** What the columns of models hold, as the heads stand for them. */
 const ofModels: Partial<Record<Column, string>> = {
-  sphere: "False alarms of the spheres around both, asked alone: the farthest beyond the clearance, and their number.",
-  outer: "False alarms of the capsules around both, asked alone: the farthest beyond the clearance, and their number.",
-  inner: "Misses of the capsules inside both, asked alone: the farthest below the clearance, and their number.",
+  sphere: "False alarms of the spheres around both solids: the farthest beyond the clearance, and their number.",
+  outer: "False alarms of the capsules around both solids: the farthest beyond the clearance, and their number.",
+  inner: "Misses of the capsules inside both solids: the farthest below the clearance, and their number.",
 };
 const lengths: ReadonlySet<Column> = new Set(["least", "here", "sphere", "outer", "inner"]);
 const riskClass: Record<Risk, string> = {
@@ -274,7 +274,7 @@ export function Picked({
     unit = unitOf(study),
     seen = posed.set ? null : study.kept[at]!.pairs[picked]!; // what models say is known of kept ones
   const wrongModels = seen?.wrong.filter(hasStandIn) ?? [];
-  const heads = ["show", "model", ...(seen ? ["says here"] : []), "n:wrong in all"];
+  const heads = ["show", "model", ...(seen ? ["says here"] : []), "n:wrong overall"];
   const inUnit = (head: string) => (unit ? `${head} [${unit}]` : head);
   const told = [...heads, inUnit("n:false alarm up to"), inUnit("n:missed up to")];
   return (
@@ -290,7 +290,7 @@ export function Picked({
           Here they {formatGap(posed.gaps[picked]!.distance, study.clearance, unit)}.
         </span>
         {standsIn(study, picked) && (
-          <span class="soft"> This is the gap of the solid around a box or mesh, which may be farther away.</span>
+          <span class="soft"> The gap is that of the solid around a box or mesh, which may be farther away.</span>
         )}
         {seen && wrongModels.length > 0 && (
           <span class="bad">
@@ -303,7 +303,7 @@ export function Picked({
       </p>
       {proof && (
         <p class={verdictClass[proof.verdict]}>
-          Over all motions {formatProof(study, proof)}. <ShowProof proof={proof} show={showProof} />
+          Proof over all motions: {formatProof(study, proof)}. <ShowProof proof={proof} show={showProof} />
         </p>
       )}
       <div class="scroll">

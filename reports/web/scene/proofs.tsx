@@ -12,8 +12,8 @@ export function formatProof(study: Study, proof: Proof): string {
       return `proved: always more than ${formatLength(proof.bound, unit)} apart`;
     case "refuted":
       return proof.least_seen < 0
-        ? `refuted: overlap by ${formatLength(-proof.least_seen, unit)}`
-        : `refuted: ${formatLength(proof.least_seen, unit)} apart`;
+        ? `refuted, overlap by ${formatLength(-proof.least_seen, unit)}`
+        : `refuted, ${formatLength(proof.least_seen, unit)} apart`;
     case "within":
       return (
         `within the clearance: ${formatLength(proof.least_seen, unit)} apart` +

@@ -225,7 +225,7 @@ async function movesJoints({ address, study }) {
   const again = await open(page.url());
   assert.deepEqual(await again.locator(".near li").allInnerTexts(), await page.locator(".near li").allInnerTexts());
   await again.context().close();
-  await page.getByRole("button", { name: "Back to the drawn configuration" }).click();
+  await page.getByRole("button", { name: "Back to the sampled configuration" }).click();
   assert.deepEqual((await settled(page), await page.locator(".near li").allInnerTexts()), kept);
   assert.equal((await colours(page)).hash, before.hash);
   await page.context().close();
@@ -247,7 +247,7 @@ async function showsWhatIsRefuted({ address, study }) {
   await page.goto(`${address}#at=0&pair=${pair}`); // at once, before the page has drawn all of itself
   await page.reload();
   assert.equal(await told(page, "pair"), String(pair), "the address stays as it was given");
-  assert.match(await page.locator(".picked p.bad").innerText(), /^Over all motions refuted: /);
+  assert.match(await page.locator(".picked p.bad").innerText(), /^Proof over all motions: refuted, /);
   await page.locator(".picked").getByRole("button", { name: /^Show where/ }).click();
   assert.ok((await status(page)).includes("within the clearance here"));
   const near = await page.locator(".near li.bad").allInnerTexts();
@@ -258,7 +258,7 @@ async function showsWhatIsRefuted({ address, study }) {
     if (joint in proof.joints) assert.equal(values[i], proof.joints[joint], joint);
   }
   const states = await page.locator(".findings tbody td.c-risk").allInnerTexts();
-  assert.ok(states[0].startsWith("comes within\nrefuted:"), states[0]);
+  assert.ok(states[0].startsWith("comes within\nrefuted,"), states[0]);
   const never = study.motions.filter(({ verdict }) => verdict === "never");
   assert.ok(never.some(({ bound }) => states.some((s) => s.includes(`proved: more than ${shown(bound)} m`))));
   const rows = await page.locator(".exemptions tbody tr").allInnerTexts();

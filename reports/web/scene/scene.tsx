@@ -219,9 +219,9 @@ export function SceneSection({
           <p class="soft">
             {pose.set
               ? "Bodies and lines of pairs within the clearance are red. "
-              : "Bodies have the colour of the most exact model that one of their pairs needs. "}
+              : "A body's colour shows the most exact model that any of its pairs needs. "}
             {study.bodies.some(({ holds }) => holds) &&
-              "Boxes and the boxes of meshes are grey, and the solids around them are clear grey. "}
+              "Boxes and the boxes of meshes are grey, and the solids around them are translucent grey. "}
             The squares of the floor are {formatLength(floorCell(frame), unit)} wide; x is red, y green, z blue.{" "}
             {getStage()
               ? "Drag to turn, use the wheel to zoom. To pick a pair, click two bodies, a line, or a row."

@@ -88,7 +88,7 @@ function Numbers({ study }: { study: Study }) {
         <b>
           {grouped(simple)} <span class="soft">of {grouped(pairs.length)}</span>
         </b>
-        pairs were right with spheres or capsules in every draw
+        pairs need only spheres or capsules: these were right in every configuration
       </li>
       <li>
         <b class={within > 0 ? "bad" : "ok"}>{grouped(within)}</b>
@@ -96,8 +96,8 @@ function Numbers({ study }: { study: Study }) {
       </li>
       <li>
         <b class={unknown + left_out.length > 0 ? "warn" : "ok"}>{grouped(unknown)}</b>
-        not known or open
-        {left_out.length > 0 && <span class="soft">, and shapes that were not tested</span>}
+        pairs not known or open
+        {left_out.length > 0 && <span class="soft">; some shapes were not tested</span>}
       </li>
     </ul>
   );
@@ -123,8 +123,8 @@ function Recommendation({ study }: { study: Study }) {
         {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{asSentence(words.verified)}</li>}
         {study.asked_referee > 0 && (
           <li>
-            {plural(study.asked_referee, "sample")} decided by the referee; {study.undecided} of them are not proved and
-            count as within the clearance
+            {plural(study.asked_referee, "sample")} went to the referee. It could not prove {study.undecided} of them;
+            these count as within the clearance.
           </li>
         )}
       </ul>
@@ -157,7 +157,7 @@ function Cost({ study }: { study: Study }) {
       id="cost"
       title="Cost and wrong answers"
       lead={
-        "Each point is one model, asked alone for every pair in every configuration drawn. Points to the left are " +
+        "Each point is one model, tested alone on every pair in every sampled configuration. Points to the left are " +
         "cheaper. On the lowest line no answer is wrong. A sphere or an outer capsule alone can only raise false " +
         "alarms, and an inner capsule alone can only miss contacts."
       }>

@@ -266,7 +266,7 @@ export function formatReason(study: Study, kept: Shown, reason: Reason): string 
   const length = short(Math.abs(reason.length ?? 0));
   switch (reason.why) {
     case "drawn first":
-      return study.configurations === 1 ? "the only configuration" : `configuration ${kept.configuration}, as drawn`;
+      return study.configurations === 1 ? "the only configuration" : `configuration ${kept.configuration}, as sampled`;
     case "closest call":
       return `closest call${of}, ${length} ${reason.length! > 0 ? "beyond" : "below"} the clearance`;
     case "false alarm":
