@@ -40,7 +40,7 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   return f;
 }
 
-/// Scatters small numbers over all of 32 bits (Knuth's multiplicative hash): cuts and margins without a
+/// Scatters small numbers over 24 bits (Knuth's multiplicative hash), for cuts and margins without a
 /// pattern.
 std::uint64_t scatter(std::uint64_t i) { return (i + 1) * 2654435761u % 4294967296u >> 8; }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Laws 20 to 29 hold within a proved allowance. The signed distance is -min f over unit directions D, with
-//   f(D) = sum of r |D x w| + h/2 |D.w| over both solids, less |D.Delta|.
+//   f(D) = sum of r |D x w| + h/2 |D.w| + rounding over both solids, less |D.Delta|.
 // So it changes by no more than f does at any D. |D x w| and |D.w| change by at most the change of w. Hence
-//   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + (r + h/2) |w' - w|.
+//   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + |rounding' - rounding|
+//               + (r + h/2) |w' - w|.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
