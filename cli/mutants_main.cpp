@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// daylight-mutants measures what the harness is worth. It lists the mutants and runs each detector on each
-// one. Exit status 0: the unchanged program survives all, and each mutant that is not argued equivalent is
-// caught. 2: a mutant is not caught. 1: the harness itself fails.
+// daylight-mutants measures the harness. It lists the mutants and runs each detector on each one. It exits
+// with 0 if the unchanged program survives all detectors, and if each mutant that is not argued equivalent is
+// detected. It exits with 2 if a mutant is not detected, and with 1 if the harness itself fails.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,6 +22,8 @@
 #include "base/json.hpp"
 #include "base/process/process.hpp"
 #include "base/source_tree.hpp"
+#include "base/usage_error.hpp"
+#include "cli/options.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/store/batch_bytes.hpp"
 #include "corpus/store/case_files.hpp"
@@ -139,19 +141,24 @@ void list() {
     fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
 }
 
-struct MutantsMainArguments {
+/// Returns the cases of a folder, or those of the project if it is empty.
+std::vector<Case> read_cases(const std::string& folder) {
+  return read_case_folder(folder.empty() ? in_source_tree("corpus/cases") : folder);
+}
+
+struct MatrixArguments {
   std::vector<int> only;
   std::vector<std::string> detectors;
   bool first = false;
-  std::string json, corpus = in_source_tree("corpus/cases");
+  std::string json, cases;
 };
 
-int matrix(const MutantsMainArguments& arguments) {
+int matrix(const MatrixArguments& arguments) {
   // This is not a structured binding, because clang 14 cannot capture one.
   const std::vector<int>& only = arguments.only;
   const std::vector<std::string>& wanted = arguments.detectors;
   const std::string& file = arguments.json;
-  const std::vector<Case> cases = read_case_folder(arguments.corpus);
+  const std::vector<Case> cases = read_cases(arguments.cases);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
   detectors.push_back({"gate", [&](const Mutant& mutant) { return gate_closed(mutant, cases); }});
@@ -160,7 +167,7 @@ int matrix(const MutantsMainArguments& arguments) {
 
   for (const std::string& name : wanted)
     if (std::none_of(detectors.begin(), detectors.end(), [&](const Detector& d) { return d.name == name; }))
-      throw std::invalid_argument("no detector " + name);
+      throw UsageError("there is no detector " + name);
   if (!wanted.empty())
     std::erase_if(detectors, [&](const Detector& d) {
       return std::find(wanted.begin(), wanted.end(), d.name) == wanted.end();
@@ -192,7 +199,7 @@ int matrix(const MutantsMainArguments& arguments) {
   std::vector<Mutant> chosen, controls;
   for (const Mutant& m : all_mutants())
     if (only.empty() || std::find(only.begin(), only.end(), m.number) != only.end()) chosen.push_back(m);
-  if (chosen.empty()) throw std::invalid_argument("no such mutant");
+  if (chosen.empty()) throw UsageError("no fault has such a number; daylight mutants list shows all");
   for (const Mutant& m : chosen) {
     json& row = rows[m.number];
     row = row_of(m, row.is_null() ? json::object() : row);
@@ -220,15 +227,15 @@ int matrix(const MutantsMainArguments& arguments) {
 }
 
 /// Faults of each part. The first few are always of different parts. Each is caught within a second or two.
-constexpr int self_test_mutants[] = {103, 301, 110, 204, 120};
+constexpr int smoke_mutants[] = {103, 301, 110, 204, 120};
 
-int self_test(std::size_t count, const std::string& corpus) {
-  const std::vector<Case> cases = read_case_folder(corpus);
+int smoke(std::size_t count, const std::string& folder) {
+  const std::vector<Case> cases = read_cases(folder);
   const std::vector<Detector> detectors = law_detectors(cases);
-  count = std::min(count, std::size(self_test_mutants));
+  count = std::min(count, std::size(smoke_mutants));
   std::size_t detected = 0;
   std::string missed;
-  for (const int number : std::span(self_test_mutants, count)) {
+  for (const int number : std::span(smoke_mutants, count)) {
     const auto mutants = all_mutants();
     const auto mutant =
         std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.number == number; });
@@ -270,45 +277,80 @@ int self_check(const Planted& planted) {
   return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() ? exit_pass : exit_harness_failed;
 }
 
+constexpr const char* mutants_exit_codes = "Exit code 2 means that a fault was not detected.";
+
+void case_folder(Command& command, std::string& folder) {
+  command.option("--cases,--corpus DIR", std::ref(folder), "folder of case files (default: corpus/cases/)");
+}
+
+void add_list(Program& program) {
+  program.command("Measure", "list", "Lists the faults").run([] {
+    list();
+    return exit_pass;
+  });
+}
+
+void add_matrix(Program& program) {
+  const auto arguments = std::make_shared<MatrixArguments>();
+  Command command = program.command("Measure", "matrix",
+                                    "Runs every detector on every fault, after the program without a fault");
+  command
+      .option("--only LIST", std::ref(arguments->only),
+              "numbers of the faults, separated by commas (default: all)")
+      .separated_by(',');
+  command
+      .option("--detectors LIST", std::ref(arguments->detectors),
+              "laws, corpus, differential, fuzz, gate or tests, separated by commas (default: all)")
+      .separated_by(',');
+  command.flag("--first", arguments->first, "stop at the first detector of each fault");
+  command.option("--json FILE", std::ref(arguments->json),
+                 "write one JSON object per fault; a second call continues the file");
+  case_folder(command, arguments->cases);
+  command.examples("  daylight mutants matrix --only 101,102 --json kills.jsonl", mutants_exit_codes);
+  command.run([arguments] { return matrix(*arguments); });
+}
+
+void add_smoke(Program& program) {
+  struct Arguments {
+    unsigned count = std::size(smoke_mutants);
+    std::string cases;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  Command command = program.command("Measure", "smoke", "Plants a few faults that must be detected at once");
+  command.number("--count N", std::ref(arguments->count), "number of faults", 1, std::size(smoke_mutants));
+  case_folder(command, arguments->cases);
+  command.examples("  daylight mutants smoke --count 2", mutants_exit_codes);
+  command.run([arguments] { return smoke(arguments->count, arguments->cases); });
+}
+
+void add_self_check(Program& program) {
+  const auto planted = std::make_shared<Planted>();
+  Command command = program.command("Called by campaigns", "self-check",
+                                    "Runs a fault on the pairs of a campaign until it is found");
+  command.number("--mutant N", std::ref(planted->number), "number of the fault; 0 for none").required();
+  command.number("--seed N", std::ref(planted->seed), "seed of the campaign").required();
+  command.number("--first N", std::ref(planted->first), "index of the first pair").required();
+  command.number("--pairs N", std::ref(planted->pairs), "number of pairs").required();
+  command.option("--methods LIST", std::ref(planted->methods), "methods of the campaign").required();
+  command.option("--families LIST", std::ref(planted->families), "families of the campaign")
+      .separated_by(',')
+      .required();
+  command.option("--weights LIST", std::ref(planted->weights), "weights of the families");
+  command.run([planted] { return self_check(*planted); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Plants one fault at a time in this program, and reports which the harness detects."};
-  app.require_subcommand(1);
-  app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
-  MutantsMainArguments arguments;
-  auto* listing = app.add_subcommand("list", "lists the faults");
-  auto* running =
-      app.add_subcommand("matrix", "runs every detector on every fault, after the program without a fault");
-  running->add_option("--only", arguments.only, "numbers of the faults")->delimiter(',');
-  running
-      ->add_option("--detectors", arguments.detectors,
-                   "laws, corpus, differential, fuzz, gate or tests; all if not given")
-      ->delimiter(',');
-  running->add_flag("--first", arguments.first, "stop at the first detector of each fault");
-  running->add_option("--json", arguments.json,
-                      "file of the rows, one JSON object a line; its rows are not computed again");
-  running->add_option("--corpus", arguments.corpus, "folder of case files");
-  std::size_t count = std::size(self_test_mutants);
-  auto* quick = app.add_subcommand("smoke", "plants a few faults that must be detected at once");
-  quick->add_option("--count", count, "number of faults");
-  quick->add_option("--corpus", arguments.corpus, "folder of case files");
-  Planted planted;
-  auto* self_checking = app.add_subcommand(
-      "self-check", "runs a fault on the pairs of a campaign until it is found; campaigns call it");
-  self_checking->add_option("--mutant", planted.number)->required();
-  self_checking->add_option("--seed", planted.seed)->required();
-  self_checking->add_option("--first", planted.first)->required();
-  self_checking->add_option("--pairs", planted.pairs)->required();
-  self_checking->add_option("--methods", planted.methods)->required();
-  self_checking->add_option("--families", planted.families)->delimiter(',')->required();
-  self_checking->add_option("--weights", planted.weights);
-  CLI11_PARSE(app, argc, argv);
   try {
-    if (listing->parsed()) list();
-    if (self_checking->parsed()) return self_check(planted);
-    if (quick->parsed()) return self_test(count, arguments.corpus);
-    return running->parsed() ? matrix(arguments) : exit_pass;
+    Program program("daylight-mutants",
+                    "Plants one fault at a time in this program, and reports which checks detect it.",
+                    "daylight " DAYLIGHT_VERSION " with planted faults");
+    for (const auto add : {add_list, add_matrix, add_smoke, add_self_check}) add(program);
+    return program.run(argc, argv);
+  } catch (const UsageError& error) {
+    std::cerr << "daylight-mutants: " << error.what() << '\n';
+    return exit_usage;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';
     return exit_harness_failed;

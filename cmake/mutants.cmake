@@ -75,7 +75,7 @@ function(daylight_mutant_program name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${name} PRIVATE daylight_fuzz_campaign daylight_props_gate daylight_props_mutants)
 endfunction()
-daylight_mutant_program(daylight-mutants cli/mutants_main.cpp)
+daylight_mutant_program(daylight-mutants cli/mutants_main.cpp cli/options.cpp)
 target_link_libraries(daylight-mutants PRIVATE CLI11::CLI11)
 
 # Not selected, the switches change no bit of any answer; and the executable for users has none.
