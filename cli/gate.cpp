@@ -279,9 +279,9 @@ void add_gate(Program& program) {
       .one_each();
   command.section("Baseline");
   command
-      .option(
-          "--against FILE", arguments->against,
-          "JSON of an earlier gate; reruns its pairs; only a failure that is new or affects more pairs counts")
+      .option("--against FILE", arguments->against,
+              "JSON of an earlier gate; reruns its pairs; only a failure that is new or affects more pairs "
+              "counts")
       .excludes("--pairs")
       .excludes("--seed");
   command

@@ -163,7 +163,7 @@ void add_scene(Program& program) {
       "links that the SRDF disables as \"Never\". 3 also means that --prove left a pair open, that shapes "
       "were "
       "not\n"
-      "examined, that pairs are near only by the bound of a box or mesh, or that joints were not moved.");
+      "examined, that only the bounding solid of a box or mesh comes near, or that joints were not moved.");
   command.run([arguments] { return study(*arguments); });
 }
 

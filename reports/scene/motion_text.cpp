@@ -56,12 +56,13 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
       break;
   }
   if (proof.contradicted)
-    return fmt::format("seen nearer than proved, which is a fault of daylight ({:.3g} seen)", proof.least);
+    return fmt::format("a configuration is nearer than proved ({:.3g}), which is a fault of daylight",
+                       proof.least);
   if (proof.bounded)
-    return fmt::format("near only by the bound of a box or mesh: {:.3g}{}", proof.least,
+    return fmt::format("only the bounding solid of a box or mesh comes near: {:.3g}{}", proof.least,
                        joints_text(scene, proof));
   if (proof.held)
-    return fmt::format("a joint between them really moves farther than here ({:.3g} seen)", proof.least);
+    return fmt::format("a joint between them can move farther than it does here ({:.3g} seen)", proof.least);
   return fmt::format("nothing proved for {:.3g} % of the range of their {} joints ({:.3g} seen)",
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
@@ -85,7 +86,7 @@ std::string exemption_text(const Scene& scene, const ExemptionProof& exemption) 
     text = proof_text(scene, *std::ranges::min_element(exemption.bodies, {}, risk_of));
   else if (!exemption.not_looked_at)
     text = "a link has no shape";
-  if (exemption.not_looked_at) text += std::string(text.empty() ? "" : "; ") + "shapes were not looked at";
+  if (exemption.not_looked_at) text += std::string(text.empty() ? "" : "; ") + "some shapes were not tested";
   return text;
 }
 
@@ -102,8 +103,8 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   };
   const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
   std::string text = fmt::format(
-      "over all motions, {}: {} proved never within {}, {} meet in a configuration that is shown, {}{} open "
-      "after {} boxes",
+      "over all motions, {}: {} proved never within {}, {} refuted by a configuration, {}{} open after {} "
+      "boxes",
       counted(s.pairs.size(), "pair"), of(pairs, MotionVerdict::never), q.clearance,
       of(pairs, MotionVerdict::refuted),
       q.clearance > 0
@@ -121,7 +122,7 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   text += fmt::format(". Time of the proofs: {:.1f} s", s.motions->ms / 1000);
   if (s.motions->contradicted > 0)
     text += fmt::format(
-        ". SEEN NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
+        ". NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
         s.motions->contradicted);
   else if (s.motions->against > 0)
     text += fmt::format(". In {} other configurations no pair is nearer than proved", s.motions->against);

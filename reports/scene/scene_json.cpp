@@ -76,10 +76,10 @@ json words_json(const StudyWords& w) {
   return {{"counts", w.counts},     {"left_out", w.left_out},
           {"pairs", w.pairs},       {"configurations", w.configurations},
           {"enough", w.enough},     {"recommended", w.recommended},
-          {"cost", w.cost},         {"forgiven", w.forgiven},
-          {"capsules", w.capsules}, {"rounding", w.rounding},
-          {"closest", w.closest},   {"verified", w.verified},
-          {"motions", w.motions}};
+          {"remarks", w.remarks},   {"cost", w.cost},
+          {"forgiven", w.forgiven}, {"capsules", w.capsules},
+          {"rounding", w.rounding}, {"closest", w.closest},
+          {"verified", w.verified}, {"motions", w.motions}};
 }
 
 json highlight_json(const Highlight& highlight) {

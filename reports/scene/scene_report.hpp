@@ -17,15 +17,16 @@ std::string study_text(const Scene& scene, const SceneOptions& question, const S
 
 /// The sentences of `study_text`, for the page. A sentence is empty if it does not apply.
 struct StudyWords {
-  std::string counts;                 ///< "2 capsules, 1 box (bounded), 0 not looked at; 20 links, .."
+  std::string counts;                 ///< "2 capsules, 1 mesh (not tested); 20 links, .."
   std::vector<std::string> left_out;  ///< "17 box (base, ...)"
   std::string pairs;                  ///< how many are checked, and why others are not
   std::string configurations;
-  std::string enough;       ///< for how many pairs spheres and capsules suffice
-  std::string recommended;  ///< "spheres for 112 pairs, ..", and what is not known, not moved, not seen
-  std::string cost;         ///< "0.54 us a configuration, against ..."
-  std::string forgiven;     ///< false alarms that are tolerated
-  std::string capsules;     ///< whether they may stand in for every cylinder
+  std::string enough;                 ///< for how many pairs spheres and capsules suffice
+  std::string recommended;            ///< "spheres for 112 pairs, .."
+  std::vector<std::string> remarks;   ///< on it: what is not known, not moved, not tested
+  std::string cost;                   ///< "0.54 us per configuration, instead of .."
+  std::string forgiven;               ///< false alarms that are tolerated
+  std::string capsules;               ///< whether they may stand in for every cylinder
   std::vector<std::string> rounding;  ///< what some roundings would cost and save
   std::string closest;                ///< the closest call, and how exact an answer must be
   std::string verified;

@@ -33,7 +33,8 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-/// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (bounded), ..".
+/// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (as a bounding solid),
+/// ..".
 std::string shapes_words(const Scene& scene) {
   std::array<std::size_t, 4> counts{};
   std::map<std::string, std::size_t> bounded;
@@ -47,11 +48,13 @@ std::string shapes_words(const Scene& scene) {
     if (kind == SolidKind::capsule && scene.folded > 0)
       words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
   }
-  for (const auto& [shape, count] : bounded) words.push_back(counted(count, shape) + " (bounded)");
+  for (const auto& [shape, count] : bounded)
+    words.push_back(counted(count, shape) +
+                    (count == 1 ? " (as a bounding solid)" : " (as bounding solids)"));
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
-  for (const auto& [shape, count] : others) words.push_back(counted(count, shape) + " (not looked at)");
-  if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not looked at");
+  for (const auto& [shape, count] : others) words.push_back(counted(count, shape) + " (not tested)");
+  if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not tested");
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -72,7 +75,7 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) by_bits += !may_collide(scene.bodies[i], scene.bodies[j]);
   std::string text = fmt::format(
-      "{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
+      "{}: {} checked. Not checked: {} in one rigid body, {} of adjacent bodies, {} disabled{}",
       counted(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
       s.pairs_by_reason[3],
       scene.srdf.empty()
@@ -97,14 +100,14 @@ std::string configurations_words(const Scene& scene, const SceneOptions& q, cons
     further += pair.samples > s.configurations;
   }
   std::string text = fmt::format(
-      "{}, clearance {}: {} not seen within it, {} seen in all of them, {} at times{}",
+      "{}, clearance {}: {} clear in all of them, {} within the clearance in all, {} in some{}",
       counted(s.configurations, "configuration"), q.clearance, counted(unseen, "pair"), always,
       s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
-    text += fmt::format(". The first two are true in all but {} of all configurations, at 95 % confidence",
-                        rate_text(least));
+    text +=
+        fmt::format(". At 95 % confidence, \"all\" means all but {} of all configurations", rate_text(least));
   if (further > 0)
-    text += fmt::format(". Up to {} draws for {} whose model was never seen wrong", most,
+    text += fmt::format(". Up to {} configurations for {} whose model was right in all", most,
                         counted(further, "pair"));
   return text;
 }
@@ -191,19 +194,20 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
                                  counted(all, "pair"), capsules);
   if (s.drawn && capsules > 0) text += surely(scene, q, s);
   if (capsules == all) return text;
-  return text + (all - capsules == 1 ? ", but this one needs more"
-                                     : fmt::format(", but these {} need more", all - capsules));
+  return text + (all - capsules == 1 ? ". This one needs more"
+                                     : fmt::format(". These {} need more", all - capsules));
 }
 
-/// The level of the cylinders stands for the shapes as they are in the file.
+/// The level of the cylinders stands for the shapes of the file themselves.
 std::string plural_of(Level level, const Scene& scene) {
   const auto is_rounded = [](const Body& body) { return body.solid.rounding > 0; };
-  if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_rounded)) return "shapes as they are";
+  if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_rounded))
+    return "the shapes themselves";
   return std::array{
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// Returns "; NOT KNOWN: 2 pairs that come near the bound of a box or mesh (table - hand, table - arm)".
+/// Returns the pairs that are not known: "NOT KNOWN: 2 pairs, because .. (table - hand, table - arm)".
 std::string not_known_words(const Scene& scene, const SceneStudy& s) {
   std::vector<std::string> named;
   std::size_t count = 0;
@@ -213,21 +217,23 @@ std::string not_known_words(const Scene& scene, const SceneStudy& s) {
   }
   if (count == 0) return "";
   if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
-  return fmt::format("; NOT KNOWN: {} that come{} near the bound of a box or mesh ({})",
-                     counted(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
+  return fmt::format(
+      "NOT KNOWN: {}, because the bounding solid of a box or mesh comes within the clearance ({})",
+      counted(count, "pair"), fmt::join(named, ", "));
 }
 
-/// For a box or mesh, samples show only that its bound was not near in any of them.
-std::string not_near_words(const Scene& scene, const SceneStudy& s) {
+/// For a box or mesh, samples show only that its bounding solid is clear in all of them.
+std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
   const auto rests_on_draws = [&](const PairStudy& pair) {
     return is_known(scene, pair) && (scene.bodies[pair.a].box || scene.bodies[pair.b].box);
   };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(s.pairs, rests_on_draws));
   if (!s.drawn || count == 0) return "";
-  return fmt::format(" ({} of these with the bound of a box or mesh, which came near in no draw)", count);
+  return fmt::format(
+      "{} of these pairs {} a box or mesh, whose bounding solid is clear in all configurations",
+      grouped(count), count == 1 ? "has" : "have");
 }
 
-/// Shapes that were not looked at are named next to the recommendation, because boxes touch things too.
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
   for (const PairStudy& pair : s.pairs)
@@ -235,13 +241,18 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), counted(count, "pair")));
-  std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
-  all += not_near_words(scene, s) + not_known_words(scene, s);
+  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Shapes that were not tested are named next to the recommendation, because boxes touch things too.
+std::vector<std::string> remark_words(const Scene& scene, const SceneStudy& s) {
+  std::vector<std::string> words{clear_bounds_words(scene, s), not_known_words(scene, s)};
   if (const std::vector<std::string> held = joints_held_between(scene, s); !held.empty())
-    all += fmt::format("; NOT MOVED: {}", fmt::join(held, ", "));
-  if (scene.left_out.empty()) return all;
-  return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
-                     fmt::join(left_out_words(scene), ", "));
+    words.push_back(fmt::format("NOT MOVED: {}", fmt::join(held, ", ")));
+  if (!scene.left_out.empty())
+    words.push_back(fmt::format("NOT TESTED: {}", fmt::join(left_out_words(scene), ", ")));
+  std::erase(words, "");
+  return words;
 }
 
 /// Times vary by this part, so a smaller saving counts as none.
@@ -250,10 +261,11 @@ constexpr double least_saving = 0.1;
 std::string cost_words(const SceneStudy& s) {
   const double alone = s.alone_ns[index_of(Level::cylinder)];
   return fmt::format(
-      "{:.2f} us for a configuration, and {:.2f} us with the {} test for every pair{}; {:.2f} us more to "
-      "move the bodies",
+      "{:.2f} us per configuration, instead of {:.2f} us with the {} test for every pair{}; moving the "
+      "bodies "
+      "takes another {:.2f} us",
       s.cascade_ns / 1000, alone / 1000, to_string(Level::cylinder),
-      s.cascade_ns > (1 - least_saving) * alone ? ": IT SAVES NOTHING" : "",
+      s.cascade_ns > (1 - least_saving) * alone ? ", which SAVES NOTHING" : "",
       (s.kinematics_ns + s.models_ns) / 1000);
 }
 
@@ -261,42 +273,41 @@ std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
   std::size_t forgiven = 0;
   for (const PairStudy& pair : s.pairs) forgiven += pair.cascade_wrong;
   if (forgiven == 0) return "";
-  return fmt::format("with {} that {:.3g} allows", counted(forgiven, "false alarm"), q.tolerated);
+  return fmt::format("{} within the tolerated {:.3g}", counted(forgiven, "false alarm"), q.tolerated);
 }
 
 std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
   const Total t = total_of(s, Level::outer, q.tolerated);
   if (t.wrong == 0)
-    return "capsules instead of all cylinders: the same answer in every sample" +
+    return "capsules in place of all cylinders: the same answer in every sample" +
            (s.drawn
                 ? fmt::format(", another answer in less than {} of all configurations, at 95 % confidence",
                               rate_text(s.configurations))
                 : "");
-  return fmt::format(
-      "capsules instead of all cylinders: {} in {}, of cylinders up to {:.3g} beyond the clearance",
-      counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
+  return fmt::format("capsules in place of all cylinders: {} in {}, up to {:.3g} beyond the clearance",
+                     counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
 }
 
-/// Returns a line for each rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000
-/// configurations ..".
+/// Returns a line for each rounding that changes something: "rounding up to 0.002: simpler models for 2
+/// pairs, 1 % less time, ..".
 std::vector<std::string> rounding_words(const SceneStudy& s) {
   std::vector<std::string> words;
   for (const RoundingCost& r : s.roundings) {
     const double saved = 100 * (1 - r.ns / s.cascade_ns);
     if (r.cheaper == 0) continue;
-    words.push_back(
-        fmt::format("rounding {} costs {} in {} and saves {}, on {} (if all solids are rounded: {})",
-                    r.rounding, counted(r.alarms, "false alarm"), counted(s.configurations, "configuration"),
-                    saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time",
-                    counted(r.cheaper, "pair"), r.all_rounded));
+    words.push_back(fmt::format(
+        "rounding up to {}: simpler models for {}, {}, {} in {} ({} if every solid is rounded)", r.rounding,
+        counted(r.cheaper, "pair"), saved >= 0.5 ? fmt::format("{:.0f} % less time", saved) : "no less time",
+        counted(r.alarms, "false alarm"), counted(s.configurations, "configuration"),
+        grouped(r.all_rounded)));
   }
   if (words.empty() && !s.roundings.empty())
-    words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));
+    words.push_back(fmt::format("rounding up to {}: no simpler models", s.roundings.back().rounding));
   return words;
 }
 
 std::string bound_or_body(const Scene& scene, std::size_t i) {
-  return (scene.bodies[i].box ? "the bound of " : "") + scene.bodies[i].name;
+  return scene.bodies[i].name + (scene.bodies[i].box ? " (bounding solid)" : "");
 }
 
 std::string closest_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
@@ -305,7 +316,7 @@ std::string closest_words(const Scene& scene, const SceneOptions& q, const Scene
   const double miss = std::abs(c.distance - q.clearance);
   return fmt::format(
       "closest call: {} - {} in configuration {}, {:.3g} {} the clearance. An error of {:.1e} of their size "
-      "({:.3g}) would change the answer.",
+      "({:.3g}) would change the answer",
       bound_or_body(scene, c.a), bound_or_body(scene, c.b), c.configuration, miss,
       c.distance > q.clearance ? "beyond" : "below", miss / c.size, c.size);
 }
@@ -332,6 +343,7 @@ StudyWords words_of(const Scene& scene, const SceneOptions& q, const SceneStudy&
   w.configurations = configurations_words(scene, q, s);
   w.enough = enough_words(scene, q, s);
   w.recommended = recommended_words(scene, s);
+  w.remarks = remark_words(scene, s);
   w.cost = cost_words(s);
   w.forgiven = forgiven_words(q, s);
   w.capsules = capsules_words(q, s);
@@ -345,14 +357,16 @@ StudyWords words_of(const Scene& scene, const SceneOptions& q, const SceneStudy&
 std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool every_pair) {
   const StudyWords w = words_of(scene, q, s);
   std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
-  for (const std::string& shapes : w.left_out) text += line(shapes, "  not looked at: ");
+  for (const std::string& shapes : w.left_out) text += line(shapes, "  not tested: ");
   for (const std::string& note : scene.notes) text += line(note, "  ");
   text += line(w.pairs);
   if (s.pairs.empty()) return text + "nothing to check\n";
   text += line(w.configurations) + models_table(q, s);
   const std::string more = needs_more(scene, q, s);
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
-  text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
+  text += line(w.recommended, "recommended: ");
+  for (const std::string& remark : w.remarks) text += line(remark, "  ");
+  text += line(w.cost, "  ") + line(w.forgiven, "  ");
   for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
   return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
          motions_text(scene, s, every_pair);

@@ -73,7 +73,7 @@ class SrdfWriter {
     if (carries_directly(scene_, links.first, links.second) && !are_paired(links))
       return disabled(links, "Adjacent", "one carries the other");
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
-      return enabled(links, "shapes were not looked at");
+      return enabled(links, "some shapes were not tested");
     const auto found = proofs_.find(links);
     // Links are disabled only if each pair of their shapes has a proof.
     if (found == proofs_.end() || found->second.size() < bodies_on(links.first) * bodies_on(links.second))

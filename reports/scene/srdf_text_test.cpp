@@ -52,10 +52,13 @@ TEST(SrdfText, DisablesWhatIsProvedOrJoinedByOneJoint) {
   EXPECT_FALSE(reasons.contains({"hand", "table"})) << "the table is a box";
   EXPECT_FALSE(reasons.contains({"base", "fore"})) << "they meet at times";
   EXPECT_NE(text.find("<!-- proved: at least "), text.npos) << text;
-  EXPECT_NE(text.find("<!-- table - hand: not disabled: open: near only by the bound of a box or mesh: "),
-            text.npos)
+  EXPECT_NE(
+      text.find(
+          "<!-- table - hand: not disabled: open: only the bounding solid of a box or mesh comes near: "),
+      text.npos)
       << text;
-  EXPECT_NE(text.find(": not disabled: shapes were not looked at -->"), text.npos) << "a mesh of the camera";
+  EXPECT_NE(text.find(": not disabled: some shapes were not tested -->"), text.npos)
+      << "a mesh of the camera";
 }
 
 // Samples alone disable nothing, however many samples have no hit.

@@ -76,6 +76,7 @@ async function readsWhatIsRecommended(page) {
   const text = await page.locator("#recommendation").innerText();
   for (const sentence of [
     `${words.recommended}: ${words.cost.split(";")[0]}`.replaceAll(" us ", " \u00b5s "),
+    ...words.remarks,
     words.pairs,
     words.enough,
     words.capsules,
@@ -332,7 +333,10 @@ async function saysThatThereIsNothing() {
   const alone = {
     ...structuredClone(study),
     pairs: [],
-    words: { ...Object.fromEntries(Object.keys(study.words).map((key) => [key, ""])), left_out: [], rounding: [] },
+    words: {
+      ...Object.fromEntries(Object.keys(study.words).map((key) => [key, ""])),
+      ...{ left_out: [], remarks: [], rounding: [] },
+    },
   };
   for (const kept of alone.kept) Object.assign(kept, { pairs: [], reasons: [{ why: "drawn first" }] });
   writeFileSync(join(folder, "alone.html"), filled(alone));

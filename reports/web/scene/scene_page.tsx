@@ -112,6 +112,11 @@ function Recommendation({ study }: { study: Study }) {
       {checked && <Numbers study={study} />}
       {checked && <p>{asSentence(`${words.recommended}: ${against[0]}`)}</p>}
       <ul class="said">
+        {words.remarks.map((text) => (
+          <li class={text.startsWith("NOT ") ? "bad" : ""} key={text}>
+            {asSentence(text)}
+          </li>
+        ))}
         {against.slice(1).map((text) => (
           <li key={text}>{asSentence(text)}</li>
         ))}

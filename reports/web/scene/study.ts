@@ -112,7 +112,7 @@ export interface Study {
     | "verified"
     | "motions",
     string
-  > & { left_out: string[]; rounding: string[] };
+  > & { left_out: string[]; remarks: string[]; rounding: string[] };
   models: {
     model: Model;
     decides: number;
