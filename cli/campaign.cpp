@@ -390,8 +390,8 @@ void add_campaign(Program& program) {
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.section("Self-check");
   command.flag("--self-check,--alarm", arguments->self_check,
-               "plant known faults; fail if one is missed (default: in runs of 5 minutes or 3,000,000 pairs, "
-               "or more)");
+               "plant known faults; fail if one is missed (default: if the limit is 5 minutes or 3,000,000 "
+               "pairs, or higher)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");
@@ -401,7 +401,7 @@ void add_campaign(Program& program) {
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
       "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
-      "the run stopped before its limit, and 1 that it missed a planted fault.");
+      "the run stopped before its limit. Exit code 1 can also mean that it missed a planted fault.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

@@ -107,12 +107,10 @@ std::string replay_options(const JudgedGate& gate, std::span<const std::unique_p
   return options;
 }
 
-/// The earlier results that a gate is compared with, and the remarks on them.
+/// The earlier results that a gate is compared with.
 struct Known {
   GateBase base;
   std::vector<Suppression> suppressions;
-  std::vector<std::string> remarks;  ///< on the suppressions
-  std::size_t stale = 0;             ///< suppressions that no stored case shows any more
 };
 
 /// Reads the place at which a guest's failures are shown: "FILE:LINE" for all, or "NAME=FILE:LINE". Throws
@@ -140,7 +138,7 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
 }
 
 /// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
-JudgedGate judge(GateReport report, Known& known, std::span<const std::unique_ptr<Method>> methods,
+JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> methods,
                  std::span<const Guest> guests, std::span<const Case> cases,
                  const std::map<std::string, SourceLine>& places) {
   JudgedGate gate = judged(std::move(report));
@@ -157,7 +155,7 @@ JudgedGate judge(GateReport report, Known& known, std::span<const std::unique_pt
   std::set<std::string> stored = causes_of(all_methods(), cases);
   for (const JudgedFailure& f : gate.failures)
     if (is_from_case(f)) stored.insert(f.bucket);
-  known.remarks = remarks_on(known.suppressions, today(), stored, known.stale);
+  gate.remarks = suppression_remarks(known.suppressions, today(), stored);
   return gate;
 }
 
@@ -236,14 +234,13 @@ int gate(const GateArguments& arguments) {
              : test.ran ? test.text
                         : "not run, because daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(judged));
-  for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
   write_files(arguments, judged);
   if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(judged, methods, guests));
   if (!test.passed)
     throw std::runtime_error("the self-check failed: the gate did not detect a planted fault");
-  return known.stale > 0 ? exit_findings : exit_code(judged);
+  return exit_code(judged);
 }
 
 }  // namespace
@@ -279,9 +276,9 @@ void add_gate(Program& program) {
       .one_each();
   command.section("Baseline");
   command
-      .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs; only a failure that is new or affects more pairs "
-              "counts")
+      .option(
+          "--against FILE", arguments->against,
+          "JSON of an earlier gate; reruns its pairs; a failure counts only if it is new or has more pairs")
       .excludes("--pairs")
       .excludes("--seed");
   command
@@ -303,7 +300,8 @@ void add_gate(Program& program) {
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
-      "suppression that matches no stored case. 3 can also mean that a method gave no verdict on more than\n"
+      "suppression without a case that shows its cause. 3 can also mean that a method gave no verdict on "
+      "more than\n"
       "half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }

@@ -44,9 +44,8 @@ void add_merge(Program& program) {
   command.examples(
       "  daylight merge runs/night/shard-* --out runs/night\n"
       "  daylight merge shard-0 shard-1 --out whole --table",
-      "Exit code 3 of merge also means that a shard is missing or stopped before its limit, and 1 "
-      "that\n"
-      "daylight failed in a shard.");
+      "Exit code 3 of merge also means that a shard is missing or stopped before its limit. Exit code 1\n"
+      "also means that daylight failed in a shard.");
   command.run([arguments] { return merge(*arguments); });
 }
 

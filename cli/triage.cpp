@@ -46,7 +46,7 @@ struct TriageArguments {
 };
 
 /// Whether the run has the cause and no earlier run has it, or none of the recent ones.
-bool is_new(const Bucket& b) { return b.count > 0 && b.status != Recurrence::known; }
+bool is_new(const Cause& b) { return b.count > 0 && b.status != Recurrence::known; }
 
 int triage(const TriageArguments& arguments) {
   TriageOptions options;
@@ -73,11 +73,11 @@ int triage(const TriageArguments& arguments) {
                       p.findings, p.simplified, p.searched));
     });
   }
-  const auto here = std::ranges::count_if(result.buckets, [](const Bucket& b) { return b.count > 0; });
-  const auto others = result.buckets.size() - static_cast<std::size_t>(here);
-  fmt::print("{}\n\n", what_changed(result.buckets));
-  if (arguments.new_only) std::erase_if(result.buckets, std::not_fn(is_new));
-  fmt::print("{}{} causes, {} stored findings", format_buckets(result.buckets), here,
+  const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
+  const auto others = result.causes.size() - static_cast<std::size_t>(here);
+  fmt::print("{}\n\n", what_changed(result.causes));
+  if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
+  fmt::print("{}{} causes, {} stored findings", format_causes(result.causes), here,
              result.progress.classified);
   if (others > 0) fmt::print(", {} more causes only in earlier runs", others);
   fmt::print("\n{} pairs simplified, {} causes searched for a worse pair (--for gives more time)\n",
@@ -87,55 +87,55 @@ int triage(const TriageArguments& arguments) {
     fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
-  if (!arguments.json.empty()) write_file(arguments.json, to_json(result.buckets).dump(1) + '\n');
+  if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
   write_page(read_run(arguments.run, campaign_families()), in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }
 
-/// Returns the bucket that has that key in the last triage.
-nlohmann::json bucket_of(const TriageArguments& arguments, const std::string& key) {
-  const nlohmann::json buckets = buckets_json(arguments.run);
-  for (const nlohmann::json& bucket : buckets)
-    if (bucket.at("key") == key) return bucket;
-  throw UsageError(fmt::format("{} has no bucket '{}': `daylight triage {}` lists its {} buckets",
-                               arguments.run, key, arguments.run, buckets.size()));
+/// Returns the cause that has that key in the last triage.
+nlohmann::json find_cause(const TriageArguments& arguments, const std::string& key) {
+  const nlohmann::json causes = causes_json(arguments.run);
+  for (const nlohmann::json& cause : causes)
+    if (cause.at("key") == key) return cause;
+  throw UsageError(fmt::format("{} has no cause '{}': `daylight triage {}` lists its {} causes",
+                               arguments.run, key, arguments.run, causes.size()));
 }
 
-/// Returns the simplest failure of a bucket.
-OneFailure failure_in(const nlohmann::json& bucket) {
-  return {bucket.at("method"), kind_of_word(bucket.at("kind")),
-          parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
+/// Returns the simplest failure of a cause.
+OneFailure failure_in(const nlohmann::json& cause) {
+  return {cause.at("method"), kind_of_word(cause.at("kind")),
+          parse_case(cause.at("simplest").at("pair").dump(), 1).value.value().pair};
 }
 
-int explain_bucket(const TriageArguments& arguments) {
-  const OneFailure failure = failure_in(bucket_of(arguments, arguments.explained));
+int explain_cause(const TriageArguments& arguments) {
+  const OneFailure failure = failure_in(find_cause(arguments, arguments.explained));
   const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
   fmt::print("{}", explanation_text(explain(methods, failure.method, failure.kind, failure.pair)));
   return exit_pass;
 }
 
-int export_bucket(const TriageArguments& arguments) {
-  const nlohmann::json bucket = bucket_of(arguments, arguments.exported);
-  OneFailure failure = failure_in(bucket);
-  const auto names = bucket.at("methods").get<std::vector<std::string>>();
+int export_cause(const TriageArguments& arguments) {
+  const nlohmann::json cause = find_cause(arguments, arguments.exported);
+  OneFailure failure = failure_in(cause);
+  const auto names = cause.at("methods").get<std::vector<std::string>>();
   if (!arguments.method.empty()) {
     if (std::find(names.begin(), names.end(), arguments.method) == names.end())
       throw UsageError(
-          fmt::format("bucket '{}' has the methods {}", arguments.exported, fmt::join(names, ", ")));
+          fmt::format("cause '{}' has the methods {}", arguments.exported, fmt::join(names, ", ")));
     failure.method = arguments.method;
   } else if (names.size() > 1) {
     fmt::print("the methods {} share this cause, and this exports {} (--method selects another)\n",
                fmt::join(names, ", "), failure.method);
   }
-  if (const auto worst = bucket.find("worst"); worst != bucket.end() && worst->is_object())
+  if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
   return export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sent,
                         arguments.out);
 }
 
-int annotate_bucket(const TriageArguments& arguments) {
-  bucket_of(arguments, arguments.annotated);
+int annotate_cause(const TriageArguments& arguments) {
+  find_cause(arguments, arguments.annotated);
   const std::string file = notes_file_of(arguments.run);
   write_note(file, arguments.annotated, arguments.note);
   fmt::print("stored in {}\n", file);
@@ -204,9 +204,9 @@ void add_triage(Program& program) {
       "remain to be examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
-    return !arguments->explained.empty()   ? explain_bucket(*arguments)
-           : !arguments->exported.empty()  ? export_bucket(*arguments)
-           : !arguments->annotated.empty() ? annotate_bucket(*arguments)
+    return !arguments->explained.empty()   ? explain_cause(*arguments)
+           : !arguments->exported.empty()  ? export_cause(*arguments)
+           : !arguments->annotated.empty() ? annotate_cause(*arguments)
                                            : triage(*arguments);
   });
 }

@@ -23,7 +23,8 @@ set(test_candidates
     props/laws/laws_test.cpp props/laws/exact_laws_test.cpp props/laws/one_sided_laws_test.cpp
     props/laws/approximate_laws_test.cpp props/laws/answer_laws_test.cpp props/laws/examine_test.cpp
     fuzz/campaign/batch_test.cpp
-    solver/intersect_batch_test.cpp solver/intersect_test.cpp solver/distance_test.cpp)
+    solver/intersect_batch_test.cpp solver/intersect_test.cpp solver/distance_test.cpp
+    solver/distance_rims_test.cpp)
 
 # daylight_reached(RESULT SOURCE..): those of the sources that a fault reaches.
 function(daylight_reached result)

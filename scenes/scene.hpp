@@ -44,9 +44,9 @@ struct Link {
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not
 };
 
-/// A box, or the box of a mesh.
+/// A box, or the box of a mesh or an ellipsoid.
 struct BoxShape {
-  std::string shape;  ///< "box", "mesh"
+  std::string shape;  ///< "box", "mesh", "ellipsoid"
   Pose pose;          ///< in the link's frame
   Vector3 size;
 };

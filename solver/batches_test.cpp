@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
@@ -112,13 +113,13 @@ TEST(SolverBatches, AnswerAsSinglePairs) {
   for (const PairsOfKind& kind : draw_pairs(drawing_seed))
     drawn.insert(drawn.end(), kind.pairs.begin(), kind.pairs.end());
   const Batch whole = whole_batch(drawn);
-  for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4})
+  for (const Instructions wanted : enum_values<Instructions>)
     if (wanted <= best_instructions()) ask_in_batch(whole, wanted);
   for (std::uint64_t i = 0; i < std::size(sizes) * times_of_a_size; ++i) {
     RandomStream stream("batches", drawing_seed, i);
     const std::size_t size = sizes[i % std::size(sizes)];
     const Batch batch = draw_batch(drawn, size, stream);
-    for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4}) {
+    for (const Instructions wanted : enum_values<Instructions>) {
       if (wanted > best_instructions()) continue;
       ask_in_batch(batch, wanted);
       count_left(batch, wanted);

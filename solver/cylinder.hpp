@@ -21,7 +21,7 @@ struct Cylinder {
   double rounding = 0;      ///< of all edges and faces, outward, >= 0, same unit
 };
 
-/// Directions point from a to b.
+/// Two solids. Every direction in an answer about them points from a to b.
 struct Pair {
   Cylinder a, b;
 };
@@ -31,7 +31,7 @@ enum class Verdict : unsigned char {
   disjoint,      ///< no common point
   intersecting,  ///< a common point; from a yes/no call this includes touching
   touching,      ///< a common point and signed distance exactly 0; only if proved
-  undecided,     ///< not known: within rounding of touching, or the work cap was reached (decide.hpp)
+  undecided,     ///< not known: too close to touching for the arithmetic, or the work cap was reached
   invalid        ///< the input is not a pair of cylinders
 };
 /// The words used in files and on screens.
@@ -39,8 +39,8 @@ constexpr auto words_of(Verdict) noexcept {
   return std::array{"disjoint", "intersecting", "touching", "undecided", "invalid"};
 }
 
-/// The hull of a flat solid, exact or nearly. It can define a common point more exactly than coordinates,
-/// which doubles may be unable to hold.
+/// The plane, line or point that holds a solid that is flat, or nearly flat. No double may hold the
+/// coordinates of a common point exactly; as the nearest point in a hull it is still defined exactly.
 enum class Hull : unsigned char {
   space,
   plane,  ///< through the centre, square to the axis: of a disk

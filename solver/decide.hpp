@@ -16,30 +16,32 @@ struct Prepared {
   double height;      ///< as given
   Defect defect;      ///< if not `none`, every call returns `invalid`
   bool ordinary;      ///< `moderate` and not rounded
-  bool moderate;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
-  bool thin;          ///< `moderate`, and a segment, a point, a capsule or a sphere
-  bool ball;          ///< `moderate`, and a point or a sphere
-  double rounding;    ///< as given
+  bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
+  bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
+  bool ball;      ///< `moderate`, and a point or a sphere
+  double rounding;  ///< as given
 };
 
 /// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
-/// pair, r0 + h0/2 + r1 + h1/2 + |Delta|. Delta is the vector between the centres. D separates the solids if
-/// f(D) < 0. s is the sine of the angle of the axes.
+/// pair, r0 + h0/2 + r1 + h1/2 + |Delta|. Delta is the vector between the centres. s is the sine of the angle
+/// of the axes. f(D) is |D| times the overlap of the extents of the solids along D (derivation.md). If
+/// f(D) < 0, D separates the solids.
 inline constexpr double unit_roundoff_error = 0x1p-53;  ///< of one operation, relative to its result
 inline constexpr double unit_axis_error =
     4 * unit_roundoff_error;  ///< of unit_axis: the length of the difference
 inline constexpr double separation_error =
     16 * unit_roundoff_error;  ///< of f(D), relative to |D| times the reach
 inline constexpr double filter_error =
-    64 * unit_roundoff_error;  ///< of s f(D) for the first five directions, relative to the reach
+    64 * unit_roundoff_error;  ///< of s f(D) for the five directions tried first, relative to the reach
 inline constexpr double point_error =
     2048 * unit_roundoff_error;                ///< of the first common point, relative to the reach
-inline constexpr double least_det = 0x1p-300;  ///< determinant below which its square may lose digits; it
-                                               ///< is above 2^-200 unless a solid is flat
+inline constexpr double least_det = 0x1p-300;  ///< of the equations of a common point, so that
+                                               ///< its square keeps its digits
 inline constexpr double parallel_error =
     64 * unit_roundoff_error;  ///< of the gaps along and across parallel axes, relative to the reach
 inline constexpr double membership_error =
-    16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
+    16 * unit_roundoff_error;  ///< of the distances of a point to axis and middle plane, relative to
+                               ///< |Delta| plus its distance from the first centre
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances if squares underflow, relative to the largest length
 
@@ -56,12 +58,12 @@ struct Answer {
   Proof proof = Proof::none;
   /// The certificate, by `proof`:
   /// * direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
-  /// * point: p = point_head + point_tail, exactly. The head is the centre of a or of b. The common point is
-  ///   p. If a hull is not `space`, it is the point of both hulls that is nearest to p. It lies in both
-  ///   solids without their rounding.
-  /// * points: a.center + point_head lies in a and b.center + point_tail in b, both without their rounding.
-  ///   Their distance is at most a.rounding + b.rounding. If a hull is not `space`, take the point of that
-  ///   hull nearest to it instead.
+  /// * point: let p = point_head + point_tail, exactly. The head is the centre of a or of b. If both hulls
+  ///   (cylinder.hpp) are `space`, the common point is p. Otherwise the common point is the point of both
+  ///   hulls that is nearest to p. It lies in the core of each solid, which is the solid with `rounding` 0.
+  /// * points: a.center + point_head lies in the core of a, and b.center + point_tail in the core of b. Their
+  ///   distance is at most a.rounding + b.rounding. If hull_a is not `space`, replace the point of a by the
+  ///   point of hull_a that is nearest to it. The same holds for b.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
@@ -71,25 +73,28 @@ struct Answer {
 
 /// Yes or no, without proof, computed in doubles: `disjoint`, `intersecting` (touching included),
 /// `invalid`, or `undecided` at the limit of iterations. Right if |margin| >= 1e-13. Symmetric in its
-/// arguments bit for bit. Cost: about 90 operations in most cases, else three more roots and two more
-/// divisions. If a wall meets a rim, it takes two more steps on average, each of two roots and three
+/// arguments bit for bit. Cost: about 90 operations in most cases. The other cases add three roots and two
+/// divisions. If a side meets a rim, they also add two steps on average, each of two roots and three
 /// divisions.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
-/// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
-/// the rounding bound, else `undecided` (or `invalid`). Never wrong. With t = 1e-13 (r0 + h0 + r1 + h1 and
-/// the roundings), it decides every gap of at least t, and every overlap if a ball of radius t lies in both
-/// solids. If one solid is flat (no thicker than t), a disk or segment of radius t replaces the ball. If both
-/// are flat, there is no guarantee for two segments, for a point, and for planes, or a plane and a line, that
-/// cross at a small angle. Cost: three times that of intersect(), twice if the axes are parallel. It takes up
-/// to 0.3 ms within 1e-11 of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
+/// The same decision with its proof: `disjoint` with a direction, or `intersecting` with a point. The gap or
+/// overlap that they show exceeds the bound of the rounding errors. Otherwise the verdict is `undecided` (or
+/// `invalid`). A verdict is never wrong. Let t = 1e-13 (r0 + h0 + r1 + h1 + a.rounding + b.rounding).
+/// * Every gap of at least t is decided.
+/// * Every overlap is decided if a ball of radius t lies in both solids. If one solid is flat (no thicker
+///   than t), a disk or segment of radius t replaces the ball.
+/// * An overlap of two flat solids may stay undecided if both are segments, or if one is a point. The same
+///   holds if a disk crosses a disk or a segment at a small angle.
+/// Cost: three times that of intersect(), twice if the axes are parallel. It takes up to 0.3 ms within 1e-11
+/// of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 
-/// Whether the solids come within a clearance of each other: the answer of intersect() or decide() after the
-/// clearance is added to one rounding. A clearance that is negative or not finite, alone or with the
-/// roundings, is `invalid`. Same cost.
+/// Whether the solids come within a clearance of each other: the answer of intersect() or decide() after
+/// `clearance` is added to the field `rounding` of one solid. The verdict is `invalid` if the clearance is
+/// negative or not finite, or if its sum with both `rounding` fields is not finite. Same cost.
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 

@@ -3,6 +3,7 @@
 // pair, on every instruction set, because the arithmetic is the same (sections.hpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,12 +17,13 @@ struct IndexPair {
   std::uint32_t a, b;
 };
 
-/// The target of a kernel. Off x86-64 there is only `baseline`.
+/// The target of a kernel. Other processors than x86-64 have only `baseline`.
 enum class Instructions : unsigned char {
-  baseline,  ///< x86-64: SSE2, two lanes
+  baseline,  ///< two lanes of the processor's own vectors: SSE2, NEON
   v3,        ///< x86-64-v3: AVX2, four lanes
   v4         ///< x86-64-v4: AVX-512, eight lanes
 };
+constexpr auto words_of(Instructions) noexcept { return std::array{"baseline", "v3", "v4"}; }
 
 /// The best that this processor runs.
 Instructions best_instructions() noexcept;

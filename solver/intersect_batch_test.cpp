@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "solver/solver_test.hpp"
 
 namespace cyl {
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<Instructions> runnable() {
   std::vector<Instructions> sets;
-  for (const Instructions i : {Instructions::baseline, Instructions::v3, Instructions::v4})
+  for (const Instructions i : enum_values<Instructions>)
     if (i <= best_instructions()) sets.push_back(i);
   return sets;
 }

@@ -20,16 +20,23 @@ Prepared prepare(const Cylinder& c) noexcept {
   for (int i = 0; i < 3; ++i)
     if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;  // never -0
 
+  mark_moderate(p);
+  return p;
+}
+
+void mark_moderate(Prepared& p) noexcept {
+  constexpr double coordinate_limit = power_of_two(moderate_exponent + center_exponent);
+  constexpr double length_limit = power_of_two(moderate_exponent);
   auto within = [](double x, double limit) {
     const double size = std::fabs(x);
     return (size == 0) | ((size >= 1 / limit) & (size <= limit));
   };
-  p.moderate = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
-               within(c.radius, 0x1p200) & within(c.height, 0x1p200) & within(c.rounding, 0x1p200);
-  p.ordinary = p.moderate & (c.rounding == 0);
-  p.thin = p.moderate & (c.radius == 0);
-  p.ball = p.thin & (c.height == 0);
-  return p;
+  p.moderate = within(p.center.x(), coordinate_limit) & within(p.center.y(), coordinate_limit) &
+               within(p.center.z(), coordinate_limit) & within(p.radius, length_limit) &
+               within(p.height, length_limit) & within(p.rounding, length_limit);
+  p.ordinary = p.moderate & (p.rounding == 0);
+  p.thin = p.moderate & (p.radius == 0);
+  p.ball = p.thin & (p.height == 0);
 }
 
 }  // namespace cyl

@@ -222,9 +222,54 @@ QuickVerdict classify_by_projection(const Prepared& a, const Prepared& b, double
 
 }  // namespace
 
+namespace {
+
+constexpr double moderate_length = power_of_two(moderate_exponent);
+
+// The least e with x <= 2^e.
+int exponent_above(double x) noexcept {
+  int exponent = 0;
+  return std::frexp(x, &exponent) == 0.5 ? exponent - 1 : exponent;
+}
+
+// The solid with all lengths times 2^exponent. It is not moderate if a length vanishes.
+Prepared rescaled(Prepared c, int exponent) noexcept {
+  const auto moved = [exponent](double x) { return std::ldexp(x, exponent); };
+  const Prepared before = c;
+  c.center = times_power(c.center, exponent);
+  c.radius = moved(c.radius), c.height = moved(c.height), c.rounding = moved(c.rounding);
+  mark_moderate(c);
+  c.moderate &= ((c.center.array() == 0) == (before.center.array() == 0)).all() &
+                ((c.radius == 0) == (before.radius == 0)) & ((c.height == 0) == (before.height == 0)) &
+                ((c.rounding == 0) == (before.rounding == 0));
+  return c;
+}
+
+// If the solids are not moderate, but would be at another scale, returns the verdict at that scale, else
+// `undecided`. So one computation decides a pair at all its scales. Other computations may differ from it
+// within rounding of touching. The largest length comes to its limit, which leaves the most room for small
+// lengths.
+Verdict intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  int largest = -2000;  // below every exponent
+  for (const Prepared* const c : {&a, &b}) {
+    for (const double x : {c->radius, c->height, c->rounding, clearance})
+      if (x > 0) largest = std::max(largest, exponent_above(x));
+    if (const double x = max_abs(c->center); x > 0)
+      largest = std::max(largest, exponent_above(x) - center_exponent);
+  }
+  const int exponent = moderate_exponent - largest;
+  const Prepared first = rescaled(a, exponent), second = rescaled(b, exponent);
+  const double moved = std::ldexp(clearance, exponent);
+  if (!(first.moderate & second.moderate) || std::ldexp(moved, -exponent) != clearance)
+    return Verdict::undecided;
+  return intersect_rounded(first, second, moved);
+}
+
+}  // namespace
+
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
-  if (a.moderate & b.moderate & (contact_distance <= 0x1p202)) {
+  if (a.moderate & b.moderate & (clearance <= moderate_length)) {
     const Vector3 delta = b.center - a.center;
     if (a.thin & b.thin) {
       const double c = dot(a.unit_axis, b.unit_axis);
@@ -242,6 +287,9 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
       seen = out_of_order(a, b) ? classify_by_projection(b, a, contact_distance)
                                 : classify_by_projection(a, b, contact_distance);
     if (seen != QuickVerdict::neither) return verdict_of(seen == QuickVerdict::intersecting);
+  } else if (const Verdict there = intersect_at_moderate_scale(a, b, clearance);
+             there != Verdict::undecided) {
+    return there;
   }
   if (contact_distance >= huge_distance)
     return intersect_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);

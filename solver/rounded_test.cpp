@@ -207,6 +207,21 @@ TEST_P(RoundedFamilies, AnswersDoNotSeeTheSolidsOrder) {
   }
 }
 
+TEST_P(RoundedFamilies, TheVerdictDoesNotDependOnTheScale) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Pair p = pair(i);
+    const double clearance = p.a.rounding / 4;
+    for (const int k : {-500, -300, 300, 500}) {
+      const Pair there = scaled(p, k);
+      if (format_pair(scaled(there, -k)) != format_pair(p)) continue;  // a length over- or underflows
+      ASSERT_EQ(intersect(p.a, p.b), intersect(there.a, there.b)) << k << ' ' << format_pair(p);
+      ASSERT_EQ(within(prepare(p.a), prepare(p.b), clearance),
+                within(prepare(there.a), prepare(there.b), std::ldexp(clearance, k)))
+          << k << ' ' << format_pair(p);
+    }
+  }
+}
+
 TEST_P(RoundedFamilies, BatchesSayWhatSinglePairsDo) {
   std::vector<Prepared> a, b;
   std::vector<IndexPair> pairs;

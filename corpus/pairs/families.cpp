@@ -333,6 +333,7 @@ constexpr std::array entries{
     Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
     Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
           coins_edge_to_edge},
+    // From first_close_family on.
     Entry{"close_contacts",
           "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
           close<CloseKind::by_decade>},
@@ -346,6 +347,8 @@ constexpr std::array entries{
           draw_range_end},
     Entry{"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
 };
+
+static_assert(std::string_view(entries[first_close_family].name) == "close_contacts");
 
 template <SolidKind a, SolidKind b>
 Pair rounded_pair(RandomStream& s, std::uint64_t index) {

@@ -4,6 +4,7 @@
 // sqrt.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -19,8 +20,10 @@ struct Family {
   Pair (*generate)(std::uint64_t seed, std::uint64_t index);
 };
 
-/// All families of cylinders without rounding in a fixed order.
+/// All families of cylinders without rounding, in a fixed order. The families from first_close_family on
+/// draw close contacts, for which the gate has phases of its own.
 std::span<const Family> families();
+inline constexpr std::size_t first_close_family = 30;
 /// The pairs of a sphere, a capsule, a cylinder and a rounded cylinder, but for two cylinders.
 std::span<const Family> rounded_families();
 /// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15". Pairs have that margin as a gap

@@ -123,7 +123,7 @@ TEST(Families, KeepTheirPairsForEver) {
   for (const Golden& g : goldens)
     EXPECT_EQ(fnv1a(format_pair(find_family(g.name)->generate(g.seed, g.index))), g.hash) << g.name;
 
-  std::uint64_t digest = fnv1a({});  // over all families of version 0.1.0, then of the others
+  std::uint64_t digest = fnv1a({});  // over the families before the close contacts, then of the others
   for (const Family& f : families()) {
     if (f.name == "close_contacts") {
       EXPECT_EQ(digest, 12863362681524556228u);

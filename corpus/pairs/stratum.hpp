@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The partition of all pairs: by what meets, by the angle of the axes and by the decade of the margin. Drawn
-// by construction (strata.hpp), proved (oracles/trial/contact.hpp), or read off the solver's distance
+// The partition of all pairs: by what meets, by the angle of the axes and by the decade of the margin. Pairs
+// of a given contact feature and decade are drawn by construction, with axes at any angle (strata.hpp). The
+// stratum of a given pair is proved (oracles/trial/contact.hpp), or read off the solver's distance
 // (fuzz/guided/counters.hpp).
 #pragma once
 
@@ -27,7 +28,8 @@ constexpr auto words_of(ContactFeature) noexcept {
 }
 inline constexpr std::size_t contact_feature_count = enum_values<ContactFeature>.size();
 
-/// How nearly the lines of the axes are parallel or perpendicular.
+/// How nearly the lines of the axes are parallel or perpendicular. In the order of the angle, which
+/// can_occur() of counters.cpp and flags_of() of cli/vectors.cpp compare.
 enum class AngleClass : unsigned char {
   parallel,      ///< exactly
   within_1e_12,  ///< sine below 1e-12, not 0

@@ -109,12 +109,12 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
 RunStore RunStore::open(const std::string& folder) {
   if (!holds_run(folder)) throw UsageError(folder + " holds no run");
   auto file = std::make_unique<SqliteFile>(file_of(folder), SQLite::OPEN_READWRITE);
-  file->write_ahead();
   if (const int version = file->rows<int>("PRAGMA user_version").front(); version != store_version) {
     throw std::runtime_error(fmt::format(
         "{} was written in store version {}; this build reads version {}: use the build that wrote it",
         file->name(), version, store_version));
   }
+  file->write_ahead();
   return RunStore(std::move(file));
 }
 

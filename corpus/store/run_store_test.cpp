@@ -151,8 +151,18 @@ TEST_F(Store, AddsTheCellsOfBatches) {
 
 TEST_F(Store, OfAnotherVersionIsRefused) {
   RunStore::create(folder, {});
-  SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version=1");
-  EXPECT_THROW(RunStore::open(folder), std::runtime_error);
+  for (const std::string version : {"1", "1000"}) {
+    SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE)
+        .exec("PRAGMA user_version=" + version);
+    try {
+      RunStore::open(folder);
+      FAIL() << "opened version " << version;
+    } catch (const std::runtime_error& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find(" was written in store version " + version + ';'),
+                std::string::npos)
+          << refusal.what();
+    }
+  }
 }
 
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::pair<const char*, std::string Suppression::*>, 5> fields{{
-    {"bucket", &Suppression::bucket},
+    {"bucket", &Suppression::cause},
     {"reason", &Suppression::reason},
     {"link", &Suppression::link},
     {"owner", &Suppression::owner},
@@ -85,11 +85,9 @@ std::vector<Suppression> read_suppressions(std::istream& in) {
   for (std::size_t line = 1; std::getline(in, text); ++line) {
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
     Suppression s = parse(text, line);
-    const auto same =
-        std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.bucket == s.bucket; });
+    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.cause == s.cause; });
     if (same != all.end())
-      refuse(line, place_of(text, "bucket"),
-             "the bucket has line " + std::to_string(same->line) + " already");
+      refuse(line, place_of(text, "bucket"), "the cause has line " + std::to_string(same->line) + " already");
     all.push_back(std::move(s));
   }
   return all;
@@ -118,10 +116,10 @@ bool is_expired(const Suppression& suppression, std::string_view today) {
   return std::string_view(suppression.expires) < today;
 }
 
-const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view bucket,
+const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view cause,
                                     std::string_view today) {
   for (const Suppression& s : suppressions)
-    if (s.bucket == bucket && !is_expired(s, today)) return &s;
+    if (s.cause == cause && !is_expired(s, today)) return &s;
   return nullptr;
 }
 

@@ -3,7 +3,7 @@
 //
 //   {"bucket":"fcl-libccd/absolute-length","reason":"...","link":"https://...","owner":"...","expires":"2027-01-31"}
 //
-// Every field is a required string. No other field is allowed. A bucket has one line.
+// Every field is a required string. No other field is allowed. A cause has one line.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace cyl {
 
 struct Suppression {
-  std::string bucket, reason, link, owner;
+  std::string cause, reason, link, owner;
   std::string expires;   ///< YYYY-MM-DD, the last day on which it holds
   std::size_t line = 0;  ///< from 1
 };
@@ -31,8 +31,8 @@ std::string line_of(const Suppression& suppression);
 /// Whether it holds no more on a day, YYYY-MM-DD.
 bool is_expired(const Suppression& suppression, std::string_view today);
 
-/// Returns the suppression of a bucket that is valid on a day, or nullptr.
-const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view bucket,
+/// Returns the suppression of a cause that is valid on a day, or nullptr.
+const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view cause,
                                     std::string_view today);
 
 }  // namespace cyl

@@ -35,7 +35,7 @@ std::string with(const std::string& from, const std::string& to) {
 TEST(Suppressions, ReadsEveryField) {
   const auto all = read("\n" + good + "\r\n");
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].bucket, "fcl-libccd/hang");
+  EXPECT_EQ(all[0].cause, "fcl-libccd/hang");
   EXPECT_EQ(all[0].reason, "reported");
   EXPECT_EQ(all[0].link, "https://example.org/1");
   EXPECT_EQ(all[0].owner, "ada");
@@ -52,7 +52,7 @@ TEST(Suppressions, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(error_of(with("2027-02-28", "2027-02-29")),
             "line 1, column 104: expires is not a day YYYY-MM-DD");
   EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 104: expires is not a day YYYY-MM-DD");
-  EXPECT_EQ(error_of(good + "\n" + good), "line 2, column 11: the bucket has line 1 already");
+  EXPECT_EQ(error_of(good + "\n" + good), "line 2, column 11: the cause has line 1 already");
 }
 
 TEST(Suppressions, HoldToTheEndOfTheirLastDay) {

@@ -68,6 +68,10 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
   return method.ask(pair);
 }
 
+std::chrono::milliseconds cpu_cap_of(const Method& method) {
+  return method.is_out_of_process() || method.guest() ? call_cpu_cap : library_cpu_cap;
+}
+
 static Caps caps_of_libraries(Caps caps) {
   caps.call_cpu = std::min(caps.call_cpu, library_cpu_cap);
   return caps;

@@ -48,7 +48,7 @@ inline constexpr std::chrono::milliseconds call_cpu_cap{1000};
 /// mean.
 inline constexpr std::chrono::milliseconds library_cpu_cap{250};
 
-/// Limits of foreign code.
+/// Limits of foreign code in a worker. A command obeys `hangs` alone: its times are in command_method.cpp.
 struct Caps {
   std::chrono::milliseconds call_cpu = call_cpu_cap;  ///< for a method of this build at most library_cpu_cap
   /// Wall time of one call, because a call that sleeps uses no CPU. Far above the delays of a loaded machine.
@@ -61,6 +61,13 @@ struct Caps {
   /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
 };
+
+/// Returns the caps of commands that people wait for, such as gate, triage and explain. The CPU time is that
+/// of a campaign, so that all commands agree on what hangs. A call that sleeps is given up sooner.
+constexpr Caps attended_caps(unsigned hangs) { return {.call_wall = 4 * call_cpu_cap, .hangs = hangs}; }
+
+/// Returns the CPU time that a call of the method may take, with the usual caps.
+std::chrono::milliseconds cpu_cap_of(const Method& method);
 
 /// Asks methods in workers, which are kept between calls.
 /// 1. The methods of this build share one worker.

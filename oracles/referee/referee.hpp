@@ -22,12 +22,14 @@ inline constexpr int precision_cap = 4096;
 /// 2. An invalid pair gives `invalid`.
 /// 3. `undecided` only at the cap on precision. Then the pair touches in a direction that is not rational, or
 ///    its gap or depth is too small for that many bits.
-/// 4. CertificateKind lists the forms of the certificate. If a witness in hulls proves the verdict, the
-///    certificate is the rational point of both hulls that is nearest to it.
+/// 4. CertificateKind lists the forms of the certificate. A witness may be a point and the hulls of flat
+/// solids
+///    (Hull). If it proves the verdict, the certificate is the rational point of both hulls nearest to that
+///    point.
 /// 5. With a cap below 128 bits, only double is used, also for witnesses.
 /// Cost:
 /// * about 1 us, with or without a witness; 20 us with a witness in hulls
-/// * 0.1 ms if double is not enough, below 1 ms for exact ties, rounded or not
+/// * 0.1 ms if double is not enough, below 1 ms for pairs that touch exactly
 /// * 1 to 2 ms for rounded solids whose gap is as small as a floating-point error; at most 17 ms in 330,000
 ///   pairs
 /// * 0.4 ms in the mean if components of axes or lengths are hundreds of decades apart. 1 in 240 of these
@@ -37,10 +39,10 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bi
 /// Returns the same proved verdict as judge(). Leaves out the certificate if a cheaper proof has none:
 /// 1. a proof in long double,
 /// 2. a witness in hulls for flat solids, whose common points are rarely doubles,
-/// 3. algebra at a simple point or in a simple direction, which comes before the wide search.
+/// 3. algebra at a simple point or in a simple direction. It is tried before the search with many bits.
 /// Cost: that of judge(), with these differences. 1 us for flat solids and for witnesses in hulls. 5 us if
-/// double is not enough, 15 us for rounded solids. 50 us for most exact ties and for gaps too small for long
-/// double.
+/// double is not enough, 15 us for rounded solids. 50 us for most pairs that touch exactly and for gaps too
+/// small for long double.
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered = {});
 
 /// Widths of an enclosure, relative to the pair's size. The one for gaps is narrower, because that problem is
@@ -48,23 +50,26 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered = {}
 inline constexpr double gap_width_tol = 1e-12;
 inline constexpr double depth_width_tol = 1e-9;
 
-/// The search bounds at most this many cells of directions, then returns the enclosure as it is. One cell
-/// costs about 0.3 us.
+/// The search computes bounds for at most this many cells of directions, then returns the enclosure as it is.
+/// One cell costs about 0.3 us.
 inline constexpr std::size_t cell_cap = 40000;
 
 /// Returns a certified enclosure of the signed distance, about as narrow as the tolerances above. It is wider
 /// 1. if the centres are so far apart that doubles do not resolve the distance, or
-/// 2. if the cap on cells ends the search. That happens for many equal depths, such as rods along each other.
-/// Touching gives [0, 0]. Cost: 4 us apart, 10 to 50 us overlapping, up to 40 ms at the cap.
+/// 2. if the cap on cells ends the search. That happens if many directions have the same depth,
+///    as for rods along each other.
+/// Touching gives [0, 0]. Cost: 4 us for disjoint pairs, 10 to 50 us for overlapping ones, up to 40 ms at the
+/// cap.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth);
 /// The same at a width of the caller's choice, relative to the pair's size. If a first estimate shows
 /// that the distance is below that width, one end is 0, and the cost is a few us.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
-/// The enclosure, and the unit direction from a to b at which it was found. There f is minus the lower end,
-/// within rounding. For rounded solids, f and the end are those of the cores. Exceptions:
+/// The enclosure, and the unit direction from a to b at which it was found. In this direction, the overlap of
+/// the extents of the solids is minus the lower end, within rounding. For rounded solids, both are those of
+/// the cores. Exceptions:
 /// 1. If the verdict excludes negative distances, the lower end is at least 0.
-/// 2. Nearer to touching than the width, the enclosure may differ from that of enclose_distance().
+/// 2. If the distance is smaller than the width, the enclosure may differ from that of enclose_distance().
 /// 3. If several directions attain the distance, it is one of them.
 struct AttainedDistance {
   Enclosure distance;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bucket key: findings that seem to have one cause have one key. The key is taken from a simplified pair.
-// A property that is still extreme there is part of the cause.
+// The bucket of a failure of the gate or the fuzzer: method, kind, contact feature and the property of the
+// pair that is extreme.
 #pragma once
 
 #include <array>

@@ -287,7 +287,7 @@ bool fails_alike(const Trial& failing, const Trial& other) {
 }
 
 std::string_view in_words(Mechanism m) noexcept {
-  constexpr std::array<std::string_view, words_of(Mechanism{}).size()> words{
+  constexpr std::array words{
       "right when asked again",
       "coordinates of the scene, not of the pair: right where both solids are moved to the origin",
       "its search ends at its own cap on steps",
@@ -298,6 +298,7 @@ std::string_view in_words(Mechanism m) noexcept {
       "its setting: right with another",
       "no probe told",
       "its model: right about cylinders with the rounded edges that it gives them"};
+  static_assert(words.size() == words_of(Mechanism{}).size());
   return words[static_cast<std::size_t>(m)];
 }
 

@@ -20,7 +20,7 @@ namespace cyl {
 
 struct Trial;
 
-/// The first that applies, in this order.
+/// The reason of a finding. If several apply, take_as_it_is() and take_changed() of mechanism.cpp choose.
 enum class Mechanism : unsigned char {
   gone,             ///< not wrong today
   offset,           ///< right if both solids are moved to the origin together
@@ -30,8 +30,8 @@ enum class Mechanism : unsigned char {
   absolute_length,  ///< right if both solids are made larger or smaller
   rounding,         ///< wrong below rounding_margin, at any size that was tried
   setting,          ///< another setting of the same algorithm is right
-  unclassified,     ///< none of these
-  model  ///< right about the solids that it models, whose edges it rounds on purpose; comes before all others
+  unclassified,     ///< none of these; "untold" in files
+  model             ///< right about the solids that it models, whose edges it rounds on purpose
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",

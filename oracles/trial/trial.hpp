@@ -58,9 +58,8 @@ struct Trial {
   void narrow_distance();
 };
 
-/// Shorter than a campaign's: hundreds of pairs may be asked around one that hangs.
-inline constexpr Caps probe_caps{
-    .call_cpu = std::chrono::milliseconds(200), .call_wall = std::chrono::milliseconds(4000), .hangs = 8};
+/// Hundreds of pairs may be asked around one that hangs.
+inline constexpr Caps probe_caps = attended_caps(8);
 
 /// Asks every method about every pair, contained, `times` times in a row. Judges each pair with all its
 /// answers, and compares.

@@ -49,11 +49,8 @@ struct GateOptions {
   std::function<bool()> stopped = [] { return false; };
   /// Stops after the round with the first failure beyond a claim, and neither reruns nor simplifies it.
   bool first_failure = false;
-  bool as_found = false;  ///< the gate neither reruns nor simplifies failures at its end
-  /// The caps on one call and on the hangs in one batch are shorter than a campaign's, because people wait
-  /// for a gate.
-  Caps caps{
-      .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
+  bool as_found = false;         ///< the gate neither reruns nor simplifies failures at its end
+  Caps caps = attended_caps(4);  ///< `hangs` counts those in one batch
 };
 
 struct GateProgress {

@@ -54,8 +54,6 @@ rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
                                         }));
 }
 
-/// The number of families in version 0.1.0.
-constexpr std::size_t first_families = 30;
 /// The indices of a family take its kinds in turn. So the first index of close contacts is drawn as well.
 constexpr std::uint64_t turns = 16 * close_cell_count;
 
@@ -91,7 +89,7 @@ rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
                    [](std::vector<Pair> pairs) {
                      return PairsDrawn{"grid", std::move(pairs)};
                    });
-  const auto family = family_of(families().first(first_families), count, false);
+  const auto family = family_of(families().first(first_close_family), count, false);
   const auto stratum =
       rc::gen::mapcat(rc::gen::noShrink(rc::gen::pair(rc::gen::inRange<std::size_t>(0, contact_feature_count),
                                                       rc::gen::inRange(first_decade, last_decade + 1))),
@@ -117,9 +115,10 @@ rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count) {
             });
       });
   // Uses the full size. At a smaller one RapidCheck draws the first cells and seeds near 0 again and again.
-  return rc::gen::resize(rc::kNominalSize,
-                         rc::gen::weightedOneOf<PairsDrawn>(
-                             {{3, cell}, {1, family_of(families().subspan(first_families), count, true)}}));
+  return rc::gen::resize(
+      rc::kNominalSize,
+      rc::gen::weightedOneOf<PairsDrawn>(
+          {{3, cell}, {1, family_of(families().subspan(first_close_family), count, true)}}));
 }
 
 rc::Gen<PairsDrawn> rounded_pairs_of_one_kind(int count) {

@@ -61,8 +61,9 @@ struct Law {
   std::string_view name;       ///< "swap"
   std::string_view statement;  ///< what is changed and what must hold
   std::string_view where;      ///< for which pairs and methods
-  /// Returns the pairs to ask besides the pair itself, given the answer to it. Empty if the law does not
-  /// apply to this pair, or checks the first answer only (needs_none).
+  /// Returns the pairs to ask besides the pair itself, given the answer to it. If it returns none, the law
+  /// does not apply to this pair. A law about the first answer alone has needs_none here, and its check
+  /// decides for which pairs it applies.
   std::vector<LawQuery> (*queries)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Returns nothing if the law holds, or if a method declines or fails (law 30 covers that).
   std::optional<Violation> (*check)(const LawCase& c);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/compare.hpp"
@@ -30,7 +31,7 @@ int main() {
         const Enclosure distance = enclose_distance(pair, truth);
         std::puts(format_truth(truth, &distance).c_str());
       }
-      for (const Instructions set : {Instructions::baseline, Instructions::v3, Instructions::v4}) {
+      for (const Instructions set : enum_values<Instructions>) {
         std::vector<Verdict> verdicts(pairs_per_family);
         intersect_batch(a, b, indices, verdicts.data(), set);
         for (const Verdict verdict : verdicts) std::puts(to_string(verdict));

@@ -102,7 +102,7 @@ std::string title(const Recipient& to, const Trial& p) {
   return what_happened(to, p) + (within_claim(p) ? ", within its tolerance" : "");
 }
 
-std::string returned_text(const Trial& p) {
+std::string returned_text(const Trial& p, const Method& method) {
   const MethodAnswer& a = p.answer();
   const std::string miss = miss_in_words(p.pair, a);
   switch (p.finding()->kind) {
@@ -114,7 +114,7 @@ std::string returned_text(const Trial& p) {
       return fmt::format("The process ended: `{}`.", one_line(a.reason));
     case FindingKind::hang:
       return fmt::format("Nothing within {} s of CPU time. Then the process was killed.",
-                         std::chrono::duration<double>(call_cpu_cap).count());
+                         std::chrono::duration<double>(cpu_cap_of(method)).count());
     case FindingKind::distance_outside:
       return fmt::format("A signed distance of {}.", format_double(a.distance));
     case FindingKind::non_finite:
@@ -230,7 +230,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
       solids_in_words(p.pair),
       is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "");
   text += table_of(p.pair);
-  text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p));
+  text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p, method));
   text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
   if (other) text += other_in_words(p, *other);
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);

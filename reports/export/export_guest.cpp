@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -15,6 +16,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
+#include "oracles/methods/contained.hpp"
 #include "reports/export/export_program.hpp"
 #include "reports/export/linked_libraries.hpp"
 #include "reports/export/node_program.hpp"
@@ -25,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Seconds before a program that does not return is ended.
-constexpr int patience = 20;
+/// Seconds before a program that does not return is ended, as in a campaign.
+constexpr auto patience = std::chrono::duration_cast<std::chrono::seconds>(Caps{}.call_wall).count();
 
 constexpr std::string_view some_of_three = R"(/* Given, but not as finite numbers. */
 static int some_of(const double* v) {

@@ -59,6 +59,14 @@ TEST(GateGithub, OneOfALawAndKind) {
   EXPECT_NE(text.find("3,702 pairs"), std::string::npos) << text;
 }
 
+TEST(GateGithub, ARemarkThatFailsTheGateIsAnError) {
+  JudgedGate gate;
+  gate.remarks = {{"x expired"}, {"y matches no case", true}};
+  EXPECT_EQ(gate_github(gate),
+            "::warning title=daylight gate, suppressions::x expired\n"
+            "::error title=daylight gate, suppressions::y matches no case\n");
+}
+
 TEST(GateGithub, WarnsOfWhatWasNotAsked) {
   const std::string text = gate_github(cut_gate());
   EXPECT_EQ(occurrences(text, "\n"), 2u) << text;

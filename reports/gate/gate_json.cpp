@@ -112,6 +112,8 @@ std::string gate_json(const JudgedGate& gate) {
   json laws = json::array(), cases = json::array();
   for (const Law& law : all_laws()) laws.push_back(law.number);
   for (const std::uint64_t digest : gate.report.cases) cases.push_back(hex(digest));
+  json remarks = json::array();
+  for (const SuppressionRemark& r : gate.remarks) remarks.push_back({{"text", r.text}, {"fails", r.fails}});
   const json all = {{"seed", gate.report.seed},
                     {"pairs", gate.report.pairs},
                     {"cap_milliseconds", gate.report.cap ? json(gate.report.cap->count()) : json()},
@@ -120,6 +122,7 @@ std::string gate_json(const JudgedGate& gate) {
                     {"cases", std::move(cases)},
                     {"methods", std::move(methods)},
                     {"failures", std::move(failures)},
+                    {"remarks", std::move(remarks)},
                     {"phases", std::move(phases)},
                     {"undecided_truths", gate.report.undecided_truths},
                     {"drawn", gate.report.drawn}};

@@ -25,6 +25,7 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(all["pairs"], 350'000);
   EXPECT_EQ(all["laws"].size(), all_laws().size());
   EXPECT_EQ(all["not_asked"], json::array());
+  EXPECT_EQ(all["remarks"], json::array());
   EXPECT_EQ(parse_json(gate_json(cut_gate()))["not_asked"].size(), 2u);
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);

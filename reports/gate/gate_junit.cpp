@@ -115,8 +115,13 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   return counts;
 }
 
-/// Adds a suite of the gate itself. It has a test in error for each line that reports a missing question.
-void add_not_asked(pugi::xml_node suites, const JudgedGate& gate, const Counts& counts) {
+/// Adds a suite of the gate itself. It has a test in error for each line that reports a missing question, and
+/// a test that failed for each remark that fails the gate. Returns its counts.
+Counts add_gate_itself(pugi::xml_node suites, const JudgedGate& gate) {
+  const auto failed =
+      static_cast<std::size_t>(std::ranges::count_if(gate.remarks, &SuppressionRemark::fails));
+  const Counts counts{gate.not_asked.size() + failed, failed, gate.not_asked.size()};
+  if (counts.tests == 0) return counts;
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, "daylight gate", counts);
   add_properties(suite, gate);
@@ -125,6 +130,13 @@ void add_not_asked(pugi::xml_node suites, const JudgedGate& gate, const Counts& 
     add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", "asked: " + what}}), "error",
         {{"type", "not asked"}, {"message", "not asked: " + what}});
   }
+  for (const SuppressionRemark& r : gate.remarks) {
+    if (!r.fails) continue;
+    const std::string what = one_line(r.text);
+    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", what}}), "failure",
+        {{"type", "suppression"}, {"message", what}});
+  }
+  return counts;
 }
 
 }  // namespace
@@ -141,11 +153,10 @@ std::string gate_junit(const JudgedGate& gate) {
     all.tests += counts.tests;
     all.failures += counts.failures;
   }
-  if (const std::size_t n = gate.not_asked.size(); n > 0) {
-    add_not_asked(suites, gate, {n, 0, n});
-    all.tests += n;
-    all.errors = n;
-  }
+  const Counts itself = add_gate_itself(suites, gate);
+  all.tests += itself.tests;
+  all.failures += itself.failures;
+  all.errors = itself.errors;
   std::chrono::milliseconds time{0};
   for (const GatePhaseReport& phase : gate.report.phases) time += phase.time;
   add_totals(suites, "daylight gate", all);

@@ -57,6 +57,15 @@ TEST(GateJunit, WhatWasNotAskedIsAnError) {
   EXPECT_NE(document.find("message=\"not asked: sample of all strata: 9 of 840 rounds"), std::string::npos);
 }
 
+TEST(GateJunit, ARemarkThatFailsTheGateIsAFailure) {
+  JudgedGate gate;
+  gate.remarks = {{"x expired"}, {"y matches no case", true}};
+  const std::string document = gate_junit(gate);
+  EXPECT_EQ(occurrences(document, "<failure "), 1u);
+  EXPECT_EQ(occurrences(document, "failures=\"1\""), 2u) << "of the suite and of all";
+  EXPECT_NE(document.find("message=\"y matches no case\""), std::string::npos);
+}
+
 TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {
   JudgedGate gate = example_gate();
   const std::string before = gate_junit(gate);

@@ -77,6 +77,8 @@ std::string gate_sarif(const JudgedGate& gate, std::string_view version, bool co
   json notifications = json::array();
   for (const std::string& line : gate.not_asked)
     notifications.push_back({{"level", "error"}, {"message", text("Not asked: " + one_line(line))}});
+  for (const SuppressionRemark& r : gate.remarks)
+    notifications.push_back({{"level", r.fails ? "error" : "warning"}, {"message", text(one_line(r.text))}});
   const json invocation = {{"executionSuccessful", gate.not_asked.empty()},
                            {"toolExecutionNotifications", std::move(notifications)}};
   const json run = {

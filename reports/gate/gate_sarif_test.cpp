@@ -55,6 +55,11 @@ TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
   ASSERT_EQ(cut["toolExecutionNotifications"].size(), 2u);
   EXPECT_EQ(cut["toolExecutionNotifications"][0]["message"]["text"],
             "Not asked: sample of all strata: 9 of 840 rounds, since the time was over");
+  JudgedGate remarked;
+  remarked.remarks = {{"x expired"}, {"y matches no case", true}};
+  const json remarks = invocation(remarked)["toolExecutionNotifications"];
+  EXPECT_EQ(remarks[0]["level"], "warning");
+  EXPECT_EQ(remarks[1]["level"], "error");
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {

@@ -103,8 +103,10 @@ std::string in_full(std::size_t number, const Alike& alike) {
 
 std::string failures_text(const JudgedGate& gate) {
   const std::vector<Alike> failing = alike_failures(gate, true), others = alike_failures(gate, false);
-  const char* nothing =
-      gate.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
+  const char* nothing = std::ranges::any_of(gate.remarks, &SuppressionRemark::fails)
+                            ? "No method fails the gate, but a suppression does.\n"
+                        : gate.not_asked.empty() ? "Nothing fails the gate.\n"
+                                                 : "Nothing that was asked fails the gate.\n";
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
@@ -362,6 +364,7 @@ std::string gate_text(const JudgedGate& gate) {
   for (const GateMethod& m : gate.report.methods)
     if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
   for (const GateMethod& m : gate.report.methods) text += proved_in_words(m);
+  for (const SuppressionRemark& r : gate.remarks) text += one_line(r.text) + '\n';
   return text;
 }
 

@@ -20,6 +20,7 @@ bool fails_gate(const JudgedFailure& failure) { return is_error(failure) && !fai
 
 int exit_code(const JudgedGate& gate) {
   if (std::any_of(gate.failures.begin(), gate.failures.end(), fails_gate)) return exit_findings;
+  if (std::ranges::any_of(gate.remarks, &SuppressionRemark::fails)) return exit_findings;
   return leaves_doubt(gate.report) || !gate.not_asked.empty() ? exit_undecided : exit_pass;
 }
 

@@ -26,10 +26,17 @@ struct JudgedFailure : GateFailure {
   std::optional<SourceLine> at;  ///< for a guest: its source line, if one was given
 };
 
+/// A line about a suppression. `fails`: the line fails the gate.
+struct SuppressionRemark {
+  std::string text;
+  bool fails = false;
+};
+
 struct JudgedGate {
   GateReport report;
   std::vector<JudgedFailure> failures;  ///< those of the report, in its order
   std::vector<std::string> not_asked;   ///< lines of the report, and what later steps add
+  std::vector<SuppressionRemark> remarks = {};
 };
 
 /// Returns a judged report without known failures.
@@ -38,8 +45,8 @@ JudgedGate judged(GateReport report);
 /// Returns whether a failure is an error that is not known.
 bool fails_gate(const JudgedFailure& failure);
 
-/// Returns 2 if a failure fails the gate. Else returns 3 if the report leaves doubt or something was not
-/// asked, or 0.
+/// Returns 2 if a failure or a remark fails the gate. Else returns 3 if the report leaves doubt or something
+/// was not asked, or 0.
 int exit_code(const JudgedGate& gate);
 
 }  // namespace cyl

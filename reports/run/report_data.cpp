@@ -22,9 +22,9 @@
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
 #include "reports/run/tally_table.hpp"
-#include "reports/triage/buckets.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/cause_notes.hpp"
+#include "reports/triage/causes.hpp"
 #include "reports/triage/triage.hpp"
 #include "reports/web/page_template.hpp"
 
@@ -235,10 +235,10 @@ json case_of(const Shared& shared, Names& names) {
 }
 
 void add_findings(json& report, const RunData& run) {
-  std::unordered_map<std::int64_t, std::string> bucket_of;
-  for (const json& bucket : report["buckets"])
-    for (const json& id : bucket.at("findings"))
-      bucket_of.emplace(id.get<std::int64_t>(), bucket.at("key").get<std::string>());
+  std::unordered_map<std::int64_t, std::string> cause_of;
+  for (const json& cause : report["buckets"])
+    for (const json& id : cause.at("findings"))
+      cause_of.emplace(id.get<std::int64_t>(), cause.at("key").get<std::string>());
 
   const std::vector<FindingRecord>& records = run.findings;
   std::unordered_map<std::string, std::size_t> known;
@@ -267,13 +267,13 @@ void add_findings(json& report, const RunData& run) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     const FindingRecord& f = records[i];
     if (!told_at[case_at[i]]) continue;
-    const auto bucket = bucket_of.find(f.id);
+    const auto cause = cause_of.find(f.id);
     findings.push_back({{"id", f.id},
                         {"method", f.method},
                         {"kind", to_string(f.kind)},
                         {"severity", to_string(f.severity)},
                         {"family", f.family},
-                        {"bucket", bucket == bucket_of.end() ? json() : json(bucket->second)},
+                        {"bucket", cause == cause_of.end() ? json() : json(cause->second)},
                         {"margin", margin_json(f.margin)},
                         {"case", *told_at[case_at[i]]}});
     if (!f.reason.empty()) findings.back()["reason"] = f.reason;
@@ -290,23 +290,23 @@ void add_findings(json& report, const RunData& run) {
 // Causes
 // -----------------------------------------------------------------------------------------------------------
 
-/// Adds the buckets of the last triage, with the notes on them and the places of their pairs.
+/// Adds the causes of the last triage, with the notes on them and the places of their pairs.
 void add_causes(json& report, const RunData& run) {
   const std::map<std::string, CauseNote> notes = read_notes(notes_file_of(run.folder));
   std::map<std::string, std::size_t> by_standing;
   std::set<std::string> against;
-  json buckets = buckets_json(run.folder);
-  for (json& bucket : buckets) {
-    const std::string key = bucket.at("key");
-    bucket["file"] = fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(key));
+  json causes = causes_json(run.folder);
+  for (json& cause : causes) {
+    const std::string key = cause.at("key");
+    cause["file"] = fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(key));
     if (const auto note = notes.find(key); note != notes.end())
-      bucket["note"] = {{"owner", note->second.owner}, {"note", note->second.note}};
-    if (const json standing = bucket.value("standing", json()); standing.is_string())
+      cause["note"] = {{"owner", note->second.owner}, {"note", note->second.note}};
+    if (const json standing = cause.value("standing", json()); standing.is_string())
       ++by_standing[standing.get<std::string>()];
-    for (const json& night : bucket.value("nights", json::array())) against.insert(night.at("run"));
+    for (const json& night : cause.value("nights", json::array())) against.insert(night.at("run"));
   }
   against.erase(report.at("run").at("id").get<std::string>());
-  report["buckets"] = std::move(buckets);
+  report["buckets"] = std::move(causes);
   report["notes_file"] = notes_file_of(run.folder);
   report["changes"] = nullptr;
   if (by_standing.empty()) return;

@@ -224,7 +224,7 @@ TEST_F(ReportData, KeepsAnEndBeyondTheDoubles) {
 TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   RunStore store = RunStore::create(folder, {});
   commit(store, {finding(0, "fake", 0.5), finding(1, "fake", 0.5)});
-  TriageStore(folder, "a build").set_buckets(R"([{"key":"fake/wrong","findings":[2]}])", 1);
+  TriageStore(folder, "a build").set_summary(R"([{"key":"fake/wrong","findings":[2]}])", 1);
   put("charts.json", R"({"speed":[{"method":"fake"}],"other":1})");
   const json report = data();
   EXPECT_EQ(report["findings"][0]["bucket"], nullptr);

@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-/// The most labels listed with a bucket.
+/// The most labels listed with a cause.
 constexpr std::size_t labels_cap = 6;
 
 /// Describes what a method does that fails in this way.
@@ -58,10 +58,10 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism,
   return mechanism == Mechanism::unclassified ? said : fmt::format("{} ({})", in_words(mechanism), said);
 }
 
-std::vector<std::string> labels_of(const Bucket& b, const CauseFindings& group, const Trial& simplest_now,
+std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, const Trial& simplest_now,
                                    const GroupedMethods& of) {
   const std::span<const std::unique_ptr<Method>> methods = of.methods;
-  std::vector<std::string> labels{b.cause};
+  std::vector<std::string> labels{b.description};
   if (!b.seen_again)
     labels.push_back(
         fmt::format("not reproduced: {} does not fail in this way when it is asked alone", b.method));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cause of a bucket, and what else was seen of it, in words.
+// The description and the labels of a cause, in words.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
 
 namespace cyl {
@@ -18,9 +18,9 @@ namespace cyl {
 std::string cause_in_words(const std::string& key, Mechanism mechanism,
                            const std::map<FindingKind, std::string>& reasons);
 
-/// Returns the cause and the labels of a bucket: what applies to how many of its findings, and which other
-/// methods are wrong. `simplest_now` holds the answers to its simplest pair.
-std::vector<std::string> labels_of(const Bucket& bucket, const CauseFindings& findings,
+/// Returns the description and the labels of a cause: what applies to how many of its findings, and which
+/// other methods are wrong. `simplest_now` holds the answers to its simplest pair.
+std::vector<std::string> labels_of(const Cause& cause, const CauseFindings& findings,
                                    const Trial& simplest_now, const GroupedMethods& methods);
 
 }  // namespace cyl

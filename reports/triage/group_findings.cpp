@@ -36,7 +36,7 @@ bool is_worse(const FindingRecord& x, const FindingRecord& y) {
          std::pair(is_refuted_verdict(y.kind), least_margin(y));
 }
 
-// Findings within a claim have keys of their own (cause_key), so that a bucket has one severity.
+// Findings within a claim have keys of their own (cause_key), so that a cause has one severity.
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records) {
   std::map<std::int64_t, const FindingRecord*> by_id;
   for (const FindingRecord& f : records.findings) by_id[f.id] = &f;
@@ -45,8 +45,8 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
   for (const CauseRecord& c : records.causes) {
     const auto found = by_id.find(c.finding);
     if (found == by_id.end()) continue;
-    group_of[c.finding] = &groups[c.bucket];
-    add(groups[c.bucket], *found->second, c);
+    group_of[c.finding] = &groups[c.cause];
+    add(groups[c.cause], *found->second, c);
   }
   for (const SimpleRecord& s : records.simples) {
     if (!group_of.contains(s.finding)) continue;
@@ -54,42 +54,42 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
     offer(*group_of[s.finding], by_id[s.finding], s.pair, false);
   }
   for (const WorstRecord& w : records.worsts)
-    if (groups.contains(w.bucket) && !w.pair.empty()) groups[w.bucket].found = &w;
+    if (groups.contains(w.cause) && !w.pair.empty()) groups[w.cause].found = &w;
   for (auto& [key, group] : groups)
     for (const FindingRecord* f : group.findings) offer(group, f, f->pair, true);
   return groups;
 }
 
-std::uint64_t BucketCount::most() const {
+std::uint64_t CauseCount::most() const {
   std::uint64_t most = 0;
   for (const auto& [method, n] : by_method) most = std::max(most, n);
   return most;
 }
 
-std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records) {
-  std::map<std::int64_t, std::string> bucket_of;
-  for (const CauseRecord& c : records.causes) bucket_of[c.finding] = c.bucket;
+std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records) {
+  std::map<std::int64_t, std::string> cause_of;
+  for (const CauseRecord& c : records.causes) cause_of[c.finding] = c.cause;
   std::map<FindingGroup, std::map<std::string, std::uint64_t>> kept;
   for (const FindingRecord& f : records.findings)
-    if (bucket_of.contains(f.id)) ++kept[f][bucket_of[f.id]];
-  std::map<std::string, BucketCount> counts;
+    if (cause_of.contains(f.id)) ++kept[f][cause_of[f.id]];
+  std::map<std::string, CauseCount> counts;
   // Counts each family by itself, so that the pairs of one climb count as one.
   std::map<std::pair<std::string, std::string>, std::map<std::string, std::uint64_t>> in_family;
-  const auto add = [&](const std::string& bucket, const GroupRecord& of, std::uint64_t n) {
-    counts[bucket].findings += n;
-    in_family[{bucket, of.method}][of.family] += n;
+  const auto add = [&](const std::string& cause, const GroupRecord& of, std::uint64_t n) {
+    counts[cause].findings += n;
+    in_family[{cause, of.method}][of.family] += n;
   };
   for (const GroupRecord& g : records.groups) {
     const auto found = kept.find(g);
     if (found == kept.end()) continue;
     std::uint64_t all = 0, given = 0;
-    for (const auto& [bucket, n] : found->second) all += n;
+    for (const auto& [cause, n] : found->second) all += n;
     std::vector<std::pair<std::uint64_t, std::string>> parts;
-    for (const auto& [bucket, n] : found->second) {
+    for (const auto& [cause, n] : found->second) {
       const std::uint64_t part = g.count / all * n + g.count % all * n / all;
-      add(bucket, g, part);
+      add(cause, g, part);
       given += part;
-      parts.emplace_back(n, bucket);
+      parts.emplace_back(n, cause);
     }
     std::sort(parts.rbegin(), parts.rend());
     for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g, 1);

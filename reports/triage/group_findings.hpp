@@ -21,9 +21,9 @@ struct TriageRecords {
   std::string folder;                   ///< of the run
   std::vector<FindingRecord> findings;  ///< by id
   std::vector<GroupRecord> groups;
-  std::vector<CauseRecord> causes;    ///< by finding; findings without one are left out of the buckets
+  std::vector<CauseRecord> causes;    ///< by finding; findings without one are left out
   std::vector<SimpleRecord> simples;  ///< by finding
-  std::vector<WorstRecord> worsts;    ///< by bucket
+  std::vector<WorstRecord> worsts;    ///< by cause
 };
 
 /// Returns whether x is worse than y. A refuted verdict is worse than any other finding. Else the larger
@@ -32,7 +32,7 @@ bool is_worse(const FindingRecord& x, const FindingRecord& y);
 /// The proved margin of a finding, or -1 if there is none.
 double least_margin(const FindingRecord& finding);
 
-/// A pair that may be shown as a bucket's simplest.
+/// A pair that may be shown as a cause's simplest.
 struct ShownCandidate {
   bool as_found;  ///< not simplified
   Complexity complexity;
@@ -63,16 +63,16 @@ struct CauseFindings {
 /// legal (is_legal()), and its pairs as they were found.
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records);
 
-/// The findings of a bucket, stored or not.
-struct BucketCount {
+/// The findings of a cause, stored or not.
+struct CauseCount {
   std::uint64_t findings = 0;
   std::map<std::string, std::uint64_t> by_method;
 
   std::uint64_t most() const;  ///< the largest count of a method: a number of pairs, with one finding a pair
 };
-/// Returns the count of each bucket. The store counts findings that it did not keep by FindingGroup. The
-/// buckets share that count in proportion to their kept findings. The larger parts get the
+/// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup. The
+/// causes share that count in proportion to their kept findings. The larger parts get the
 /// remainder first.
-std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records);
+std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records);
 
 }  // namespace cyl

@@ -5,7 +5,7 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "props/shrink/simplify.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/worst_pair.hpp"
@@ -53,20 +53,20 @@ CauseSought cause_sought(const std::string& key, std::vector<const Subject*> sub
 
 /// Returns the causes in the order of their keys.
 std::vector<CauseSought> causes_sought(const TriageContext& context) {
-  std::map<std::string, std::vector<const Subject*>> buckets;
+  std::map<std::string, std::vector<const Subject*>> subjects_of;
   std::map<std::int64_t, Mechanism> mechanism_of;
   for (const CauseRecord& c : context.causes()) {
     const auto found = context.by_id.find(c.finding);
     if (found == context.by_id.end() || c.mechanism == Mechanism::gone || !found->second->can_be_searched())
       continue;
-    buckets[c.bucket].push_back(found->second);
+    subjects_of[c.cause].push_back(found->second);
     mechanism_of[c.finding] = c.mechanism;
   }
   std::map<std::int64_t, Pair> simple_of;
   for (const SimpleRecord& s : context.simples())
     if (const CaseLine line = parse_case(s.pair, 1); line.value) simple_of[s.finding] = line.value->pair;
   std::vector<CauseSought> causes;
-  for (const auto& [key, subjects] : buckets)
+  for (const auto& [key, subjects] : subjects_of)
     causes.push_back(cause_sought(key, subjects, mechanism_of, simple_of));
   return causes;
 }
@@ -89,7 +89,7 @@ WorstRecord searched(const TriageContext& context, CauseSought cause, const Wors
 
 void search_worst(const TriageContext& context, double part) {
   std::map<std::string, WorstRecord> earlier;
-  for (const WorstRecord& w : context.store().worsts()) earlier[w.bucket] = w;
+  for (const WorstRecord& w : context.store().worsts()) earlier[w.cause] = w;
   std::vector<CauseSought> open;
   for (CauseSought& cause : causes_sought(context))
     if (!earlier[cause.key].ended) open.push_back(std::move(cause));

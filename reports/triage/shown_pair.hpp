@@ -16,9 +16,8 @@
 
 namespace cyl {
 
-/// As the triage has them; what hangs once on a pair would again.
-inline constexpr Caps shown_caps{
-    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 1};
+/// A method that hangs once on a pair would hang again.
+inline constexpr Caps shown_caps = attended_caps(1);
 
 struct ShownPair {
   Trial trial;              ///< an answer a method; who was not asked has none that means anything

@@ -20,9 +20,9 @@ namespace {
 /// hangs costs half a second.
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
 /// If a method hangs, one pair at a time is enough.
-constexpr Caps hang_caps{.call_cpu = triage_caps.call_cpu, .call_wall = triage_caps.call_wall, .hangs = 1};
+constexpr Caps hang_caps = attended_caps(1);
 
-/// A finding that waits in its bucket for its turn.
+/// A finding that waits in its cause for its turn.
 struct Waiting {
   std::size_t turn;
   Complexity complexity;
@@ -35,12 +35,12 @@ bool is_simpler(const Waiting& x, const Waiting& y) {
 }
 
 /// Puts the simplest first, and other methods, kinds and families before repeated ones.
-void put_in_order(std::vector<Waiting>& bucket) {
-  std::sort(bucket.begin(), bucket.end(), is_simpler);
+void put_in_order(std::vector<Waiting>& cause) {
+  std::sort(cause.begin(), cause.end(), is_simpler);
   std::map<std::tuple<std::string, FindingKind, std::string>, std::size_t> seen;
-  for (Waiting& w : bucket)
+  for (Waiting& w : cause)
     w.turn = seen[{w.subject->record->method, w.subject->record->kind, w.subject->record->family}]++;
-  std::stable_sort(bucket.begin(), bucket.end(),
+  std::stable_sort(cause.begin(), cause.end(),
                    [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
 }
 
@@ -91,23 +91,22 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
 
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known) {
-  std::map<std::pair<bool, std::string>, std::vector<Waiting>> buckets;
+  std::map<std::pair<bool, std::string>, std::vector<Waiting>> causes;
   for (const CauseRecord& c : context.causes()) {
     const auto found = context.by_id.find(c.finding);
     if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
     if (c.mechanism == Mechanism::gone) continue;
-    buckets[{known.contains(c.bucket), c.bucket}].push_back(
-        {0, complexity(found->second->pair), found->second});
+    causes[{known.contains(c.cause), c.cause}].push_back({0, complexity(found->second->pair), found->second});
   }
   std::size_t longest = 0;
-  for (auto& [key, bucket] : buckets) {
-    put_in_order(bucket);
-    longest = std::max(longest, bucket.size());
+  for (auto& [key, cause] : causes) {
+    put_in_order(cause);
+    longest = std::max(longest, cause.size());
   }
   std::vector<const Subject*> order;
   for (std::size_t turn = 0; turn < longest; ++turn)
-    for (const auto& [key, bucket] : buckets)
-      if (turn < bucket.size()) order.push_back(bucket[turn].subject);
+    for (const auto& [key, cause] : causes)
+      if (turn < cause.size()) order.push_back(cause[turn].subject);
   return order;
 }
 
@@ -115,7 +114,7 @@ void simplify_findings(const TriageContext& context, const std::set<std::string>
   std::map<std::int64_t, SimpleRecord> known;
   for (SimpleRecord& s : context.simples()) known[s.finding] = std::move(s);
   std::map<std::int64_t, std::string> cause_of;
-  for (const CauseRecord& c : context.causes()) cause_of[c.finding] = c.bucket;
+  for (const CauseRecord& c : context.causes()) cause_of[c.finding] = c.cause;
   std::vector<const Subject*> open;
   for (const Subject* s : simplification_order(context, known_causes))
     if (!known[s->record->id].ended) open.push_back(s);

@@ -16,8 +16,7 @@ namespace cyl {
 namespace {
 
 constexpr std::size_t cases_at_once = 32;
-constexpr Caps caps{
-    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 1};
+constexpr Caps caps = attended_caps(1);
 
 }  // namespace
 
@@ -66,17 +65,16 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
   }
 }
 
-std::vector<std::string> remarks_on(const std::vector<Suppression>& suppressions, std::string_view today,
-                                    const std::set<std::string>& causes, std::size_t& stale) {
-  std::vector<std::string> remarks;
-  stale = 0;
+std::vector<SuppressionRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
+                                                   std::string_view today,
+                                                   const std::set<std::string>& causes) {
+  std::vector<SuppressionRemark> remarks;
   for (const Suppression& s : suppressions) {
-    const std::string which = fmt::format("the suppression of {} (line {})", s.bucket, s.line);
+    const std::string which = fmt::format("the suppression of {} (line {})", s.cause, s.line);
     if (is_expired(s, today))
-      remarks.push_back(fmt::format("{} expired on {}; {} asked for it", which, s.expires, s.owner));
-    if (causes.contains(s.bucket)) continue;
-    remarks.push_back(which + " matches no stored case: remove it, or keep a case of it");
-    ++stale;
+      remarks.push_back({fmt::format("{} expired on {}; its owner is {}", which, s.expires, s.owner)});
+    if (!causes.contains(s.cause))
+      remarks.push_back({which + " matches no stored case: remove it, or keep a case of it", true});
   }
   return remarks;
 }

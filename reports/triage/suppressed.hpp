@@ -25,9 +25,10 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
 void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today);
 
-/// Returns a line for each suppression that has expired, and one for each that no stored case shows any more:
-/// it should go, or its case should be kept. `stale`: how many of the latter.
-std::vector<std::string> remarks_on(const std::vector<Suppression>& suppressions, std::string_view today,
-                                    const std::set<std::string>& causes, std::size_t& stale);
+/// Returns a remark for each suppression that has expired. Returns one that fails the gate for each
+/// suppression whose cause is not in `causes`, those of the stored cases.
+std::vector<SuppressionRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
+                                                   std::string_view today,
+                                                   const std::set<std::string>& causes);
 
 }  // namespace cyl

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exit_code.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "props/laws/laws_test.hpp"
 
@@ -37,6 +38,21 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
       EXPECT_EQ(crash.known, same) << what;
     }
   }
+}
+
+TEST(Suppressed, RemarksNameWhatHasExpiredAndWhatNoCaseShows) {
+  const std::vector<Suppression> all{{"x", "r", "l", "ada", "2026-11-20", 1},
+                                     {"y", "r", "l", "ada", "2027-01-01", 2}};
+  const auto remarks = suppression_remarks(all, "2026-11-22", {"x"});
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_EQ(remarks[0].text, "the suppression of x (line 1) expired on 2026-11-20; its owner is ada");
+  EXPECT_FALSE(remarks[0].fails);
+  EXPECT_TRUE(remarks[1].text.starts_with("the suppression of y (line 2) matches no stored case"));
+  EXPECT_TRUE(remarks[1].fails);
+  JudgedGate gate;
+  EXPECT_EQ(exit_code(gate), exit_pass);
+  gate.remarks = remarks;
+  EXPECT_EQ(exit_code(gate), exit_findings);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 #include "base/files.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 #include "reports/triage/suppressed.hpp"
@@ -41,7 +41,7 @@ TriagedRun read_triaged(const std::string& folder) {
                  {},
                  examined_groups(store.groups(), store.finding_heads(), stored_causes(folder)),
                  stored_part(folder)};
-  for (const Json& stored : buckets_json(folder)) run.buckets.push_back(bucket_from_json(stored));
+  for (const Json& stored : causes_json(folder)) run.causes.push_back(cause_from_json(stored));
   return run;
 }
 
@@ -51,7 +51,7 @@ std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   std::vector<std::pair<std::string, std::string>> runs;  // when it began, folder
   const fs::path here = fs::canonical(context.options.folder);
   for (const std::string& folder : against.empty() ? runs_in(here.parent_path().string()) : against) {
-    if (fs::canonical(folder) == here || stored_buckets(folder).empty()) continue;
+    if (fs::canonical(folder) == here || stored_summary(folder).empty()) continue;
     const std::string began = value_of(RunStore::open(folder).config(), "started");
     if (!against.empty() || std::pair(began, folder) < std::pair(context.began, here.string()))
       runs.emplace_back(began, folder);
@@ -62,30 +62,30 @@ std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   return earlier;
 }
 
-/// Asks a method of the bucket about its stored pair. Returns nothing if the fault is not deterministic, or
+/// Asks a method of the cause about its stored pair. Returns nothing if the fault is not deterministic, or
 /// if the method is not here.
-std::optional<bool> fails_today(const Bucket& bucket, std::span<const std::unique_ptr<Method>> methods) {
-  if (bucket.kind == FindingKind::nondeterminism || bucket.kind == FindingKind::state_dependent) return {};
-  const auto method = position_of(methods, bucket.method);
-  if (!method || !bucket.seen_again) return {};
-  return fails_alone(methods, {*method, bucket.kind}, bucket.simplest.pair);
+std::optional<bool> fails_today(const Cause& cause, std::span<const std::unique_ptr<Method>> methods) {
+  if (cause.kind == FindingKind::nondeterminism || cause.kind == FindingKind::state_dependent) return {};
+  const auto method = position_of(methods, cause.method);
+  if (!method || !cause.seen_again) return {};
+  return fails_alone(methods, {*method, cause.kind}, cause.simplest.pair);
 }
 
-void write_pair(const fs::path& file, const Bucket& bucket, const Pair& shown) {
+void write_pair(const fs::path& file, const Cause& cause, const Pair& shown) {
   Json line = pair_to_json(shown);
-  line["id"] = bucket.key;
-  line["note"] = bucket.cause;
+  line["id"] = cause.key;
+  line["note"] = cause.description;
   replace_file(file, line.dump() + '\n');
 }
 
-/// Writes FOLDER/buckets/: the simplest pair of each bucket, and the worst if a search found it. Each file
+/// Writes FOLDER/buckets/: the simplest pair of each cause, and the worst if a search found it. Each file
 /// holds one case.
-void write_pairs(const std::string& run_folder, const std::vector<Bucket>& buckets) {
+void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes) {
   const fs::path folder = fs::path(run_folder) / "buckets";
   if (fs::is_symlink(fs::symlink_status(folder)))
     throw std::runtime_error(folder.string() + " is a symbolic link; a run holds its own files");
   fs::create_directories(folder);
-  for (const Bucket& b : buckets) {
+  for (const Cause& b : causes) {
     if (b.status == Recurrence::gone) continue;
     const std::string name = file_name_of(b.key);
     write_pair(folder / (name + ".jsonl"), b, b.simplest.pair);
@@ -101,7 +101,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   const std::vector<TriagedRun> earlier = earlier_runs(context);
   std::set<std::string> known;
   for (const TriagedRun& past : earlier)
-    for (const Bucket& b : past.buckets) known.insert(b.key);
+    for (const Cause& b : past.causes) known.insert(b.key);
   classify_findings(context, classify_part);
   simplify_findings(context, known, simplify_part);
   search_worst(context, search_part);
@@ -120,35 +120,33 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (on_progress) on_progress(shown);
     return context.out_of_time();
   };
-  run.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
-                              context.simples(), context.store().worsts()},
-                             context.grouped(), out_of_time);
-  compare_with_earlier(run, earlier, [&](const Bucket& b) { return fails_today(b, methods); });
-  triage.buckets = std::move(run.buckets);
-  write_pairs(options.folder, triage.buckets);
-  suppress(triage.buckets, options.suppressions, options.today);
-  context.store().set_buckets(to_json(triage.buckets).dump(), part);
+  run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
+                            context.simples(), context.store().worsts()},
+                           context.grouped(), out_of_time);
+  compare_with_earlier(run, earlier, [&](const Cause& b) { return fails_today(b, methods); });
+  triage.causes = std::move(run.causes);
+  write_pairs(options.folder, triage.causes);
+  suppress(triage.causes, options.suppressions, options.today);
+  context.store().set_summary(to_json(triage.causes).dump(), part);
   for (const TriagedRun& past : earlier)
     if (past.part < 1)
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
-  if (!options.suppressions.empty()) {
-    std::size_t stale = 0;
-    for (std::string& remark :
-         remarks_on(options.suppressions, options.today, causes_of(methods, options.cases), stale))
-      triage.remarks.push_back(std::move(remark));
-  }
+  if (!options.suppressions.empty())
+    for (SuppressionRemark& remark :
+         suppression_remarks(options.suppressions, options.today, causes_of(methods, options.cases)))
+      triage.remarks.push_back(std::move(remark.text));
   return triage;
 }
 
-Json buckets_json(const std::string& run_folder) {
-  const std::string text = stored_buckets(run_folder);
+Json causes_json(const std::string& run_folder) {
+  const std::string text = stored_summary(run_folder);
   return text.empty() ? Json::array() : parse_json(text);
 }
 
 int exit_code(const Triage& triage) {
   bool undecided = triage.progress.classified < triage.progress.findings;
-  for (const Bucket& b : triage.buckets) {
+  for (const Cause& b : triage.causes) {
     if (b.status == Recurrence::gone || b.suppressed) continue;
     if (b.severity == Severity::contract) return exit_findings;
     undecided |= b.severity == Severity::unresolved;

@@ -18,7 +18,7 @@
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 
 namespace cyl {
 
@@ -28,7 +28,7 @@ struct TriageOptions {
       against;  ///< triaged runs to compare with; if empty, the earlier runs in the same folder
   std::chrono::milliseconds budget{
       300'000};       ///< wall time, the page's included; overrun by a few questions a cause
-  unsigned jobs = 2;  ///< processes; do not change the buckets
+  unsigned jobs = 2;  ///< processes; do not change the causes
   std::vector<Suppression> suppressions;
   std::vector<Case> cases;  ///< of the case files: what a suppression must match
   std::string today;        ///< YYYY-MM-DD
@@ -48,7 +48,7 @@ struct TriageProgress {
 };
 
 struct Triage {
-  std::vector<Bucket> buckets;       ///< those beyond claims first, then by count; what is gone last
+  std::vector<Cause> causes;         ///< those beyond claims first, then by count; what is gone last
   TriageProgress progress;           ///< at the end
   std::vector<std::string> remarks;  ///< on earlier runs half looked at, and on suppressions
 };
@@ -58,9 +58,9 @@ struct Triage {
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress = {});
 
-/// Returns the buckets that the last triage of a run stored: an array of to_json(Bucket). It is empty if the
+/// Returns the causes that the last triage of a run stored: an array of to_json(Cause). It is empty if the
 /// run was never triaged.
-nlohmann::json buckets_json(const std::string& run_folder);
+nlohmann::json causes_json(const std::string& run_folder);
 
 /// Returns 2 for a cause beyond a claim that is not suppressed, 3 for none, but undecided truth or findings
 /// that are not classified, else 0.

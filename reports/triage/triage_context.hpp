@@ -22,9 +22,7 @@
 
 namespace cyl {
 
-/// As the gate has them: shorter than a campaign's.
-inline constexpr Caps triage_caps{
-    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
+inline constexpr Caps triage_caps = attended_caps(4);
 
 /// A finding with what is read of it once.
 struct Subject {

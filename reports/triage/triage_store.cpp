@@ -89,15 +89,15 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
 void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 
-std::string TriageStore::buckets() const { return note(*file_, "buckets"); }
-void TriageStore::set_buckets(const std::string& json, double part) {
+std::string TriageStore::summary() const { return note(*file_, "buckets"); }
+void TriageStore::set_summary(const std::string& json, double part) {
   file_->transaction([&] {
     file_->replace(Note{"buckets", json});
     file_->replace(Note{"part", std::to_string(part)});
   });
 }
 
-std::string stored_buckets(const std::string& folder) { return stored_note(folder, "buckets"); }
+std::string stored_summary(const std::string& folder) { return stored_note(folder, "buckets"); }
 
 std::vector<CauseRecord> stored_causes(const std::string& folder) {
   const SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);

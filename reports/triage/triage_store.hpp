@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The results of triage, in one SQLite file of plain records beside that of the run. A triage that is
 // killed continues from there. The size is bounded: two rows for each kept finding and one for each
-// bucket.
+// cause.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,12 @@ class SqliteFile;
 /// The cause of a finding, as far as probes revealed it.
 struct CauseRecord {
   std::int64_t finding = 0;  ///< its id in the run
-  std::string bucket;
+  std::string cause;
   Mechanism mechanism = Mechanism::unclassified;
   std::string labels;  ///< others that apply, one a line
 
   static constexpr const char* table = "cause";
-  static auto columns(auto& c) { return std::tie(c.finding, c.bucket, c.mechanism, c.labels); }
+  static auto columns(auto& c) { return std::tie(c.finding, c.cause, c.mechanism, c.labels); }
 };
 
 /// A finding simplified.
@@ -41,16 +41,16 @@ struct SimpleRecord {
   static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.key, s.questions, s.ended); }
 };
 
-/// The result of a search for a worse pair than the findings of a bucket.
+/// The result of a search for a worse pair than the findings of a cause.
 struct WorstRecord {
-  std::string bucket;
+  std::string cause;
   std::string method;  ///< that is wrong on it
   FindingKind kind = FindingKind::wrong_disjoint;
   std::string pair;    ///< one JSON line of corpus/pair_io; empty if no worse pair was found
   bool ended = false;  ///< by itself: not to be searched again
 
   static constexpr const char* table = "worst";
-  static auto columns(auto& w) { return std::tie(w.bucket, w.method, w.kind, w.pair, w.ended); }
+  static auto columns(auto& w) { return std::tie(w.cause, w.method, w.kind, w.pair, w.ended); }
 };
 
 /// FOLDER/triage.sqlite. Several processes may write to it at once. Every call throws std::runtime_error that
@@ -68,21 +68,21 @@ class TriageStore {
 
   std::vector<CauseRecord> causes() const;    ///< by finding
   std::vector<SimpleRecord> simples() const;  ///< by finding
-  std::vector<WorstRecord> worsts() const;    ///< by bucket
+  std::vector<WorstRecord> worsts() const;    ///< by cause
   void add(std::span<const CauseRecord> causes);
   void add(const SimpleRecord& simple);
   void add(const WorstRecord& worst);
-  /// The buckets as JSON; empty if there are none yet.
-  std::string buckets() const;
+  /// The causes as JSON; empty if there are none yet.
+  std::string summary() const;
   /// `part`: of the findings, looked at so far.
-  void set_buckets(const std::string& json, double part);
+  void set_summary(const std::string& json, double part);
 
  private:
   std::unique_ptr<SqliteFile> file_;
 };
 
-/// Returns the buckets that a triage of the run in `folder` left, as JSON; empty if there was none.
-std::string stored_buckets(const std::string& folder);
+/// Returns the causes that a triage of the run in `folder` left, as JSON; empty if there was none.
+std::string stored_summary(const std::string& folder);
 /// Returns the causes that it found.
 std::vector<CauseRecord> stored_causes(const std::string& folder);
 /// Returns the part of the findings that it had examined, or 1 if it is not recorded.

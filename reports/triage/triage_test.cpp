@@ -14,7 +14,7 @@
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_context.hpp"
@@ -105,9 +105,9 @@ Triage triage(const std::string& folder, std::chrono::milliseconds budget = std:
   return run_triage(options, quick_methods());
 }
 
-std::set<std::string> keys_of(const std::vector<Bucket>& buckets) {
+std::set<std::string> keys_of(const std::vector<Cause>& causes) {
   std::set<std::string> keys;
-  for (const Bucket& b : buckets) keys.insert(b.key);
+  for (const Cause& b : causes) keys.insert(b.key);
   return keys;
 }
 
@@ -117,11 +117,11 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   const Folder history;
   const std::string first = history.make_run("one", "2026-11-20", three(), 4);
   const Triage one = triage(first);
-  EXPECT_EQ(keys_of(one.buckets),
+  EXPECT_EQ(keys_of(one.causes),
             (std::set<std::string>{"fcl-libccd/overflow", "mujoco/overflow", "seedbook/wrong_intersecting"}));
   EXPECT_EQ(exit_code(one), 2);
-  EXPECT_EQ(one.buckets[0].key, "seedbook/wrong_intersecting") << "of ordinary size";
-  const Bucket& overflow = one.buckets[1];
+  EXPECT_EQ(one.causes[0].key, "seedbook/wrong_intersecting") << "of ordinary size";
+  const Cause& overflow = one.causes[1];
   EXPECT_EQ(overflow.key, "fcl-libccd/overflow");
   EXPECT_EQ(overflow.count, 5u);
   EXPECT_EQ(overflow.methods, (std::set<std::string>{"fcl-libccd"}));
@@ -131,24 +131,24 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   EXPECT_EQ(simplest["answers"][overflow.method]["verdict"], "disjoint");
   EXPECT_FALSE(overflow.status);
   EXPECT_NE(simplest["pair"], page_of(*overflow.worst)["pair"]) << "nothing was simplified";
-  EXPECT_EQ(buckets_json(first), to_json(one.buckets));
-  for (const Json& b : buckets_json(first)) EXPECT_EQ(to_json(bucket_from_json(b)), b);
+  EXPECT_EQ(causes_json(first), to_json(one.causes));
+  for (const Json& b : causes_json(first)) EXPECT_EQ(to_json(cause_from_json(b)), b);
 
   auto other_way = three();
   std::reverse(other_way.begin(), other_way.end());
   other_way.pop_back();
   const Triage two = triage(history.make_run("two", "2026-11-21", other_way));
-  EXPECT_EQ(keys_of(two.buckets), keys_of(one.buckets));
-  for (const Bucket& b : two.buckets) {
+  EXPECT_EQ(keys_of(two.causes), keys_of(one.causes));
+  for (const Cause& b : two.causes) {
     EXPECT_EQ(b.status, Recurrence::known);
     EXPECT_EQ(b.first_seen, "one");
     EXPECT_EQ(b.last_seen, b.count > 0 ? "two" : "one");
   }
   const Triage three = triage(history.make_run("three", "2026-11-22", {other_way.back()}));
-  ASSERT_EQ(three.buckets.size(), 3u);
-  for (const Bucket& b : three.buckets) EXPECT_EQ(b.status, Recurrence::known) << "fails today, met or not";
-  EXPECT_EQ(three.buckets[1].count, 0u);
-  EXPECT_EQ(three.buckets[1].history.size(), 3u);
+  ASSERT_EQ(three.causes.size(), 3u);
+  for (const Cause& b : three.causes) EXPECT_EQ(b.status, Recurrence::known) << "fails today, met or not";
+  EXPECT_EQ(three.causes[1].count, 0u);
+  EXPECT_EQ(three.causes[1].history.size(), 3u);
 }
 
 TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
@@ -167,7 +167,7 @@ TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
 }
 
 /// Two rims 0.01 apart with square axes. A method that is wrong only there depends on the angle.
-TEST(Buckets, NameTheAngleWhereItAloneMatters) {
+TEST(Causes, NameTheAngleWhereItAloneMatters) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("square-blind", [](const Pair& pair) {
     const bool square = pair.a.axis.dot(pair.b.axis) == 0;
@@ -182,17 +182,17 @@ TEST(Buckets, NameTheAngleWhereItAloneMatters) {
   records.findings[0].id = 1;
   records.causes = {{1, "square-blind/wrong_intersecting", Mechanism::unclassified, ""}};
   const std::vector<std::size_t> groups{0};
-  const auto buckets = make_buckets(records, {methods, groups}, [] { return false; });
-  ASSERT_EQ(buckets.size(), 1u);
-  EXPECT_EQ(buckets[0].coordinate, "angle");
+  const auto causes = make_causes(records, {methods, groups}, [] { return false; });
+  ASSERT_EQ(causes.size(), 1u);
+  EXPECT_EQ(causes[0].coordinate, "angle");
 }
 
-/// A run with one bucket, on which one method is wrong for so many pairs of 1000.
+/// A run with one cause, on which one method is wrong for so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
   const std::string key = std::string("x/") + to_string(kind);
   TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
   if (pairs == 0) return run;
-  Bucket b;
+  Cause b;
   b.key = key;
   b.method = "x";
   b.methods = {"x"};
@@ -200,7 +200,7 @@ TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind 
   b.count = 3 * pairs;
   b.pairs = pairs;
   b.first_seen = b.last_seen = b.first_version = b.last_version = id;
-  run.buckets = {b};
+  run.causes = {b};
   run.examined[{"x", kind, Severity::contract, "f"}] = {pairs, pairs, {{key, pairs}}};
   return run;
 }
@@ -212,70 +212,70 @@ void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std:
   if (of_cause > 0) e.by_cause["x/hang"] = of_cause;
 }
 
-TEST(Buckets, GoneIsWhatAnswersRightToday) {
+TEST(Causes, GoneIsWhatAnswersRightToday) {
   for (const auto& [answer, status] :
        {std::pair(std::optional(false), Recurrence::gone), std::pair(std::optional(true), Recurrence::known),
         std::pair(std::optional<bool>(), Recurrence::gone)}) {
     const std::optional<bool> today = answer;
     TriagedRun run = triaged("2", 0);
-    compare_with_earlier(run, {triaged("1", 30)}, [&](const Bucket&) { return today; });
-    ASSERT_EQ(run.buckets.size(), 1u);
-    EXPECT_EQ(run.buckets[0].status, status);
-    EXPECT_EQ(run.buckets[0].count, 0u);
-    EXPECT_EQ(run.buckets[0].last_version, "1");
+    compare_with_earlier(run, {triaged("1", 30)}, [&](const Cause&) { return today; });
+    ASSERT_EQ(run.causes.size(), 1u);
+    EXPECT_EQ(run.causes[0].status, status);
+    EXPECT_EQ(run.causes[0].count, 0u);
+    EXPECT_EQ(run.causes[0].last_version, "1");
   }
   TriagedRun run = triaged("2", 0);
-  compare_with_earlier(run, {triaged("1", 3)}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "nobody knows, and it may be chance";
+  compare_with_earlier(run, {triaged("1", 3)}, [](const Cause&) { return std::nullopt; });
+  EXPECT_EQ(run.causes[0].status, Recurrence::rare) << "nobody knows, and it may be chance";
 }
 
-TEST(Buckets, WhatWasNotLookedAtIsNotMissed) {
+TEST(Causes, WhatWasNotLookedAtIsNotMissed) {
   TriagedRun run = triaged("2", 5), earlier = triaged("1", 0);
-  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_NEAR(*run.buckets[0].chance, 1 / 32.0, 1e-9);
+  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
+  EXPECT_NEAR(*run.causes[0].chance, 1 / 32.0, 1e-9);
   run = triaged("2", 5);
   examine(earlier, 10, 1, 0);
-  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_GT(*run.buckets[0].chance, 0.5);
+  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
+  EXPECT_GT(*run.causes[0].chance, 0.5);
 }
 
 /// If only three of 62 findings are examined, they count as three, even if the cause stands for more.
-TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
+TEST(Causes, CountOnlyWhatWasLookedAtInBothRuns) {
   TriagedRun run = triaged("2", 62), earlier = triaged("1", 0);
   examine(run, 62, 3, 3);
   examine(earlier, 60, 4, 0);
-  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_EQ(run.buckets[0].status, Recurrence::rare);
-  EXPECT_EQ(run.buckets[0].history.back().sight.count, 3u);
-  EXPECT_EQ(run.buckets[0].history.back().sight.asked, 48u);
+  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
+  EXPECT_EQ(run.causes[0].status, Recurrence::rare);
+  EXPECT_EQ(run.causes[0].history.back().sight.count, 3u);
+  EXPECT_EQ(run.causes[0].history.back().sight.asked, 48u);
   examine(earlier, 60, 0, 0);
-  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
+  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
+  EXPECT_EQ(run.causes[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
   run = triaged("2", 62);
   examine(run, 62, 20, 20);
   examine(earlier, 60, 20, 0);
-  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_EQ(run.buckets[0].status, Recurrence::fresh);
+  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
+  EXPECT_EQ(run.causes[0].status, Recurrence::fresh);
 }
 
-TEST(Buckets, NewComesFirstAndIsNoChance) {
+TEST(Causes, NewComesFirstAndIsNoChance) {
   TriagedRun run = triaged("2", 30);
   for (const auto& [pairs, kind] :
        {std::pair(40, FindingKind::crash), std::pair(2, FindingKind::malformed)}) {
     TriagedRun other = triaged("2", static_cast<std::uint64_t>(pairs), kind);
-    run.buckets.push_back(other.buckets[0]);
+    run.causes.push_back(other.causes[0]);
     run.examined.merge(other.examined);
   }
-  compare_with_earlier(run, {triaged("1", 30)}, [](const Bucket&) { return std::nullopt; });
-  EXPECT_EQ(run.buckets[0].key, "x/crash");
-  EXPECT_LT(run.buckets[0].chance, 1e-9);
-  EXPECT_EQ(run.buckets[1].first_version, "1");
-  EXPECT_EQ(run.buckets[2].status, Recurrence::rare);
-  EXPECT_EQ(what_changed(run.buckets), "1 new cause, 1 known, 1 rare");
-  EXPECT_EQ(what_changed({Bucket{}, Bucket{}}), "2 causes");
+  compare_with_earlier(run, {triaged("1", 30)}, [](const Cause&) { return std::nullopt; });
+  EXPECT_EQ(run.causes[0].key, "x/crash");
+  EXPECT_LT(run.causes[0].chance, 1e-9);
+  EXPECT_EQ(run.causes[1].first_version, "1");
+  EXPECT_EQ(run.causes[2].status, Recurrence::rare);
+  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 rare");
+  EXPECT_EQ(what_changed({Cause{}, Cause{}}), "2 causes");
 }
 
-TEST(Buckets, FilesAreCalledAsTheyAre) {
+TEST(Causes, FilesAreCalledAsTheyAre) {
   EXPECT_EQ(file_name_of("libccd-mpr/wrong_disjoint"), "libccd-mpr.wrong_disjoint");
   EXPECT_EQ(file_name_of("../x y").substr(0, 7), "...x.y.");
   EXPECT_NE(file_name_of("../x y"), file_name_of("../x z"));
@@ -289,8 +289,8 @@ TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   FindingRecord once = finding("mujoco", "random", huge(1));
   once.answers = R"([[{"verdict":"disjoint"},["mujoco"]],[{"verdict":"intersecting"},["intersect"]]])";
   const Triage triaged = triage(history.make_run("one", "2026-11-20", {once}));
-  ASSERT_EQ(triaged.buckets.size(), 1u);
-  const Bucket& b = triaged.buckets[0];
+  ASSERT_EQ(triaged.causes.size(), 1u);
+  const Cause& b = triaged.causes[0];
   EXPECT_FALSE(b.simplified || b.seen_again);
   const Json simplest = page_of(b.simplest);
   EXPECT_EQ(simplest["answers"]["mujoco"]["verdict"], "disjoint");
@@ -310,7 +310,7 @@ TEST(Triage, GoesOnWhereItWas) {
     store.add(SimpleRecord{3, "done", "", 1, true});
   }
   const Triage all = triage(folder);
-  EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
+  EXPECT_TRUE(keys_of(all.causes).contains("told-before"));
   EXPECT_EQ(all.progress.classified, 3u);
   EXPECT_EQ(all.progress.simplified, 3u);
   for (const SimpleRecord& simple : TriageStore(folder, methods_line("test", quick_methods())).simples()) {
@@ -334,17 +334,17 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   printed.margin = Enclosure{margin_of_apart(), margin_of_apart()};
   const std::string folder = history.make_run("one", "2026-11-20", {printed});
   const Triage first = triage(folder);
-  ASSERT_EQ(first.buckets.size(), 1u);
+  ASSERT_EQ(first.causes.size(), 1u);
   EXPECT_EQ(first.progress.searched, 1u);
-  const Json worst = page_of(first.buckets[0].worst.value());
+  const Json worst = page_of(first.causes[0].worst.value());
   EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
   EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
   EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
   EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
       << "where the original is";
-  for (const Json& shown : {page_of(first.buckets[0].simplest), worst})
+  for (const Json& shown : {page_of(first.causes[0].simplest), worst})
     for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
-  EXPECT_NE(format_buckets(first.buckets).find("by search"), std::string::npos);
+  EXPECT_NE(format_causes(first.causes).find("by search"), std::string::npos);
 
   TriageStore store(folder, methods_line("test", quick_methods()));
   ASSERT_EQ(store.worsts().size(), 1u);
@@ -356,16 +356,16 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   kept.pair = format_pair(huge(1));
   store.add(kept);
   const Triage again = triage(folder);
-  const Json shown = page_of(again.buckets[0].worst.value());
+  const Json shown = page_of(again.causes[0].worst.value());
   EXPECT_FALSE(shown.contains("note"));
   EXPECT_EQ(shown["pair"], Json::parse(format_pair(apart())));
   // A search that was cut continues.
   kept.ended = false;
   store.add(kept);
-  EXPECT_EQ(page_of(triage(folder).buckets[0].worst.value())["margin"], worst["margin"]);
+  EXPECT_EQ(page_of(triage(folder).causes[0].worst.value())["margin"], worst["margin"]);
 }
 
-TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
+TEST(Causes, AWrongVerdictIsWorseThanAWrongDistance) {
   FindingRecord verdict = finding("m", "f", apart()),
                 distance = finding("m", "f", apart(), FindingKind::distance_outside);
   distance.margin = Enclosure{9, 9};
@@ -376,22 +376,22 @@ TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
   EXPECT_TRUE(is_worse(deeper, verdict));
 }
 
-TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
-  Bucket b;
+TEST(Causes, HaveMarginsOfAtLeastWhatIsProved) {
+  Cause b;
   b.count = 1;
   b.methods = {"m"};
   b.families = {"f", "g"};
   b.margin = Enclosure{1e-9, std::numeric_limits<double>::infinity()};
   b.simplest = {apart(), {}, Json{{"pair", Json::parse(format_pair(apart()))}, {"margin", nullptr}}.dump()};
-  const std::string text = format_buckets({b});
+  const std::string text = format_causes({b});
   EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins from 1.0e-09 up to inf or more\n"),
             std::string::npos)
       << text;
   EXPECT_EQ(to_json(b)["margin"], Json({1e-9, "inf"}));
-  EXPECT_EQ(bucket_from_json(to_json(b)).margin->hi, b.margin->hi);
+  EXPECT_EQ(cause_from_json(to_json(b)).margin->hi, b.margin->hi);
 }
 
-TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
+TEST(Causes, TheWordsOfAFailureStandByItsKind) {
   TriageRecords records;
   for (std::int64_t id = 1; id <= 2; ++id) {
     records.findings.push_back(
@@ -402,15 +402,15 @@ TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
   records.findings[0].reason = "the witness is not finite";
   const auto methods = select_methods(own_methods(), "intersect");
   const std::vector<std::size_t> groups{0};
-  const auto buckets = make_buckets(records, {methods, groups}, [] { return true; });
-  ASSERT_EQ(buckets.size(), 1u);
+  const auto causes = make_causes(records, {methods, groups}, [] { return true; });
+  ASSERT_EQ(causes.size(), 1u);
   EXPECT_TRUE(
-      buckets[0].cause.ends_with("(answers disjoint for pairs that meet; returns a number that is not "
-                                 "finite: the witness is not finite)"))
-      << buckets[0].cause;
+      causes[0].description.ends_with("(answers disjoint for pairs that meet; returns a number that is not "
+                                      "finite: the witness is not finite)"))
+      << causes[0].description;
 }
 
-TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
+TEST(Causes, GiveAGroupsCountAsItsKeptOnesAre) {
   TriageRecords records;
   for (std::int64_t id = 1; id <= 3; ++id) {
     records.findings.push_back(finding("m", "f", apart()));
@@ -419,34 +419,23 @@ TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
   }
   records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "f"}, 100});
   records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "not kept"}, 7});
-  const std::map<std::string, BucketCount> counts = count_by_bucket(records);
+  const std::map<std::string, CauseCount> counts = count_by_cause(records);
   EXPECT_EQ(counts.at("often").findings, 67u);
   EXPECT_EQ(counts.at("rare").most(), 33u);
 }
 
-TEST(Buckets, SuppressedDoNotFail) {
+TEST(Causes, SuppressedDoNotFail) {
   Triage t;
-  t.buckets.resize(1);
-  t.buckets[0].key = "x";
-  t.buckets[0].severity = Severity::contract;
+  t.causes.resize(1);
+  t.causes[0].key = "x";
+  t.causes[0].severity = Severity::contract;
   EXPECT_EQ(exit_code(t), 2);
   const std::vector<Suppression> all{{"x", "because", "link", "ada", "2026-11-22", 1}};
-  suppress(t.buckets, all, "2026-11-22");
-  EXPECT_EQ(t.buckets[0].suppressed->owner, "ada");
+  suppress(t.causes, all, "2026-11-22");
+  EXPECT_EQ(t.causes[0].suppressed->owner, "ada");
   EXPECT_EQ(exit_code(t), 0);
-  suppress(t.buckets, all, "2026-11-23");
+  suppress(t.causes, all, "2026-11-23");
   EXPECT_EQ(exit_code(t), 2);
-}
-
-TEST(Buckets, RemarkOnWhatIsExpiredOrStale) {
-  const std::vector<Suppression> all{{"x", "r", "l", "ada", "2026-11-20", 1},
-                                     {"y", "r", "l", "ada", "2027-01-01", 2}};
-  std::size_t stale = 0;
-  const auto remarks = remarks_on(all, "2026-11-22", {"x"}, stale);
-  EXPECT_EQ(stale, 1u);
-  ASSERT_EQ(remarks.size(), 2u);
-  EXPECT_NE(remarks[0].find("x (line 1) expired on 2026-11-20"), std::string::npos);
-  EXPECT_NE(remarks[1].find("y (line 2) matches no stored case"), std::string::npos);
 }
 
 }  // namespace

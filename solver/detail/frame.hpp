@@ -16,8 +16,14 @@
 
 namespace cyl {
 
+// A solid is `moderate` if its lengths are 0 or within 2^-200 to 2^200, and its coordinates 0 or within
+// 2^-250 to 2^250.
+inline constexpr int moderate_exponent = 200, center_exponent = 50;
+// Sets `moderate` of a solid without a defect, and what depends on it.
+void mark_moderate(Prepared& p) noexcept;
+
 // 2^exponent for -1022 <= exponent <= 1023.
-inline double power_of_two(int exponent) noexcept {
+constexpr double power_of_two(int exponent) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The batch kernel, in lanes. Included by one translation unit for each instruction set, which defines
-// CYL_KERNEL (the name of its entry) and CYL_LANES. Everything else has internal linkage and no header but
-// the intrinsics' comes in, so that no code for one instruction set can be linked in for another.
+// The batch kernel, in lanes. One translation unit for each instruction set includes it by
+// decide_batch_kernel.hpp, and defines CYL_KERNEL and CYL_DECIDE_KERNEL (its entries) and CYL_LANES.
+// Everything else has internal linkage and no header but the intrinsics' comes in, so that no code for one
+// instruction set can be linked in for another.
 #pragma once
 
 #if defined(__SSE2__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the sections share.
+// What the pages share: sections, tables, fields with a button that copies their text (Copy), and other elements.
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { capital, grouped, leastRange, percent, plural, safe, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import { formatRun } from "./causes.tsx";
-import type { Bucket, Finding } from "./data.ts";
+import type { Cause, Finding } from "./data.ts";
 import { ClaimWords, Fact, Gone, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Handling } from "./handling.tsx";
@@ -14,7 +14,7 @@ import { sentenceOf } from "./sentence.ts";
 import { kindLabel, severityLabels, standingLabel } from "./words.ts";
 
 /** What it is, since when, who shares it, and what to do. */
-function Story({ report, b }: { report: FullReport; b: Bucket }) {
+function Story({ report, b }: { report: FullReport; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   const asked = b.nights.at(-1)?.asked;
   const severity = severityLabels[b.severity] ?? safe(b.severity);
@@ -85,7 +85,7 @@ function Story({ report, b }: { report: FullReport; b: Bucket }) {
   );
 }
 
-function Examples({ kept, b }: { kept: Finding[]; b: Bucket }) {
+function Examples({ kept, b }: { kept: Finding[]; b: Cause }) {
   return (
     <details class="print" open={kept.length <= 30}>
       <summary>
@@ -110,14 +110,14 @@ function Examples({ kept, b }: { kept: Finding[]; b: Bucket }) {
   );
 }
 
-export function BucketView({
+export function CauseView({
   report,
-  bucket: b,
+  cause: b,
   finding,
   named,
 }: {
   report: FullReport;
-  bucket: Bucket | undefined;
+  cause: Cause | undefined;
   finding: Map<number, Finding>;
   named: string;
 }) {

@@ -2,8 +2,8 @@
 // The causes as rows: picture, sentence, runs. Sorted by the heads; on a narrow screen a card for each.
 import { useRef } from "preact/hooks";
 import { grouped, safe, short } from "../parts/words.ts";
-import type { Bucket } from "./data.ts";
-import { causeColumns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
+import type { Cause } from "./data.ts";
+import { causeColumns, type CauseEntry, type CauseColumn, type CauseOrder } from "./filter.ts";
 import { about } from "./glossary.ts";
 import { Sparkline } from "./nights.tsx";
 import { Thumbnail } from "./pair_view.tsx";
@@ -20,20 +20,20 @@ const titles: Record<CauseColumn, string> = {
 };
 const numeric = new Set<CauseColumn>(["count", "margin"]);
 
-export const bucketAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
+export const causeAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
-export const formatNote = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
+export const formatNote = ({ note }: Cause) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
 
 /** A run of its nights with the day on which it began. */
-export const formatRun = ({ nights }: Bucket, run: string) => {
+export const formatRun = ({ nights }: Cause, run: string) => {
   const night = nights.find((n) => n.run === run);
   return night ? `${safe(night.started.slice(0, 10))} (${safe(run)})` : safe(run);
 };
 
-const standingHint = ({ standing, chance }: Bucket) =>
+const standingHint = ({ standing, chance }: Cause) =>
   [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
 
-function CauseRow({ b }: { b: Bucket }) {
+function CauseRow({ b }: { b: Cause }) {
   const severity = severityLabels[b.severity] ?? safe(b.severity);
   return (
     <tr class={b.suppressed ? "suppressed" : ""}>
@@ -41,7 +41,7 @@ function CauseRow({ b }: { b: Bucket }) {
         <div class="cause">
           <Thumbnail shown={b.simplest} />
           <div>
-            <a href={bucketAddress(b.key)}>{safe(b.key)}</a>{" "}
+            <a href={causeAddress(b.key)}>{safe(b.key)}</a>{" "}
             <span class={`tag ${b.severity === "contract" ? "bad" : "soft"}`} title={about(severity)}>
               {severity}
             </span>
@@ -76,7 +76,7 @@ export function Causes({
   order,
   setOrder,
 }: {
-  causes: Cause[];
+  causes: CauseEntry[];
   order: CauseOrder;
   setOrder: (order: CauseOrder) => void;
 }) {
@@ -86,7 +86,7 @@ export function Causes({
     setOrder({ column, down: order.column === column ? !order.down : numeric.has(column) });
   return (
     <div class="scroll">
-      <table class="plain sortable buckets" ref={table} aria-label="Causes; arrow keys move, Enter opens" {...roving}>
+      <table class="plain sortable causes" ref={table} aria-label="Causes; arrow keys move, Enter opens" {...roving}>
         <thead>
           <tr>
             {causeColumns.map((c) => (

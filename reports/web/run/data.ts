@@ -87,7 +87,7 @@ export interface Night {
   per_million: [number, number, number]; // rate, low, high
 }
 
-export interface Bucket {
+export interface Cause {
   key: string; // "fcl-libccd/wrong_disjoint/side-rim/angle"
   method: string;
   kind: string;
@@ -244,7 +244,7 @@ export interface Report {
     equivalent: number;
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
-  buckets: (Omit<Bucket, "worst"> & { worst: Case | null })[];
+  buckets: (Omit<Cause, "worst"> & { worst: Case | null })[];
   findings: PackedFinding[] | Columns;
   findings_total: number;
   cases: PackedCase[];

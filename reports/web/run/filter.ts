@@ -2,7 +2,7 @@
 // Which findings and causes are shown, and in which order: what a link says of it and what the address keeps.
 import type { Pair } from "../parts/data.ts";
 import { groupBy, inOrder } from "../parts/words.ts";
-import type { Bucket, Finding, Standing } from "./data.ts";
+import type { Cause, Finding, Standing } from "./data.ts";
 import { standings, type FullReport } from "./report.ts";
 import { sentenceOf } from "./sentence.ts";
 import { kindLabel, library, severityLabels } from "./words.ts";
@@ -33,9 +33,9 @@ export interface Row extends Subject {
   margin: number;
   ordinary: boolean;
 }
-/** A cause is shown with its findings; one that has none here with what it says of itself. */
-export interface Cause {
-  b: Bucket;
+/** A cause is shown with its findings; a cause without findings here is shown with its own words. */
+export interface CauseEntry {
+  b: Cause;
   alone: Subject[] | null;
 }
 
@@ -58,7 +58,7 @@ const termsOf = (text: string) =>
     .map((term) => searchText([term]))
     .filter((term) => term !== "");
 
-const causeText = (b: Bucket) =>
+const causeText = (b: Cause) =>
   searchText([
     b.key, b.cause, sentenceOf(b), ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason,
   ]);
@@ -87,9 +87,9 @@ export function rowsOf(report: FullReport): Row[] {
   });
 }
 
-export function causesOf(report: FullReport): Cause[] {
+export function causesOf(report: FullReport): CauseEntry[] {
   const withFindings = new Set(report.findings.map((f) => f.bucket));
-  const alone = (b: Bucket): Subject[] => {
+  const alone = (b: Cause): Subject[] => {
     const standing = b.standing ?? "not compared";
     const text = searchText([causeText(b), b.method, kindLabel(b.kind), severityLabels[b.severity], standing]);
     const families = b.families.length > 0 ? b.families : [""];
@@ -117,7 +117,7 @@ export function filtered(rows: Row[], filter: Filter) {
 }
 
 /** The causes of the rows that a filter left, and those without findings that it lets pass. */
-export function filteredCauses(causes: Cause[], shown: Row[], filter: Filter) {
+export function filteredCauses(causes: CauseEntry[], shown: Row[], filter: Filter) {
   const terms = termsOf(filter.text),
     keys = new Set(shown.map((row) => row.f.bucket));
   return causes.filter(({ b, alone }) =>
@@ -143,7 +143,7 @@ export function chipCounts(rows: Row[], filter: Filter): Counts {
 }
 
 /** The same of causes that have no findings here. */
-export function loneCounts(causes: Cause[], filter: Filter): Counts {
+export function loneCounts(causes: CauseEntry[], filter: Filter): Counts {
   const counts = byFacet(),
     terms = termsOf(filter.text);
   for (const facet of facets) {
@@ -171,7 +171,7 @@ export type CauseOrder = OrderOf<CauseColumn>;
 const severityRank: Record<string, number> = { contract: 0, resolution: 1, unresolved: 2 };
 const rankOf = (severity: string) => severityRank[severity] ?? 3;
 const standingRank: Record<string, number> = { new: 0, back: 1, known: 2, rare: 3, gone: 4 };
-const standingOf = (b: Bucket) => standingRank[b.standing ?? "known"] ?? 2;
+const standingOf = (b: Cause) => standingRank[b.standing ?? "known"] ?? 2;
 const byName = (a: string, b: string) => (a < b ? -1 : a > b ? 1 : 0);
 
 function compare(x: Row, y: Row, column: Column): number {
@@ -197,7 +197,7 @@ export const sorted = (rows: Row[], order: Order) =>
 export const worstFirst = (rows: Row[]) =>
   inOrder(rows, (x, y) => Number(y.ordinary) - Number(x.ordinary) || y.margin - x.margin);
 
-function compareCauses(x: Bucket, y: Bucket, column: CauseColumn): number {
+function compareCauses(x: Cause, y: Cause, column: CauseColumn): number {
   switch (column) {
     case "key":
       return byName(x.key, y.key);
@@ -213,7 +213,7 @@ function compareCauses(x: Bucket, y: Bucket, column: CauseColumn): number {
 }
 
 /** Equal ones: the new first, then beyond a claim, then of ordinary size, then the frequent. */
-export const sortedCauses = (causes: Cause[], { column, down }: CauseOrder) =>
+export const sortedCauses = (causes: CauseEntry[], { column, down }: CauseOrder) =>
   inOrder(
     causes,
     ({ b: x }, { b: y }) =>

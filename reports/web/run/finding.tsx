@@ -2,7 +2,7 @@
 // One finding.
 import { safe } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
-import { bucketAddress } from "./causes.tsx";
+import { causeAddress } from "./causes.tsx";
 import type { Finding } from "./data.ts";
 import { Gone } from "./elements.tsx";
 import { about } from "./glossary.ts";
@@ -29,7 +29,7 @@ export function FindingView({
         {f.bucket && (
           <>
             {" "}
-            / <a href={bucketAddress(f.bucket)}>{safe(f.bucket)}</a>
+            / <a href={causeAddress(f.bucket)}>{safe(f.bucket)}</a>
           </>
         )}
         <span class="beside">

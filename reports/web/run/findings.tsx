@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The causes (buckets), and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
+// The causes, and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
 import { useEffect, useLayoutEffect, useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { save } from "../parts/save.ts";

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
 import { jsonLine, safe, shellQuoted } from "../parts/words.ts";
 import { formatNote } from "./causes.tsx";
-import type { Bucket } from "./data.ts";
+import type { Cause } from "./data.ts";
 import type { FullReport } from "./report.ts";
 
 const day = 86_400_000,
@@ -18,7 +18,7 @@ function suppressionLine(key: string, started: string): string {
   return jsonLine({ bucket: key, reason: "", link: "", owner: "", expires });
 }
 
-function Annotate({ report, b, triage }: { report: FullReport; b: Bucket; triage: string }) {
+function Annotate({ report, b, triage }: { report: FullReport; b: Cause; triage: string }) {
   const [owner, setOwner] = useState(b.note?.owner ?? "");
   const [note, setNote] = useState(b.note?.note ?? "");
   const key = shellQuoted(b.key);
@@ -46,7 +46,7 @@ function Annotate({ report, b, triage }: { report: FullReport; b: Bucket; triage
   );
 }
 
-export function Handling({ report, b }: { report: FullReport; b: Bucket }) {
+export function Handling({ report, b }: { report: FullReport; b: Cause }) {
   const triage = `./daylight triage ${shellQuoted(report.run.folder)}`,
     key = shellQuoted(b.key);
   return (

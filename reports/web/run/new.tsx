@@ -2,8 +2,8 @@
 // The answer first: what is new and wrong, its picture and its command; then what is known, rare or gone.
 import { Copy } from "../parts/elements.tsx";
 import { grouped, plural, safe, shellQuoted } from "../parts/words.ts";
-import { bucketAddress } from "./causes.tsx";
-import type { Bucket, Standing } from "./data.ts";
+import { causeAddress } from "./causes.tsx";
+import type { Cause, Standing } from "./data.ts";
 import { Missing } from "./elements.tsx";
 import { causesOf, sortedCauses } from "./filter.ts";
 import { about } from "./glossary.ts";
@@ -14,7 +14,7 @@ import { sentenceOf } from "./sentence.ts";
 const namedFaults = 3;
 
 /** The first of the faults with its picture and command, the next ones in a line each. */
-function Faults({ report, faults, word }: { report: FullReport; faults: Bucket[]; word: string }) {
+function Faults({ report, faults, word }: { report: FullReport; faults: Cause[]; word: string }) {
   const [first, ...others] = faults;
   const command = `./daylight triage ${shellQuoted(report.run.folder)} --explain ${shellQuoted(first!.key)}`;
   return (
@@ -24,11 +24,11 @@ function Faults({ report, faults, word }: { report: FullReport; faults: Bucket[]
           <b>
             {plural(faults.length, `${word}fault`)}:{" "}
           </b>
-          <a href={bucketAddress(first!.key)}>{safe(sentenceOf(first!))}</a>.
+          <a href={causeAddress(first!.key)}>{safe(sentenceOf(first!))}</a>.
         </p>
         {others.slice(0, namedFaults - 1).map((b) => (
           <p key={b.key}>
-            <a href={bucketAddress(b.key)}>{safe(sentenceOf(b))}</a>.
+            <a href={causeAddress(b.key)}>{safe(sentenceOf(b))}</a>.
           </p>
         ))}
         {others.length >= namedFaults && (
@@ -40,7 +40,7 @@ function Faults({ report, faults, word }: { report: FullReport; faults: Bucket[]
         )}
         <Copy label="Explain it" text={command} />
       </div>
-      <a class="band-picture" href={bucketAddress(first!.key)} tabIndex={-1} aria-hidden="true">
+      <a class="band-picture" href={causeAddress(first!.key)} tabIndex={-1} aria-hidden="true">
         <Thumbnail shown={first!.worst} />
       </a>
     </div>
@@ -58,7 +58,7 @@ export function New({ report }: { report: FullReport }) {
   const changes = changesOf(report),
     causes = sortedCauses(causesOf(report), { column: "standing", down: false }).map(({ b }) => b),
     here = causes.filter((b) => b.count > 0 && !b.suppressed);
-  const isNew = (b: Bucket) => !changes || b.standing === "new" || b.standing === "back";
+  const isNew = (b: Cause) => !changes || b.standing === "new" || b.standing === "back";
   const faults = here.filter((b) => isNew(b) && b.severity === "contract"),
     within = here.filter((b) => isNew(b) && b.severity !== "contract").length;
   const untold = report.buckets.length === 0 && report.findings_total > 0;

@@ -49,7 +49,7 @@ async function shots(to) {
     for (const [name, link] of [
       ["finding", ".findings tbody a"],
       ["distance", ".findings tr:has-text('distance outside') a"],
-      ["bucket", ".buckets a"],
+      ["bucket", ".causes a"],
     ]) {
       await page.evaluate(() => {
         location.hash = "#/findings";
@@ -68,7 +68,7 @@ async function shots(to) {
   await narrow.screenshot({ path: `${to}/narrow.png`, fullPage: true });
   for (const [name, link] of [
     ["finding", ".findings tbody a"],
-    ["bucket", ".buckets a"],
+    ["bucket", ".causes a"],
   ]) {
     await go(narrow, "#/findings");
     if ((await narrow.locator(link).count()) === 0) continue;
@@ -93,8 +93,8 @@ const go = (page, hash) =>
     location.hash = hash;
   }, hash);
 const hashOf = (page) => page.evaluate(() => location.hash);
-const causesShown = async (page) => (await settled(page), page.locator(".buckets tbody tr a").allInnerTexts());
-const bucketColumn = (page, n) => page.locator(`.buckets tbody td:nth-child(${n})`).allInnerTexts();
+const causesShown = async (page) => (await settled(page), page.locator(".causes tbody tr a").allInnerTexts());
+const causeColumn = (page, n) => page.locator(`.causes tbody td:nth-child(${n})`).allInnerTexts();
 
 /** The page begins with what is new and wrong, its picture and its command; then a line for each other standing. */
 async function leadsToWhatIsNew(page, report) {
@@ -109,7 +109,7 @@ async function leadsToWhatIsNew(page, report) {
   const told = await page.locator("#new .facts dd").nth(4).innerText();
   assert.equal(told, `${buckets.length - 1} and 1 only in earlier runs`);
   const rank = ["new", "back", "known", "rare", "gone"];
-  const order = (await bucketColumn(page, 4)).map((word) => rank.indexOf(word.trim()));
+  const order = (await causeColumn(page, 4)).map((word) => rank.indexOf(word.trim()));
   assert.equal(order.length, buckets.length);
   assert.deepEqual(order, [...order].sort());
   assert.equal(order[0], 0);
@@ -131,17 +131,17 @@ async function leadsToWhatIsNew(page, report) {
   await settled(page);
   assert.equal(await hashOf(page), "#/findings");
 
-  const head = page.locator(".buckets th", { hasText: "findings" });
+  const head = page.locator(".causes th", { hasText: "findings" });
   await head.getByRole("button").click();
   await settled(page);
   assert.equal(await head.getAttribute("aria-sort"), "descending");
-  const counts = (await bucketColumn(page, 3)).map((text) => Number(text.replaceAll(",", "")));
+  const counts = (await causeColumn(page, 3)).map((text) => Number(text.replaceAll(",", "")));
   assert.deepEqual(
     counts,
     [...counts].sort((x, y) => y - x),
   );
-  assert.equal(await page.locator(".buckets th[aria-sort=none]").count(), 4);
-  assert.equal(await page.locator(".buckets .thumb path").count() > 4 * buckets.length, true, "each has a picture");
+  assert.equal(await page.locator(".causes th[aria-sort=none]").count(), 4);
+  assert.equal(await page.locator(".causes .thumb path").count() > 4 * buckets.length, true, "each has a picture");
   await go(page, "#/findings?method=ode");
   await settled(page);
   await page.getByRole("button", { name: "Clear" }).click();
@@ -292,7 +292,7 @@ async function provesAndTurns(page) {
 }
 
 async function readsACause(page) {
-  await page.locator(".buckets a").first().click();
+  await page.locator(".causes a").first().click();
   await page.waitForSelector(".tabs");
   await provesAndTurns(page);
   await page.getByRole("tab", { name: "Worst" }).click();
@@ -447,7 +447,7 @@ async function handlesACause(page, report) {
   const noted = report.buckets.find((b) => b.note),
     found = report.buckets.find((b) => b.simplified === false);
   await go(page, "#/findings");
-  const row = page.locator(".buckets tr", { hasText: "asked upstream" });
+  const row = page.locator(".causes tr", { hasText: "asked upstream" });
   assert.equal(await row.locator("a").innerText(), noted.key);
   await row.locator("a").click();
   await page.waitForSelector(".handling");
@@ -564,7 +564,7 @@ async function explainsItsWords(page) {
   assert.deepEqual(await silent(), []);
   const text = await page.locator("main.overview").textContent();
   assert.ok((await page.locator("#words dt").count()) > 60);
-  for (const title of await page.locator(".buckets th").evaluateAll((all) => all.map((e) => e.title)))
+  for (const title of await page.locator(".causes th").evaluateAll((all) => all.map((e) => e.title)))
     assert.ok((await page.locator("#words").textContent()).includes(title));
   for (const old of [
     /\bcontract\b/,
@@ -600,7 +600,7 @@ async function fitsATelephone(report) {
   });
   await settled(page);
   assert.ok((await wide()) <= 400, `${await wide()} wide`);
-  const card = page.locator(".buckets tbody tr").first();
+  const card = page.locator(".causes tbody tr").first();
   assert.ok((await card.boundingBox()).height > 100, "a cause is a card");
   assert.match(
     await card
@@ -723,14 +723,14 @@ async function goesByKeyboard() {
   await settled(page);
   assert.equal((await focused(page)).leads, leads, "back on its row");
 
-  for (const table of [".heat-table", ".buckets", ".findings"])
+  for (const table of [".heat-table", ".causes", ".findings"])
     assert.equal(await page.locator(`${table} [tabindex='0']`).count(), 1, `${table} is one stop`);
-  await page.locator(".buckets [tabindex='0']").focus();
+  await page.locator(".causes [tabindex='0']").focus();
   const first = await focused(page);
   await page.keyboard.press("ArrowDown");
   const second = await focused(page);
   assert.notEqual(second.leads, first.leads);
-  assert.equal(await page.locator(".buckets [tabindex='0']").getAttribute("href"), second.leads);
+  assert.equal(await page.locator(".causes [tabindex='0']").getAttribute("href"), second.leads);
   await page.keyboard.press("Enter");
   await page.waitForSelector(".detail h2");
   await settled(page);
@@ -801,7 +801,7 @@ async function opensAFirstRun() {
   assert.match(told, /Compared with 3 earlier runs/);
   assert.match(told, /There are no causes of earlier runs to compare with/);
   assert.doesNotMatch(told, /There is no earlier run/);
-  await page.locator(".buckets a").first().click();
+  await page.locator(".causes a").first().click();
   await page.waitForSelector(".handling");
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
   assert.equal(await page.locator(".nights").count(), 0);

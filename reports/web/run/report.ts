@@ -3,7 +3,7 @@
 import { shellQuoted, short } from "../parts/words.ts";
 import type { Answer, Truth } from "../parts/data.ts";
 import { countOf, objectsOf } from "./columns.ts";
-import type { Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
+import type { Cause, Case, FailureMap, Finding, MapCell } from "./data.ts";
 import type { PackedCase, Report, Standing } from "./data.ts";
 import { library } from "./words.ts";
 
@@ -11,7 +11,7 @@ export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases
   readonly findings: Finding[]; // put back when first asked for, as maps are: what is seen first needs neither
   readonly maps: FailureMap[];
   findings_kept: number;
-  buckets: Bucket[];
+  buckets: Cause[];
 }
 
 type Ends = [number, number];
@@ -99,13 +99,13 @@ export function expand(report: Report): FullReport {
   };
 }
 
-/** How a finding stands against earlier runs: as its bucket does, else as its group. */
+/** How a finding stands against earlier runs: as its cause does, else as its group. */
 export function standings(report: FullReport): (f: Finding) => Standing | null {
-  const ofBucket = new Map(report.buckets.map((b) => [b.key, b.standing]));
+  const ofCause = new Map(report.buckets.map((b) => [b.key, b.standing]));
   const key = (g: { method: string; kind: string; severity: string; family: string }) =>
     [g.method, g.kind, g.severity, g.family].join("\n");
   const ofGroup = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
-  return (f) => (f.bucket !== null ? ofBucket.get(f.bucket) : null) ?? ofGroup.get(key(f)) ?? null;
+  return (f) => (f.bucket !== null ? ofCause.get(f.bucket) : null) ?? ofGroup.get(key(f)) ?? null;
 }
 
 /** Causes by standing; null if there is no earlier run. */

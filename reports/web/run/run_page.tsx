@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
+// The page of a run: an overview in sections, and a view of one cause or finding by the part of the address after '#'.
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Words } from "../parts/glossary.tsx";
 import { grouped, safe, seconds } from "../parts/words.ts";
 import { useAddress, type Address } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
-import { BucketView } from "./cause.tsx";
+import { CauseView } from "./cause.tsx";
 import { NotInThisRun } from "./elements.tsx";
 import { FindingView } from "./finding.tsx";
 import { Findings } from "./findings.tsx";
@@ -100,7 +100,7 @@ export function RunPage({ report }: { report: FullReport }) {
   const scrolled = useRef(0);
   const wasDetail = useRef(detail);
   const finding = useMemo(() => new Map((isWhole ? report.findings : []).map((f) => [f.id, f])), [report, isWhole]);
-  const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
+  const cause = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
 
   useEffect(() => {
     const remember = () => {
@@ -125,7 +125,7 @@ export function RunPage({ report }: { report: FullReport }) {
       {detail && (
         <main class="detail">
           {view === "bucket" && (
-            <BucketView report={report} bucket={bucket.get(named)} finding={finding} named={named} key={named} />
+            <CauseView report={report} cause={cause.get(named)} finding={finding} named={named} key={named} />
           )}
           {view === "finding" && (
             <FindingView report={report} finding={finding.get(Number(named))} named={named} key={named} />

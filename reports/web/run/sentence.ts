@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A cause in one plain sentence.
 import { short } from "../parts/words.ts";
-import type { Bucket } from "./data.ts";
+import type { Cause } from "./data.ts";
 import { kindLabel, library } from "./words.ts";
 
 /** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
  *  other libraries: the amount may be of any. */
-function whoOf({ method, methods }: Bucket): [string, boolean] {
+function whoOf({ method, methods }: Cause): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   const libraries = new Set(methods.map(library)).size;
   if (libraries === 1) return [`${library(methods[0]!)} (${methods.length} methods)`, false];
@@ -14,12 +14,12 @@ function whoOf({ method, methods }: Bucket): [string, boolean] {
 }
 
 /** The largest margin that is proved of a finding of the cause. */
-function largestOf({ kind, margin, worst }: Bucket) {
+function largestOf({ kind, margin, worst }: Cause) {
   const pair = kind === "distance_outside" ? 0 : (worst.margin?.[0] ?? 0);
   return Math.max(margin?.[1] ?? 0, pair);
 }
 
-export function sentenceOf(b: Bucket): string {
+export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
     { a, b: other } = b.worst.pair,

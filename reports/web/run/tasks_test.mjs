@@ -48,7 +48,7 @@ async function isItProved(page, click) {
 
 async function sinceWhen(page, click) {
   await click(page.locator(".changes a", { hasText: "known" }));
-  assert.match(await read(page, page.locator(".buckets tbody td").nth(4)), /^2026-11-19 /);
+  assert.match(await read(page, page.locator(".causes tbody td").nth(4)), /^2026-11-19 /);
 }
 
 async function sendIt(page, click) {

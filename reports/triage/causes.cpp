@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 
 #include <fmt/format.h>
 
@@ -37,12 +37,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr Caps share_caps{.call_cpu = shown_caps.call_cpu, .call_wall = shown_caps.call_wall, .hangs = 2};
+constexpr Caps share_caps = attended_caps(2);
 /// The seed of the sample of a stratum.
 constexpr std::uint64_t share_seed = 1;
-/// The most pairs tried as the simplest of a bucket, until its method fails on one.
+/// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
-/// The most keys listed with a bucket.
+/// The most keys listed with a cause.
 constexpr std::size_t merged_cap = 200;
 
 /// Puts simplified candidates before candidates as found, and then the simplest first.
@@ -128,7 +128,7 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
 
 /// `simplest` is the pair as it was shown. The worst pair is often the same pair. A hang is not shown again,
 /// because no hang is worse than another and each costs a second.
-void show_worst(Bucket& b, const CauseFindings& group, const ShownPair& simplest, PairShower& shower,
+void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
   const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
   const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, file_name_of(b.key));
@@ -165,14 +165,14 @@ Pair like(const Pair& drawn, const Pair& model, bool moved) {
 
 /// Counts how often the method fails in the same way on drawn pairs of the same stratum. They have the size
 /// of the simplest pair and, if that matters, its place.
-std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, ContactFeature feature, bool moved,
-                                      const std::unique_ptr<Method>& method, FindingKind kind) {
+std::optional<Cause::Share> share_of(const Pair& simplest, double margin, ContactFeature feature, bool moved,
+                                     const std::unique_ptr<Method>& method, FindingKind kind) {
   std::vector<Pair> pairs;
   for (std::uint64_t index = 0; index < share_sample; ++index)
     if (const auto drawn = draw_in_stratum(feature, margin_decade(margin), share_seed, index))
       pairs.push_back(like(*drawn, simplest, moved));
   if (pairs.empty()) return {};
-  Bucket::Share share;
+  Cause::Share share;
   for (const Trial& trial : try_method(method, pairs, share_caps)) {
     if (trial.answer().status == Status::declined || trial.truth.verdict == Verdict::undecided) continue;
     ++share.asked;
@@ -186,7 +186,7 @@ bool is_of_scale(Mechanism m) {
 }
 
 /// Fills in what is seen of the simplest pair and its stratum.
-void show_simplest(Bucket& b, const CauseFindings& group, const ShownPair& shown,
+void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
                    std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
   const Trial& now = shown.trial;
   const Pair& pair = group.simplest->pair;
@@ -206,11 +206,11 @@ void show_simplest(Bucket& b, const CauseFindings& group, const ShownPair& shown
   if (!m) return;
   if (b.kind == FindingKind::bad_witness)
     if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
-      b.cause += "; on the simplest pair " + miss;
+      b.description += "; on the simplest pair " + miss;
   if (drawn && b.seen_again && is_of_scale(b.mechanism)) {
     const Failing failing{*m, b.kind, pair};
     const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
-    if (!scale.empty()) b.cause += "; the simplest pair is " + scale;
+    if (!scale.empty()) b.description += "; the simplest pair is " + scale;
   }
   // If the method hangs, each question would cost a second or two.
   const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
@@ -227,8 +227,8 @@ int rank_of(Severity severity) {
 }
 
 /// Sums up the findings of a cause.
-Bucket sum_up(const std::string& key, const CauseFindings& group, const BucketCount& count) {
-  Bucket b;
+Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCount& count) {
+  Cause b;
   b.key = key;
   b.method = group.first().method;
   b.kind = group.first().kind;
@@ -248,7 +248,7 @@ Bucket sum_up(const std::string& key, const CauseFindings& group, const BucketCo
   }
   for (const std::string& merged : group.merged)
     if (b.merged.size() < merged_cap) b.merged.push_back(merged);
-  b.cause = cause_in_words(key, b.mechanism, reasons);
+  b.description = cause_in_words(key, b.mechanism, reasons);
   return b;
 }
 
@@ -266,18 +266,18 @@ std::string file_name_of(std::string_view key) {
   return replaced ? name + '.' + letter_hash(key) : name;
 }
 
-std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& of,
-                                 const std::function<bool()>& out_of_time) {
+std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
+                               const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);
-  const std::map<std::string, BucketCount> counts = count_by_bucket(records);
+  const std::map<std::string, CauseCount> counts = count_by_cause(records);
   PairShower shower(of.methods, out_of_time);
-  std::vector<Bucket> buckets;
+  std::vector<Cause> causes;
   for (auto& [key, group] : groups) {
     choose_simplest(group, of.methods, out_of_time);
     if (!group.simplest) continue;  // none of its pairs can be read
     const auto counted = counts.find(key);
-    const BucketCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
-    Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
+    const CauseCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
+    Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
     const auto blamed = failing_method_of(group.first(), of.methods);
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
     const ShownPair shown = shower.show(group.simplest->pair, failing);
@@ -285,13 +285,13 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
     show_worst(b, group, shown, shower, of.methods, records.folder);
     b.ordinary = is_ordinary(group.simplest->pair);
     b.labels = labels_of(b, group, shown.trial, of);
-    buckets.push_back(std::move(b));
+    causes.push_back(std::move(b));
   }
-  std::stable_sort(buckets.begin(), buckets.end(), [](const Bucket& x, const Bucket& y) {
+  std::stable_sort(causes.begin(), causes.end(), [](const Cause& x, const Cause& y) {
     return std::tuple(rank_of(x.severity), !x.ordinary, y.count) <
            std::tuple(rank_of(y.severity), !y.ordinary, x.count);
   });
-  return buckets;
+  return causes;
 }
 
 }  // namespace cyl

@@ -9,7 +9,7 @@
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/store/run_facts.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 
 namespace cyl {
 namespace {
@@ -17,9 +17,9 @@ namespace {
 /// The most nights that are shown with a cause.
 constexpr std::size_t nights_cap = 60;
 
-/// Returns the run's bucket of that cause, if the run has it.
-const Bucket* find(const TriagedRun& run, const Bucket& of) {
-  for (const Bucket& b : run.buckets)
+/// Returns the cause with the key of `of`, if the run has it.
+const Cause* find(const TriagedRun& run, const Cause& of) {
+  for (const Cause& b : run.causes)
     if (b.status != Recurrence::gone && b.key == of.key) return &b;
   return nullptr;
 }
@@ -30,8 +30,8 @@ struct Seen {
   std::string key;  ///< of the cause in that run
 };
 
-Seen seen_in(const TriagedRun& run, const Bucket& of) {
-  const Bucket* const found = find(run, of);
+Seen seen_in(const TriagedRun& run, const Cause& of) {
+  const Cause* const found = find(run, of);
   return {&run, found != nullptr ? found->key : of.key};
 }
 
@@ -91,7 +91,7 @@ std::string version_in(const TriagedRun& run, const std::string& method) {
   return {};
 }
 
-void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& earlier, std::size_t compared) {
+void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& earlier, std::size_t compared) {
   b.first_seen = b.last_seen = run.id;
   b.first_version = b.last_version = version_in(run, b.method);
   std::vector<Seen> seen;
@@ -102,7 +102,7 @@ void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& ea
   for (const TriagedRun& past : earlier) {
     observations.push_back(observation_of(seen[observations.size()], places));
     if (observations.back().asked > 0) b.history.push_back({past.id, past.started, observations.back()});
-    const Bucket* const found = find(past, b);
+    const Cause* const found = find(past, b);
     if (found == nullptr || b.first_seen != run.id) continue;
     b.first_seen = found->first_seen;
     b.first_version = found->first_version.empty() ? version_in(past, b.method) : found->first_version;
@@ -116,9 +116,9 @@ void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& ea
   b.chance = standing.chance;
 }
 
-/// Returns the state of a bucket of the last run that this run lacks. Nothing if no method of it was asked.
-std::optional<Bucket> missed(Bucket b, const TriagedRun& run, const std::vector<TriagedRun>& earlier,
-                             std::size_t compared, const FailsToday& fails_today) {
+/// Returns the state of a cause of the last run that this run lacks. Nothing if no method of it was asked.
+std::optional<Cause> missed(Cause b, const TriagedRun& run, const std::vector<TriagedRun>& earlier,
+                            std::size_t compared, const FailsToday& fails_today) {
   const bool asked = std::any_of(b.methods.begin(), b.methods.end(), [&](const std::string& name) {
     return std::any_of(run.methods.begin(), run.methods.end(),
                        [&](const MethodRecord& m) { return m.name == name; });
@@ -142,7 +142,7 @@ std::optional<Bucket> missed(Bucket b, const TriagedRun& run, const std::vector<
   return b;
 }
 
-int place_of(const Bucket& b) {
+int place_of(const Cause& b) {
   if (b.status == Recurrence::fresh) return 0;
   if (b.status == Recurrence::back) return 1;
   return b.status == Recurrence::gone ? 3 : 2;
@@ -154,7 +154,7 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
                                const std::vector<FindingHead>& findings,
                                const std::vector<CauseRecord>& causes) {
   std::map<std::int64_t, const std::string*> cause_of;
-  for (const CauseRecord& c : causes) cause_of[c.finding] = &c.bucket;
+  for (const CauseRecord& c : causes) cause_of[c.finding] = &c.cause;
   ExaminedGroups examined;
   for (const GroupRecord& g : groups) examined[g].found = g.count;
   for (const FindingHead& f : findings) {
@@ -169,28 +169,28 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
 
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today) {
-  std::vector<const Bucket*> absent;
+  std::vector<const Cause*> absent;
   if (!earlier.empty())
-    for (const Bucket& b : earlier.back().buckets)
+    for (const Cause& b : earlier.back().causes)
       if (find(run, b) == nullptr) absent.push_back(&b);
-  const std::size_t compared = run.buckets.size() + absent.size();
-  std::vector<Bucket> not_met;
-  for (const Bucket* b : absent)
+  const std::size_t compared = run.causes.size() + absent.size();
+  std::vector<Cause> not_met;
+  for (const Cause* b : absent)
     if (auto now = missed(*b, run, earlier, compared, fails_today)) not_met.push_back(std::move(*now));
-  for (Bucket& b : run.buckets) compare(b, run, earlier, compared);
-  for (Bucket& b : not_met) run.buckets.push_back(std::move(b));
-  std::stable_sort(run.buckets.begin(), run.buckets.end(),
-                   [](const Bucket& x, const Bucket& y) { return place_of(x) < place_of(y); });
+  for (Cause& b : run.causes) compare(b, run, earlier, compared);
+  for (Cause& b : not_met) run.causes.push_back(std::move(b));
+  std::stable_sort(run.causes.begin(), run.causes.end(),
+                   [](const Cause& x, const Cause& y) { return place_of(x) < place_of(y); });
 }
 
-std::string what_changed(const std::vector<Bucket>& buckets) {
-  const auto is_compared = [](const Bucket& b) { return b.status.has_value(); };
-  if (std::none_of(buckets.begin(), buckets.end(), is_compared)) return counted(buckets.size(), "cause");
+std::string what_changed(const std::vector<Cause>& causes) {
+  const auto is_compared = [](const Cause& b) { return b.status.has_value(); };
+  if (std::none_of(causes.begin(), causes.end(), is_compared)) return counted(causes.size(), "cause");
   std::string text;
   for (const Recurrence status :
        {Recurrence::fresh, Recurrence::back, Recurrence::known, Recurrence::gone, Recurrence::rare}) {
     const auto n =
-        std::count_if(buckets.begin(), buckets.end(), [&](const Bucket& b) { return b.status == status; });
+        std::count_if(causes.begin(), causes.end(), [&](const Cause& b) { return b.status == status; });
     if (n == 0 && status != Recurrence::fresh) continue;
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", n, to_string(status),
                         !text.empty() ? ""
@@ -200,9 +200,9 @@ std::string what_changed(const std::vector<Bucket>& buckets) {
   return text;
 }
 
-void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
+void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,
               std::string_view today) {
-  for (Bucket& b : buckets) {
+  for (Cause& b : causes) {
     const Suppression* const s = find_suppression(suppressions, b.key, today);
     b.suppressed = s != nullptr ? std::optional(*s) : std::nullopt;
   }

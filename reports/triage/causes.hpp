@@ -35,7 +35,7 @@ struct ShownCase {
 };
 
 /// A cause: the findings with this cause, and the data that is shown of them.
-struct Bucket {
+struct Cause {
   /// How often a method fails in the same way on pairs drawn from the stratum.
   struct Share {
     std::uint64_t wrong = 0, asked = 0;
@@ -65,7 +65,7 @@ struct Bucket {
   bool worst_was_searched = false;  ///< it comes from a search and is not a finding
   std::string feature, coordinate;  ///< of the simplest pair, in words
   Mechanism mechanism = Mechanism::unclassified;
-  std::string cause;                ///< in words
+  std::string description;          ///< in words
   std::vector<std::string> labels;  ///< the cause and further labels
   std::optional<Share> share;
   std::optional<Recurrence> status;  ///< empty if there is no earlier run
@@ -92,51 +92,51 @@ struct TriagedRun {
   std::string id, started;
   std::vector<MethodRecord> methods;  ///< those that are here
   std::vector<TallyRecord> tallies;
-  std::vector<Bucket> buckets;
+  std::vector<Cause> causes;
   ExaminedGroups examined;
   double part = 1;  ///< of its findings that were looked at
 };
 
-/// In the form of the page's Bucket, in which it is stored too.
-nlohmann::json to_json(const Bucket& bucket);
-nlohmann::json to_json(const std::vector<Bucket>& buckets);
+/// In the form of the page's Cause, in which it is stored too.
+nlohmann::json to_json(const Cause& cause);
+nlohmann::json to_json(const std::vector<Cause>& causes);
 /// Reads the output of to_json(), except for the suppression. Throws nlohmann::json::exception if the value
 /// has another form.
-Bucket bucket_from_json(const nlohmann::json& stored);
+Cause cause_from_json(const nlohmann::json& stored);
 
-/// Makes the buckets, those beyond claims first, then by count. Status, first and last seen are not set. The
+/// Makes the causes, those beyond claims first, then by count. Status, first and last seen are not set. The
 /// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
 /// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
 /// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
-/// pair of each bucket, and the bucket's own method about a sample of the stratum. Once `out_of_time()`, it
-/// asks the bucket's own method about the simplest pair only.
-std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& methods,
-                                 const std::function<bool()>& out_of_time);
+/// pair of each cause, and the cause's own method about a sample of the stratum. Once `out_of_time()`, it
+/// asks the cause's own method about the simplest pair only.
+std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
+                               const std::function<bool()>& out_of_time);
 
-/// Returns whether the stored pair of an earlier run's bucket fails now as it did then, or nothing if that is
+/// Returns whether the stored pair of an earlier run's cause fails now as it did then, or nothing if that is
 /// unknown.
-using FailsToday = std::function<std::optional<bool>(const Bucket&)>;
+using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 
-/// Sets status, chance, nights, first and last seen of the run's buckets, compared with `earlier` triaged
-/// runs, the earliest first. Adds the buckets of the last one that the run does not have: known if a stored
-/// pair fails now, gone if all are right. Methods that the run did not ask lose nothing. New buckets come
+/// Sets status, chance, nights, first and last seen of the run's causes, compared with `earlier` triaged
+/// runs, the earliest first. Adds the causes of the last one that the run does not have: known if a stored
+/// pair fails now, gone if all are right. Methods that the run did not ask lose nothing. New causes come
 /// first, then those that are back, then the others in their order, and last those that are gone.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today);
 
 /// Marks what is suppressed, by its key.
-void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
+void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,
               std::string_view today);
-/// Returns "libccd-mpr.wrong_disjoint" for that key with '/': the name of the files of a bucket's pairs,
+/// Returns "libccd-mpr.wrong_disjoint" for that key with '/': the name of the files of a cause's pairs,
 /// without the ending. Characters that a file name should not have are replaced, and letters distinguish such
 /// names.
 std::string file_name_of(std::string_view key);
 
 /// Returns "1 new cause, 34 known, 1 gone", without zeros, or "35 causes" without an earlier run.
-std::string what_changed(const std::vector<Bucket>& buckets);
+std::string what_changed(const std::vector<Cause>& causes);
 
-/// A line a bucket: findings, margins, what is wrong and the simplest pair.
-std::string format_buckets(const std::vector<Bucket>& buckets);
+/// A line a cause: findings, margins, what is wrong and the simplest pair.
+std::string format_causes(const std::vector<Cause>& causes);
 
 /// Pairs drawn to see which share of a stratum fails.
 inline constexpr std::uint64_t share_sample = 64;

@@ -8,7 +8,7 @@
 #include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
-#include "reports/triage/buckets.hpp"
+#include "reports/triage/causes.hpp"
 
 namespace cyl {
 namespace {
@@ -30,7 +30,7 @@ void visit_plain(B& b, Visit visit) {
   visit("seen_again", b.seen_again);
   visit("feature", b.feature);
   visit("coordinate", b.coordinate);
-  visit("cause", b.cause);
+  visit("cause", b.description);
   visit("labels", b.labels);
   visit("first_seen", b.first_seen);
   visit("last_seen", b.last_seen);
@@ -61,12 +61,12 @@ ShownCase case_of(const Json& j) {
   return shown;
 }
 
-Json share_json(const std::optional<Bucket::Share>& share) {
+Json share_json(const std::optional<Cause::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
 }
 
 /// Returns the rate per million pairs, with bounds at 95 %.
-Json observation_json(const Bucket::RunObservation& night) {
+Json observation_json(const Cause::RunObservation& night) {
   constexpr double million = 1e6;
   const Observation& s = night.sight;
   const RateBounds bounds = rate_bounds(s.asked, s.count);
@@ -98,12 +98,12 @@ std::string counted(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-std::string format_bucket(const Bucket& b) {
+std::string format_cause(const Cause& b) {
   std::string text =
       fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
                   b.status ? std::string(", ") + to_string(*b.status) : "",
                   b.chance && *b.chance < chance_margin ? fmt::format(" (chance {:.1g})", *b.chance) : "",
-                  b.suppressed ? ", suppressed" : "", b.cause);
+                  b.suppressed ? ", suppressed" : "", b.description);
   text += fmt::format("    {} in {}, of {}", counted(b.count, "finding", "findings"),
                       counted(b.families.size(), "family", "families"),
                       counted(b.methods.size(), "method", "methods"));
@@ -117,7 +117,7 @@ std::string format_bucket(const Bucket& b) {
 
 }  // namespace
 
-Json to_json(const Bucket& b) {
+Json to_json(const Cause& b) {
   Json j{{"kind", to_string(b.kind)},
          {"simplest", parse_json(b.simplest.page)},
          {"worst", b.worst ? parse_json(b.worst->page) : Json()},
@@ -131,19 +131,19 @@ Json to_json(const Bucket& b) {
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["standing"] = to_string(*b.status);
   if (b.chance) j["chance"] = *b.chance;
-  for (const Bucket::RunObservation& night : b.history) j["nights"].push_back(observation_json(night));
+  for (const Cause::RunObservation& night : b.history) j["nights"].push_back(observation_json(night));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
 
-Json to_json(const std::vector<Bucket>& buckets) {
+Json to_json(const std::vector<Cause>& causes) {
   Json all = Json::array();
-  for (const Bucket& b : buckets) all.push_back(to_json(b));
+  for (const Cause& b : causes) all.push_back(to_json(b));
   return all;
 }
 
-Bucket bucket_from_json(const Json& j) {
-  Bucket b;
+Cause cause_from_json(const Json& j) {
+  Cause b;
   visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
   b.simplest = case_of(j.at("simplest"));
   if (const Json& worst = j.at("worst"); !worst.is_null()) {
@@ -156,7 +156,7 @@ Bucket bucket_from_json(const Json& j) {
   if (const Json& margin = j.at("margin"); !margin.is_null())
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
   if (const Json& share = j.at("share"); !share.is_null())
-    b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
+    b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null()) b.status = word_of<Recurrence>(status);
   if (const Json& chance = j.at("chance"); !chance.is_null()) b.chance = chance.get<double>();
   for (const Json& night : j.at("nights"))
@@ -164,9 +164,9 @@ Bucket bucket_from_json(const Json& j) {
   return b;
 }
 
-std::string format_buckets(const std::vector<Bucket>& buckets) {
+std::string format_causes(const std::vector<Cause>& causes) {
   std::string text;
-  for (const Bucket& b : buckets) text += format_bucket(b);
+  for (const Cause& b : causes) text += format_cause(b);
   return text;
 }
 
