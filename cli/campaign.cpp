@@ -389,9 +389,10 @@ void add_campaign(Program& program) {
       .not_empty("the folder of a run is expected");
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.section("Self-check");
-  command.flag("--self-check,--alarm", arguments->self_check,
-               "plant known faults; fail if one is missed (default: if the limit is 5 minutes or 3,000,000 "
-               "pairs, or higher)");
+  command.flag(
+      "--self-check,--alarm", arguments->self_check,
+      "plant known faults; fail if one is missed (default: on from a limit of 5 minutes or 3,000,000 "
+      "pairs)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");

@@ -209,8 +209,10 @@ void add_check(Program& program) {
   command.flag("--text", options->text, "write sentences instead of JSON");
   command.section("Question");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
-  command.option("--clearance LENGTH", options->clearance,
-                 "decide whether the gap is at most this length: a grows by it");
+  command
+      .option("--clearance LENGTH", options->clearance,
+              "decide whether the gap is at most this length, which is added to the rounding of a in doubles")
+      .not_empty("a length is expected");
   command.section("Methods");
   command
       .option("--method NAME", options->method, "ask this method instead; its answer is reported, not proved")

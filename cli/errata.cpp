@@ -149,7 +149,7 @@ int show_errata(const ErrataOptions& options) {
 void add_errata(Program& program) {
   Command command = program.command(
       "Understand", "errata",
-      "Shows the errata of the documents of this project, each with its kind, a pair and a proof");
+      "Lists the errors in the published texts that this project started from, with pairs and proofs");
   auto options = std::make_shared<ErrataOptions>();
   command.option("ID", options->id, "erratum to show; all if none is given");
   command.section("Output");

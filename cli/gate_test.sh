@@ -128,9 +128,9 @@ gate 64 --pairs 0
 printf '{"bucket":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
 gate 2 --method intersect --pairs 100 --suppressions stale.jsonl --junit stale.xml --json stale.json --github
 holds 'a stale suppression' out 'nobody/hang \(line 1\) matches no stored case'
-holds 'a stale suppression' out '^::error title=daylight gate, suppressions::'
-holds 'a stale suppression' stale.xml '<failure type="suppression"'
-holds 'a stale suppression' stale.json '"fails": true'
+holds 'a stale suppression' out '^::error title=daylight gate::'
+holds 'a stale suppression' stale.xml '<failure type="remark"'
+holds 'a stale suppression' stale.json '"exit_code": 2'
 gate 64 --method nobody
 gate 64 --reproduce nonsense
 gate 1 --against ours.xml

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,10 @@
 #include "cli/targets.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
+#include "corpus/store/run_store.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "fuzz/campaign/climbed.hpp"
+#include "oracles/trial/trial.hpp"
 #include "reports/explain/explain.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/triage/cause_notes.hpp"
@@ -54,8 +58,7 @@ int triage(const TriageArguments& arguments) {
   options.against = arguments.against;
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
   options.jobs = arguments.jobs;
-  options.suppressions =
-      read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
+  options.suppressions = read_suppressions(arguments.suppressions, in_source_tree("suppressions.jsonl"));
   options.today = today();
   options.build = build_info().text();
   if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus/cases"));
@@ -115,23 +118,36 @@ int explain_cause(const TriageArguments& arguments) {
   return exit_pass;
 }
 
+/// Returns the first stored failure of another method with the cause.
+std::optional<OneFailure> stored_failure(const TriageArguments& arguments, const nlohmann::json& cause) {
+  const auto ids = cause.at("findings").get<std::set<std::int64_t>>();
+  for (const FindingRecord& f : RunStore::open(arguments.run).findings())
+    if (ids.contains(f.id) && f.method == arguments.method)
+      if (const CaseLine line = parse_case(f.pair, 1); line.value)
+        return OneFailure{f.method, f.kind, line.value->pair};
+  return {};
+}
+
 int export_cause(const TriageArguments& arguments) {
   const nlohmann::json cause = find_cause(arguments, arguments.exported);
   OneFailure failure = failure_in(cause);
+  const auto set = methods_for_targets(arguments.guests, {arguments.run});
   const auto names = cause.at("methods").get<std::vector<std::string>>();
   if (!arguments.method.empty()) {
     if (std::find(names.begin(), names.end(), arguments.method) == names.end())
       throw UsageError(
           fmt::format("cause '{}' has the methods {}", arguments.exported, fmt::join(names, ", ")));
     failure.method = arguments.method;
+    const auto method = position_of(set.methods, arguments.method);
+    if (method && !try_method(set.methods[*method], failure.pair).fails(failure.kind))
+      failure = stored_failure(arguments, cause).value_or(failure);
   } else if (names.size() > 1) {
     fmt::print("the methods {} share this cause, and this exports {} (--method selects another)\n",
                fmt::join(names, ", "), failure.method);
   }
   if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
-  return export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sent,
-                        arguments.out);
+  return export_failure(set, failure, arguments.sent, arguments.out);
 }
 
 int annotate_cause(const TriageArguments& arguments) {

@@ -13,7 +13,7 @@ daylight=$scratch/bin/daylight
 triage() { # with more time until every finding was looked at
   local seconds
   for seconds in 2 8 32 128; do
-    expect 2 "triage $1" "$daylight" triage "$@" --for "${seconds}s" --suppressions none.jsonl
+    expect 2 "triage $1" "$daylight" triage "$@" --for "${seconds}s" --suppressions ''
     grep -q 'findings remain: run triage again' out || return 0
   done
 }
@@ -77,11 +77,11 @@ expect 2 'another night' "$daylight" "${night[@]}" --seed 4 --out night2
 triage night2
 holds 'nothing is new' out '^0 new causes, '
 lacks 'nothing is gone' out ', gone'
-expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json --suppressions none.jsonl
+expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json --suppressions ''
 holds 'what changed is still told' out '^0 new causes, [0-9]+ known'
 lacks 'no known cause is listed' out '^\* '
 equal 'none is written' '[]' "$(<new.json)"
-expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json --suppressions none.jsonl
+expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json --suppressions ''
 equal 'all are new' "$(grep -c '"key"' causes.json)" "$(grep -c '"key"' new.json)"
 page_data night2/report.html >page.json
 expect 0 'the page has what was noted, and the nights' python3 - page.json <<'END'

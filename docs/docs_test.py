@@ -178,6 +178,7 @@ def prepare(folder):
     solid = '{"center":[%s,0,0],"axis":[0,%s,1],"radius":1,"height":2}'
     pair = '{"a":' + solid % ('0', '0') + ',"b":' + solid % ('%s', '1') + '}\n'
     (folder / 'pairs.jsonl').write_text(pair % '2.5' + pair % '1')
+    (folder / 'known.jsonl').write_text('')
     (folder / 'one.jsonl').write_text(
         (ROOT / 'corpus/cases/hand_made.jsonl').read_text().splitlines()[75] + '\n')
     for name in ('corpus', 'docs'):

@@ -11,8 +11,9 @@ namespace cyl {
 using Vector3 = Eigen::Vector3d;
 
 /// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of it. The solid is
-/// defined by axis/|axis| taken exactly, so the axis may have any finite non-zero length. Radius 0 is a
-/// segment, height 0 a disk, both a point: all legal. With rounding a segment is a capsule, a point a sphere.
+/// defined by axis/|axis| taken exactly, so the axis may have any finite non-zero length. With radius 0 it is
+/// a segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
+/// segment is a capsule, a point a sphere.
 struct Cylinder {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
   Vector3 axis{0, 0, 1};    ///< any finite non-zero vector
@@ -39,13 +40,14 @@ constexpr auto words_of(Verdict) noexcept {
   return std::array{"disjoint", "intersecting", "touching", "undecided", "invalid"};
 }
 
-/// The plane, line or point that holds a solid that is flat, or nearly flat. No double may hold the
-/// coordinates of a common point exactly; as the nearest point in a hull it is still defined exactly.
+/// The smallest flat set that holds a flat solid, else the space. A common point of flat solids may have
+/// coordinates that no double represents. An answer then gives a point in doubles, and the common point is
+/// the point of the hull that is nearest to it. A solid no thicker than rounding errors counts as flat.
 enum class Hull : unsigned char {
   space,
-  plane,  ///< through the centre, square to the axis: of a disk
-  line,   ///< the axis: of a segment
-  center  ///< of a point
+  plane,  ///< of a disk: through the centre, square to the axis
+  line,   ///< of a segment: the axis
+  center  ///< of a point: the point
 };
 /// The words used in files and on screens.
 constexpr auto words_of(Hull) noexcept { return std::array{"space", "plane", "line", "center"}; }

@@ -71,6 +71,7 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
   }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, 0);
+  if (Verdict there = Verdict::undecided; intersect_at_moderate_scale(a, b, 0, there)) return there;
   return intersect_couple(scale(a, b).couple());
 }
 

@@ -245,11 +245,11 @@ Prepared rescaled(Prepared c, int exponent) noexcept {
   return c;
 }
 
-// If the solids are not moderate, but would be at another scale, returns the verdict at that scale, else
-// `undecided`. So one computation decides a pair at all its scales. Other computations may differ from it
-// within rounding of touching. The largest length comes to its limit, which leaves the most room for small
-// lengths.
-Verdict intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double clearance) noexcept {
+}  // namespace
+
+// The largest length comes to its limit, which leaves the most room for small lengths.
+bool intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double clearance,
+                                 Verdict& verdict) noexcept {
   int largest = -2000;  // below every exponent
   for (const Prepared* const c : {&a, &b}) {
     for (const double x : {c->radius, c->height, c->rounding, clearance})
@@ -260,17 +260,16 @@ Verdict intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double
   const int exponent = moderate_exponent - largest;
   const Prepared first = rescaled(a, exponent), second = rescaled(b, exponent);
   const double moved = std::ldexp(clearance, exponent);
-  if (!(first.moderate & second.moderate) || std::ldexp(moved, -exponent) != clearance)
-    return Verdict::undecided;
-  return intersect_rounded(first, second, moved);
+  if (!(first.moderate & second.moderate) || std::ldexp(moved, -exponent) != clearance) return false;
+  verdict = within(first, second, moved);
+  return true;
 }
-
-}  // namespace
 
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
   if (a.moderate & b.moderate & (clearance <= moderate_length)) {
     const Vector3 delta = b.center - a.center;
+    if (a.ball & b.ball) return verdict_of(dot(delta, delta) <= contact_distance * contact_distance);
     if (a.thin & b.thin) {
       const double c = dot(a.unit_axis, b.unit_axis);
       const NearestParameters nearest = nearest_of_segments(
@@ -287,8 +286,7 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
       seen = out_of_order(a, b) ? classify_by_projection(b, a, contact_distance)
                                 : classify_by_projection(a, b, contact_distance);
     if (seen != QuickVerdict::neither) return verdict_of(seen == QuickVerdict::intersecting);
-  } else if (const Verdict there = intersect_at_moderate_scale(a, b, clearance);
-             there != Verdict::undecided) {
+  } else if (Verdict there = Verdict::undecided; intersect_at_moderate_scale(a, b, clearance, there)) {
     return there;
   }
   if (contact_distance >= huge_distance)

@@ -67,8 +67,8 @@ Suppression parse(const std::string& text, std::size_t line) {
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.first == key; });
     if (field == fields.end()) refuse(line, text.find(Json(key).dump()), "'" + key + "' is not a field");
-    if (!value.is_string() || value.get<std::string>().empty())
-      refuse(line, place_of(text, key), key + " is not a text");
+    if (!value.is_string()) refuse(line, place_of(text, key), key + " is not a text");
+    if (value.get<std::string>().empty()) refuse(line, place_of(text, key), key + " is empty: fill it in");
     s.*field->second = value.get<std::string>();
   }
   for (const auto& [key, member] : fields)
@@ -93,8 +93,14 @@ std::vector<Suppression> read_suppressions(std::istream& in) {
   return all;
 }
 
-std::vector<Suppression> read_suppressions(const std::string& file) {
-  if (file.empty() || !std::filesystem::exists(file)) return {};
+std::vector<Suppression> read_suppressions(const std::optional<std::string>& given,
+                                           const std::string& usual) {
+  const std::string file = given.value_or(usual);
+  if (file.empty()) return {};
+  if (!std::filesystem::exists(file)) {
+    if (given) throw UsageError(file + ": is not a file; '' means no suppressions");
+    return {};
+  }
   std::ifstream in(file);
   try {
     std::vector<Suppression> all = read_suppressions(in);

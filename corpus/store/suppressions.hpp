@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,9 @@ struct Suppression {
 
 /// Throws std::invalid_argument "line 3, column 17: ..." at the first bad line; columns count bytes from 1.
 std::vector<Suppression> read_suppressions(std::istream& in);
-/// Reads a file; one that is not there has none. Throws UsageError, with the file's name before that text.
-std::vector<Suppression> read_suppressions(const std::string& file);
+/// Reads the given file, else the usual one, which may be absent. An empty name means none. Throws UsageError
+/// if the given file does not exist, or with the file's name before the text above.
+std::vector<Suppression> read_suppressions(const std::optional<std::string>& given, const std::string& usual);
 
 /// Returns the line that it is read from.
 std::string line_of(const Suppression& suppression);

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/usage_error.hpp"
+
 namespace cyl {
 namespace {
 
@@ -65,7 +67,9 @@ TEST(Suppressions, HoldToTheEndOfTheirLastDay) {
 }
 
 TEST(Suppressions, OfAFileThatIsNotThereAreNone) {
-  EXPECT_TRUE(read_suppressions(std::string("no-such-file.jsonl")).empty());
+  EXPECT_TRUE(read_suppressions(std::nullopt, "no-such-file.jsonl").empty());
+  EXPECT_TRUE(read_suppressions("", "no-such-file.jsonl").empty());
+  EXPECT_THROW(read_suppressions("no-such-file.jsonl", ""), UsageError);
 }
 
 }  // namespace

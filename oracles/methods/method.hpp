@@ -34,10 +34,11 @@ struct Claim {
   // No library documents any of these.
   bool bitwise_stable =
       false;  ///< If a transformation is exact, such as scaling by 2^k, the answer keeps every digit.
-  bool mirror_invariant = false;  ///< Its verdict never changes if the signs of coordinates are flipped.
-  bool certified = false;         ///< Each yes and no comes with a witness that proves it.
-  bool from_a_to_b = false;       ///< The directions it offers point from a to b.
-  bool reports_invalid = false;   ///< It answers `invalid` to a pair with a negative radius.
+  /// Its verdict on solids without rounding never changes if the signs of coordinates are flipped.
+  bool mirror_invariant = false;
+  bool certified = false;        ///< Each yes and no comes with a witness that proves it.
+  bool from_a_to_b = false;      ///< The directions it offers point from a to b.
+  bool reports_invalid = false;  ///< It answers `invalid` to a pair with a negative radius.
   DecisionScope decides = DecisionScope::not_promised;
 };
 

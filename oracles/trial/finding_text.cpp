@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,11 +17,16 @@ namespace {
 /// Writes a number without the sign of zero.
 std::string number(double x) { return format_double(x == 0 ? 0 : x); }
 
+/// Characters of a fraction that is shown in full.
+constexpr std::size_t shown_cap = 60;
+
+bool is_shortened(const ExactVector& v) {
+  return std::ranges::any_of(v.exact, [](const std::string& exact) { return exact.size() > shown_cap; });
+}
+
 std::string coordinate(const ExactVector& v, std::size_t i) {
-  constexpr std::size_t shown_cap = 60;  // characters of a fraction
   if (const std::string& exact = v.exact[i]; exact.size() > shown_cap)
-    return fmt::format("about {}, a fraction of {} characters", number(mpq_class(exact).get_d()),
-                       exact.size());
+    return fmt::format("about {}", number(mpq_class(exact).get_d()));
   else if (!exact.empty())
     return exact;
   // If two doubles have a sum that is exactly one double, that double is shown. The error of the sum decides.
@@ -32,6 +38,38 @@ std::string coordinate(const ExactVector& v, std::size_t i) {
 
 std::string in_words(const ExactVector& v) {
   return fmt::format("({}, {}, {})", coordinate(v, 0), coordinate(v, 1), coordinate(v, 2));
+}
+
+std::string statement_of(const Certificate& certificate) {
+  switch (certificate.kind) {
+    case CertificateKind::direction:
+      return fmt::format(
+          "A plane with normal {} separates them: all of a lies on one side, all of b on the other.",
+          in_words(certificate.vector));
+    case CertificateKind::point:
+      return fmt::format("The point {} lies in both.", in_words(certificate.vector));
+    case CertificateKind::points:
+      return fmt::format(
+          "The point {} lies in a without its rounding, the point {} in b without its own, and they are no "
+          "farther "
+          "apart than both roundings together.",
+          in_words(certificate.vector), in_words(certificate.second));
+    case CertificateKind::near:
+      return fmt::format(
+          "They touch to within 2^-200 of their size: the point {} is that near to both, and along {} "
+          "neither "
+          "a gap nor an overlap is wider.",
+          in_words(certificate.vector), in_words(certificate.second));
+    case CertificateKind::near_points:
+      return fmt::format(
+          "They touch to within 2^-200 of their size: the points {} and {} are that near to a and to b "
+          "without their "
+          "roundings and as far apart as those, and along {} neither a gap nor an overlap is wider.",
+          in_words(certificate.vector), in_words(certificate.third), in_words(certificate.second));
+    case CertificateKind::none:
+      break;
+  }
+  return "No verdict could be proved.";
 }
 
 /// Relative to the size.
@@ -62,35 +100,9 @@ std::string miss_in_words(const Pair& pair, const MethodAnswer& answer) {
 }
 
 std::string in_words(const Certificate& certificate) {
-  switch (certificate.kind) {
-    case CertificateKind::direction:
-      return fmt::format(
-          "A plane with normal {} separates them: all of a lies on one side, all of b on the other.",
-          in_words(certificate.vector));
-    case CertificateKind::point:
-      return fmt::format("The point {} lies in both.", in_words(certificate.vector));
-    case CertificateKind::points:
-      return fmt::format(
-          "The point {} lies in a without its rounding, the point {} in b without its own, and they are no "
-          "farther "
-          "apart than both roundings together.",
-          in_words(certificate.vector), in_words(certificate.second));
-    case CertificateKind::near:
-      return fmt::format(
-          "They touch to within 2^-200 of their size: the point {} is that near to both, and along {} "
-          "neither "
-          "a gap nor an overlap is wider.",
-          in_words(certificate.vector), in_words(certificate.second));
-    case CertificateKind::near_points:
-      return fmt::format(
-          "They touch to within 2^-200 of their size: the points {} and {} are that near to a and to b "
-          "without their "
-          "roundings and as far apart as those, and along {} neither a gap nor an overlap is wider.",
-          in_words(certificate.vector), in_words(certificate.third), in_words(certificate.second));
-    case CertificateKind::none:
-      break;
-  }
-  return "No verdict could be proved.";
+  const bool shortened =
+      is_shortened(certificate.vector) || is_shortened(certificate.second) || is_shortened(certificate.third);
+  return statement_of(certificate) + (shortened ? " The certificate has its exact fractions." : "");
 }
 
 }  // namespace cyl

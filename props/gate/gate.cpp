@@ -132,8 +132,9 @@ class Gate {
 
   /// Whether the gate is to stop at the first failure, and has found one.
   bool has_failed() const {
-    return options_.first_failure && std::any_of(report_.failures.begin(), report_.failures.end(),
-                                                 [](const auto& f) { return is_error(f); });
+    return options_.first_failure &&
+           std::any_of(report_.failures.begin(), report_.failures.end(),
+                       [&](const auto& f) { return is_error(f) && !options_.known(f); });
   }
 
   bool out_of_time() const { return cyl::out_of_time(options_); }

@@ -49,6 +49,8 @@ struct GateOptions {
   std::function<bool()> stopped = [] { return false; };
   /// Stops after the round with the first failure beyond a claim, and neither reruns nor simplifies it.
   bool first_failure = false;
+  /// Returns whether a failure is known. A known failure is not the first.
+  std::function<bool(const GateFailure&)> known = [](const GateFailure&) { return false; };
   bool as_found = false;         ///< the gate neither reruns nor simplifies failures at its end
   Caps caps = attended_caps(4);  ///< `hangs` counts those in one batch
 };

@@ -37,19 +37,21 @@ bool shows_in_answer(const Law& law) { return law.number == answer_law || law.nu
 
 bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
 
-bool leaves_doubt(const GateReport& report) {
-  const auto unsampled = [](const GatePhaseReport& p) {
-    return (p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0;
-  };
-  return report.undecided_truths > 0 || !report.not_asked.empty() ||
-         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
-         std::any_of(report.methods.begin(), report.methods.end(),
-                     [](const GateMethod& m) { return abstains(m.counts); });
+std::vector<std::string> doubts(const GateReport& report) {
+  std::vector<std::string> lines;
+  if (report.undecided_truths > 0)
+    lines.push_back(fmt::format("the referee could not decide {} pairs", report.undecided_truths));
+  for (const GatePhaseReport& p : report.phases)
+    if ((p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0)
+      lines.push_back(fmt::format("no pair was asked in the phase '{}'", to_string(p.phase)));
+  for (const GateMethod& m : report.methods)
+    if (abstains(m.counts)) lines.push_back(m.name + ' ' + m.remark);
+  return lines;
 }
 
 int exit_code(const GateReport& report) {
   if (std::any_of(report.failures.begin(), report.failures.end(), is_error)) return exit_findings;
-  return leaves_doubt(report) ? exit_undecided : exit_pass;
+  return doubts(report).empty() && report.not_asked.empty() ? exit_pass : exit_undecided;
 }
 
 }  // namespace cyl

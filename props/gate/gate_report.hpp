@@ -133,10 +133,11 @@ struct GateReport {
 bool shows_in_answer(const Law& law);
 /// Returns whether the method broke more than its own claim allows.
 bool is_error(const GateFailure& failure);
-/// Returns whether a truth is not proved, a method decided less than half of its pairs, or something was not
-/// asked.
-bool leaves_doubt(const GateReport& report);
-/// Returns 2 if there is an error, reproducible or not. Else returns 3 if the report leaves doubt, or 0.
+/// Returns a line for truths that are not proved, for each sample without pairs, and for each method that
+/// decided less than half of its pairs.
+std::vector<std::string> doubts(const GateReport& report);
+/// Returns 2 if there is an error, reproducible or not. Else returns 3 if there are doubts or something was
+/// not asked, or 0.
 int exit_code(const GateReport& report);
 
 /// Returns whether a method gives no verdict on more than half of its pairs. Such a method does not pass the

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/trial/compare.hpp"
 
 namespace cyl {
@@ -108,8 +109,9 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
     if (method->sizes()) solids.sizes = common_range(solids.sizes, *method->sizes());
   }
   const auto some_guest_supports = [&](const Pair& pair) {
-    return std::ranges::any_of(
-        methods, [&](const auto& method) { return method->guest() && method->supports_kinds(pair); });
+    return is_rounded(pair) && std::ranges::any_of(methods, [&](const auto& method) {
+             return method->guest() && method->supports_kinds(pair);
+           });
   };
   solids.rounded =
       static_cast<std::uint64_t>(std::ranges::count_if(draw_rounded_solids(0, 0).pairs, some_guest_supports));
@@ -134,6 +136,7 @@ void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswer
   for (std::size_t p = 0; p < round.pairs.size(); ++p) {
     const double size = size_of(round.pairs[p]);
     if (round.strata.empty()) {
+      if (!is_rounded(round.pairs[p])) continue;
       method.rounded.pairs += is_trial(said, p, method.rounded.undecided);
       method.rounded.wrong += said.wrong_beyond[p];
     } else if (round.contacts.empty()) {

@@ -355,7 +355,8 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
   std::optional<Trial> other;
   if (beside.worst && format_pair(*beside.worst) != format_pair(pair)) {
     other = try_method(method, *beside.worst);
-    if (!other->fails(kind) || !other->decided() || !other->finding()->margin)
+    if (!other->fails(kind) || !other->decided() || !other->finding()->margin ||
+        solids_in_words(other->pair) != solids_in_words(asked.pair))
       other.reset();
     else if (at_edge(asked, method->claim()) && !at_edge(*other, method->claim()))
       std::swap(asked, *other);

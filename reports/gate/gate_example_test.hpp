@@ -90,6 +90,7 @@ inline JudgedGate example_gate() {
   report.methods = {intersect, fake};
 
   JudgedGate gate = judged(std::move(report));
+  gate.remarks.clear();  // their tests add their own
   gate.failures = {example_failure("intersect", 1, Severity::contract),
                    example_failure("intersect", 2, Severity::contract),
                    example_failure("intersect", 3, Severity::resolution),

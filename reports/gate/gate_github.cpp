@@ -49,8 +49,8 @@ std::string gate_github(const JudgedGate& gate) {
                         grouped(failing.size() - annotations_cap));
   for (const std::string& line : gate.not_asked)
     text += fmt::format("::warning title=daylight gate, not asked::{}\n", message(one_line(line)));
-  for (const SuppressionRemark& r : gate.remarks)
-    text += fmt::format("::{} title=daylight gate, suppressions::{}\n", r.fails ? "error" : "warning",
+  for (const GateRemark& r : gate.remarks)
+    text += fmt::format("::{} title=daylight gate::{}\n", r.exit_code == exit_findings ? "error" : "warning",
                         message(one_line(r.text)));
   return text;
 }

@@ -61,10 +61,11 @@ TEST(GateGithub, OneOfALawAndKind) {
 
 TEST(GateGithub, ARemarkThatFailsTheGateIsAnError) {
   JudgedGate gate;
-  gate.remarks = {{"x expired"}, {"y matches no case", true}};
+  gate.remarks = {{"x expired"}, {"y matches no case", exit_findings}, {"z abstains", exit_undecided}};
   EXPECT_EQ(gate_github(gate),
-            "::warning title=daylight gate, suppressions::x expired\n"
-            "::error title=daylight gate, suppressions::y matches no case\n");
+            "::warning title=daylight gate::x expired\n"
+            "::error title=daylight gate::y matches no case\n"
+            "::warning title=daylight gate::z abstains\n");
 }
 
 TEST(GateGithub, WarnsOfWhatWasNotAsked) {

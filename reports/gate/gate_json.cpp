@@ -113,7 +113,7 @@ std::string gate_json(const JudgedGate& gate) {
   for (const Law& law : all_laws()) laws.push_back(law.number);
   for (const std::uint64_t digest : gate.report.cases) cases.push_back(hex(digest));
   json remarks = json::array();
-  for (const SuppressionRemark& r : gate.remarks) remarks.push_back({{"text", r.text}, {"fails", r.fails}});
+  for (const GateRemark& r : gate.remarks) remarks.push_back({{"text", r.text}, {"exit_code", r.exit_code}});
   const json all = {{"seed", gate.report.seed},
                     {"pairs", gate.report.pairs},
                     {"cap_milliseconds", gate.report.cap ? json(gate.report.cap->count()) : json()},

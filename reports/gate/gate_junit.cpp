@@ -115,26 +115,32 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   return counts;
 }
 
-/// Adds a suite of the gate itself. It has a test in error for each line that reports a missing question, and
-/// a test that failed for each remark that fails the gate. Returns its counts.
+/// Adds a suite of the gate itself. A missing question and a doubt is a test in error, and a remark that
+/// fails the gate is a test that failed. Returns its counts.
 Counts add_gate_itself(pugi::xml_node suites, const JudgedGate& gate) {
-  const auto failed =
-      static_cast<std::size_t>(std::ranges::count_if(gate.remarks, &SuppressionRemark::fails));
-  const Counts counts{gate.not_asked.size() + failed, failed, gate.not_asked.size()};
-  if (counts.tests == 0) return counts;
+  struct Line {
+    const char* node;
+    const char* type;
+    std::string text;
+  };
+  std::vector<Line> lines;
+  for (const std::string& line : gate.not_asked)
+    lines.push_back({"error", "not asked", "not asked: " + line});
+  for (const GateRemark& r : gate.remarks)
+    if (r.exit_code != exit_pass)
+      lines.push_back(r.exit_code == exit_findings ? Line{"failure", "remark", r.text}
+                                                   : Line{"error", "undecided", r.text});
+  Counts counts{lines.size(), 0, 0};
+  for (const Line& line : lines)
+    ++(line.node == std::string_view("failure") ? counts.failures : counts.errors);
+  if (lines.empty()) return counts;
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, "daylight gate", counts);
   add_properties(suite, gate);
-  for (const std::string& line : gate.not_asked) {
-    const std::string what = one_line(line);
-    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", "asked: " + what}}), "error",
-        {{"type", "not asked"}, {"message", "not asked: " + what}});
-  }
-  for (const SuppressionRemark& r : gate.remarks) {
-    if (!r.fails) continue;
-    const std::string what = one_line(r.text);
-    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", what}}), "failure",
-        {{"type", "suppression"}, {"message", what}});
+  for (const Line& line : lines) {
+    const std::string what = one_line(line.text);
+    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", what}}), line.node,
+        {{"type", line.type}, {"message", what}});
   }
   return counts;
 }

@@ -59,11 +59,12 @@ TEST(GateJunit, WhatWasNotAskedIsAnError) {
 
 TEST(GateJunit, ARemarkThatFailsTheGateIsAFailure) {
   JudgedGate gate;
-  gate.remarks = {{"x expired"}, {"y matches no case", true}};
+  gate.remarks = {{"x expired"}, {"y matches no case", exit_findings}, {"z abstains", exit_undecided}};
   const std::string document = gate_junit(gate);
   EXPECT_EQ(occurrences(document, "<failure "), 1u);
   EXPECT_EQ(occurrences(document, "failures=\"1\""), 2u) << "of the suite and of all";
   EXPECT_NE(document.find("message=\"y matches no case\""), std::string::npos);
+  EXPECT_NE(document.find("<error type=\"undecided\" message=\"z abstains\""), std::string::npos);
 }
 
 TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {

@@ -57,6 +57,8 @@ json result(const JudgedFailure& f, bool compared) {
             {"level", is_error(f) ? "error" : "note"},
             {"message", text(message)},
             {"locations", view.place ? json::array({location(*view.place)}) : json::array()}};
+  if (f.suppressed)
+    r["suppressions"] = json::array({{{"kind", "external"}, {"justification", one_line(*f.suppressed)}}});
   if (!f.bucket.empty()) r["partialFingerprints"] = {{"bucket/v1", f.bucket}};
   if (compared) r["baselineState"] = f.known || (!is_error(f) && f.in_base > 0) ? "unchanged" : "new";
   r["properties"] = {
@@ -77,8 +79,9 @@ std::string gate_sarif(const JudgedGate& gate, std::string_view version, bool co
   json notifications = json::array();
   for (const std::string& line : gate.not_asked)
     notifications.push_back({{"level", "error"}, {"message", text("Not asked: " + one_line(line))}});
-  for (const SuppressionRemark& r : gate.remarks)
-    notifications.push_back({{"level", r.fails ? "error" : "warning"}, {"message", text(one_line(r.text))}});
+  for (const GateRemark& r : gate.remarks)
+    notifications.push_back(
+        {{"level", r.exit_code == exit_findings ? "error" : "warning"}, {"message", text(one_line(r.text))}});
   const json invocation = {{"executionSuccessful", gate.not_asked.empty()},
                            {"toolExecutionNotifications", std::move(notifications)}};
   const json run = {

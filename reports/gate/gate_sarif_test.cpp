@@ -56,10 +56,11 @@ TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
   EXPECT_EQ(cut["toolExecutionNotifications"][0]["message"]["text"],
             "Not asked: sample of all strata: 9 of 840 rounds, since the time was over");
   JudgedGate remarked;
-  remarked.remarks = {{"x expired"}, {"y matches no case", true}};
+  remarked.remarks = {{"x expired"}, {"y matches no case", exit_findings}, {"z abstains", exit_undecided}};
   const json remarks = invocation(remarked)["toolExecutionNotifications"];
   EXPECT_EQ(remarks[0]["level"], "warning");
   EXPECT_EQ(remarks[1]["level"], "error");
+  EXPECT_EQ(remarks[2]["level"], "warning");
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
@@ -106,6 +107,16 @@ TEST(GateSarif, OddFileNames) {
   EXPECT_EQ(uri("/no/such folder/x.jsonl:7 id"), "file:///no/such%20folder/x.jsonl");
   EXPECT_EQ(uri((std::filesystem::current_path() / "x.jsonl").string() + ":7 id"), "x.jsonl");
   EXPECT_EQ(uri("x.jsonl:0 id"), uri("no place")) << "lines count from 1: the law's place instead";
+}
+
+TEST(GateSarif, ASuppressedFailureHasItsReason) {
+  JudgedGate gate = example_gate();
+  gate.failures[0].known = true;
+  gate.failures[0].suppressed = "thin rods";
+  const json results = parse_json(gate_sarif(gate, "0.1.0", false))["runs"][0]["results"];
+  EXPECT_EQ(results[0]["suppressions"],
+            json::array({{{"kind", "external"}, {"justification", "thin rods"}}}));
+  EXPECT_FALSE(results[1].contains("suppressions"));
 }
 
 TEST(GateSarif, SaysWhatIsNewWhereThereIsABase) {

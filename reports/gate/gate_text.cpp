@@ -82,7 +82,7 @@ std::string in_full(std::size_t number, const Alike& alike) {
     return g.in_base == 0 ? "" : fmt::format(", {} in the base", grouped(g.in_base));
   };
   std::string text =
-      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {}, {}{}: {}", f.method, f.law, f.pairs,
+      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {} on {}{}: {}", f.method, f.law, f.pairs,
                                                        alike.size() == 1 ? grown(first) : "", f.what));
   text += wrapped(fmt::format("   {:<11}", "law"), std::string(first.law->statement));
   text += line("origin", fmt::format("{} ({})", f.origin, to_string(first.phase)));
@@ -103,10 +103,11 @@ std::string in_full(std::size_t number, const Alike& alike) {
 
 std::string failures_text(const JudgedGate& gate) {
   const std::vector<Alike> failing = alike_failures(gate, true), others = alike_failures(gate, false);
-  const char* nothing = std::ranges::any_of(gate.remarks, &SuppressionRemark::fails)
-                            ? "No method fails the gate, but a suppression does.\n"
-                        : gate.not_asked.empty() ? "Nothing fails the gate.\n"
-                                                 : "Nothing that was asked fails the gate.\n";
+  const int code = exit_code(gate);
+  const char* nothing = code == exit_findings     ? "No method fails the gate, but a suppression does.\n"
+                        : !gate.not_asked.empty() ? "Nothing that was asked fails the gate.\n"
+                        : code == exit_undecided  ? "Nothing fails the gate, but something is undecided.\n"
+                                                  : "Nothing fails the gate.\n";
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
@@ -213,6 +214,14 @@ constexpr std::uint64_t rare_part = 4;
 
 std::string rate(double bound) { return fmt::format("<= {:.1e}", bound); }
 
+/// A bound from here on states nothing.
+constexpr double vain_bound = 0.5;
+
+std::string rate_in_each(double worst) {
+  return worst < vain_bound ? rate(worst) + " in each combination"
+                            : "unknown in some combinations, which have too few pairs";
+}
+
 /// Returns "wrong beyond its claim on 3 of 70". If none is wrong, returns `right` and the number.
 std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string& right) {
   return wrong == 0 ? fmt::format("{} {}", right, grouped(pairs))
@@ -264,9 +273,8 @@ std::string close_in_words(const GateMethod& method) {
                               counted(full.size(), "combination")));
   facts.push_back(fmt::format("Each combination has at least {} and {}.", counted(least_gaps, "gap"),
                               counted(least_overlaps, "overlap")));
-  facts.push_back(
-      fmt::format("The error rate is {} in each combination, for gaps and for overlaps, at 95 % confidence.",
-                  rate(worst)));
+  facts.push_back(fmt::format("The error rate is {}, for gaps and for overlaps, at 95 % confidence.",
+                              rate_in_each(worst)));
   if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
   if (!rare.empty()) facts.push_back("Few pairs: " + named(rare, true) + '.');
   if (!empty.empty()) facts.push_back("No decided pair: " + named(empty, false) + '.');
@@ -325,9 +333,8 @@ std::string strata_in_words(const GateMethod& method) {
     facts.push_back(fmt::format(
         "Each combination has {}.",
         least == most ? counted(least, "pair") : grouped(least) + " to " + counted(most, "pair")));
-    facts.push_back(
-        fmt::format("The error rate is {} overall and {} in each combination, at 95 % confidence.",
-                    rate(error_rate_bound(all, wrong)), rate(worst)));
+    facts.push_back(fmt::format("The error rate is {} overall and {}, at 95 % confidence.",
+                                rate(error_rate_bound(all, wrong)), rate_in_each(worst)));
   }
   if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
   if (!empty.empty()) facts.push_back(fmt::format("No decided pair: {}.", empty));
@@ -355,8 +362,6 @@ std::string gate_text(const JudgedGate& gate) {
     text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), counted(p.pairs, "pair"),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
-  if (gate.report.undecided_truths > 0)
-    text += fmt::format("the referee could not decide {}\n", counted(gate.report.undecided_truths, "pair"));
   for (const std::string& line : gate.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(gate) + '\n' + failures_text(gate) + '\n';
   for (const GateMethod& m : gate.report.methods)
@@ -364,7 +369,7 @@ std::string gate_text(const JudgedGate& gate) {
   for (const GateMethod& m : gate.report.methods)
     if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
   for (const GateMethod& m : gate.report.methods) text += proved_in_words(m);
-  for (const SuppressionRemark& r : gate.remarks) text += one_line(r.text) + '\n';
+  for (const GateRemark& r : gate.remarks) text += wrapped("", one_line(r.text) + '.');
   return text;
 }
 

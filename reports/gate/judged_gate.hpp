@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exit_code.hpp"
 #include "props/gate/gate_report.hpp"
 
 namespace cyl {
@@ -20,23 +21,24 @@ struct SourceLine {
 
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
-  bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
-  std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
-  std::string options;           ///< options that add a guest, else empty
-  std::optional<SourceLine> at;  ///< for a guest: its source line, if one was given
+  bool known = false;  ///< excused: the base has it on as many pairs, or it is suppressed
+  std::optional<std::string> suppressed = {};  ///< the reason, if a suppression excuses it
+  std::uint64_t in_base = 0;          ///< pairs of the base that failed like this, be it within the claim
+  std::string options = {};           ///< options that add a guest, else empty
+  std::optional<SourceLine> at = {};  ///< for a guest: its source line, if one was given
 };
 
-/// A line about a suppression. `fails`: the line fails the gate.
-struct SuppressionRemark {
+/// A line about the gate as a whole, such as an expired suppression, and the exit code that it leads to.
+struct GateRemark {
   std::string text;
-  bool fails = false;
+  int exit_code = exit_pass;
 };
 
 struct JudgedGate {
   GateReport report;
-  std::vector<JudgedFailure> failures;  ///< those of the report, in its order
-  std::vector<std::string> not_asked;   ///< lines of the report, and what later steps add
-  std::vector<SuppressionRemark> remarks = {};
+  std::vector<JudgedFailure> failures;   ///< those of the report, in its order
+  std::vector<std::string> not_asked;    ///< lines of the report, and what later steps add
+  std::vector<GateRemark> remarks = {};  ///< the doubts of the report, and what later steps add
 };
 
 /// Returns a judged report without known failures.
@@ -45,7 +47,7 @@ JudgedGate judged(GateReport report);
 /// Returns whether a failure is an error that is not known.
 bool fails_gate(const JudgedFailure& failure);
 
-/// Returns 2 if a failure or a remark fails the gate. Else returns 3 if the report leaves doubt or something
+/// Returns 2 if a failure or a remark fails the gate. Else returns 3 if a remark leaves doubt or something
 /// was not asked, or 0.
 int exit_code(const JudgedGate& gate);
 

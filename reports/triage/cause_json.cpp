@@ -107,7 +107,8 @@ std::string format_cause(const Cause& b) {
   text += fmt::format("    {} in {}, of {}", counted(b.count, "finding", "findings"),
                       counted(b.families.size(), "family", "families"),
                       counted(b.methods.size(), "method", "methods"));
-  if (b.margin) text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
+  if (b.margin && !is_failure(b.kind))
+    text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);
   if (b.share)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,

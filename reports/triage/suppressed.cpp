@@ -52,29 +52,32 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
   if (suppressions.empty()) return;
   const std::vector<std::size_t> groups = algorithm_groups(methods);
   for (JudgedFailure& f : gate.failures) {
-    if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
+    const auto excuse = [&](std::string_view key) {
+      const Suppression* const found = find_suppression(suppressions, key, today);
+      if (found == nullptr) return;
+      f.known = true;
+      f.suppressed = found->reason;
+    };
+    excuse(f.bucket);
     const auto kind = from_word<FindingKind>(f.kind);
     const auto method = position_of(methods, f.method);
     if (f.known || !kind || !method) continue;
     const Failing failing{*method, *kind, f.simplest};
     const GroupedMethods grouped{methods, groups};
     const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
-    const std::string cause =
-        cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason);
-    f.known = find_suppression(suppressions, cause, today) != nullptr;
+    excuse(cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason));
   }
 }
 
-std::vector<SuppressionRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
-                                                   std::string_view today,
-                                                   const std::set<std::string>& causes) {
-  std::vector<SuppressionRemark> remarks;
+std::vector<GateRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
+                                            std::string_view today, const std::set<std::string>& causes) {
+  std::vector<GateRemark> remarks;
   for (const Suppression& s : suppressions) {
     const std::string which = fmt::format("the suppression of {} (line {})", s.cause, s.line);
     if (is_expired(s, today))
       remarks.push_back({fmt::format("{} expired on {}; its owner is {}", which, s.expires, s.owner)});
     if (!causes.contains(s.cause))
-      remarks.push_back({which + " matches no stored case: remove it, or keep a case of it", true});
+      remarks.push_back({which + " matches no stored case: remove it, or keep a case of it", exit_findings});
   }
   return remarks;
 }

@@ -27,8 +27,7 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
 
 /// Returns a remark for each suppression that has expired. Returns one that fails the gate for each
 /// suppression whose cause is not in `causes`, those of the stored cases.
-std::vector<SuppressionRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
-                                                   std::string_view today,
-                                                   const std::set<std::string>& causes);
+std::vector<GateRemark> suppression_remarks(const std::vector<Suppression>& suppressions,
+                                            std::string_view today, const std::set<std::string>& causes);
 
 }  // namespace cyl

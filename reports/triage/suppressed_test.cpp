@@ -33,9 +33,11 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
     crash.what = what;
     for (const bool same : {true, false}) {
       crash.known = false;
+      crash.suppressed.reset();
       const Suppression suppression{same ? cause : cause + "-elsewhere", "r", "-", "ada", "2999-12-31", 1};
       mark_suppressed(gate, methods, {suppression}, "2026-01-01");
       EXPECT_EQ(crash.known, same) << what;
+      EXPECT_EQ(crash.suppressed, same ? std::optional<std::string>("r") : std::nullopt);
     }
   }
 }
@@ -46,13 +48,15 @@ TEST(Suppressed, RemarksNameWhatHasExpiredAndWhatNoCaseShows) {
   const auto remarks = suppression_remarks(all, "2026-11-22", {"x"});
   ASSERT_EQ(remarks.size(), 2u);
   EXPECT_EQ(remarks[0].text, "the suppression of x (line 1) expired on 2026-11-20; its owner is ada");
-  EXPECT_FALSE(remarks[0].fails);
+  EXPECT_EQ(remarks[0].exit_code, exit_pass);
   EXPECT_TRUE(remarks[1].text.starts_with("the suppression of y (line 2) matches no stored case"));
-  EXPECT_TRUE(remarks[1].fails);
+  EXPECT_EQ(remarks[1].exit_code, exit_findings);
   JudgedGate gate;
   EXPECT_EQ(exit_code(gate), exit_pass);
   gate.remarks = remarks;
   EXPECT_EQ(exit_code(gate), exit_findings);
+  gate.remarks = {{"x", exit_undecided}};
+  EXPECT_EQ(exit_code(gate), exit_undecided);
 }
 
 }  // namespace

@@ -132,10 +132,13 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (past.part < 1)
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
-  if (!options.suppressions.empty())
-    for (SuppressionRemark& remark :
-         suppression_remarks(options.suppressions, options.today, causes_of(methods, options.cases)))
+  if (!options.suppressions.empty()) {
+    std::set<std::string> seen = causes_of(methods, options.cases);
+    for (const Cause& b : triage.causes)
+      if (b.count > 0) seen.insert(b.key);
+    for (GateRemark& remark : suppression_remarks(options.suppressions, options.today, seen))
       triage.remarks.push_back(std::move(remark.text));
+  }
   return triage;
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A reader of the page: opens it from disk in a browser without network, filters, sorts, opens findings and causes,
 // turns the drawing, proves again and tampers.
-//     node page_test.mjs                          a made-up run
-//     node page_test.mjs --shots FOLDER [PAGE]    only pictures of every section, light and dark
-//     node page_test.mjs --times FINDINGS         how long such a run takes to open and to filter
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import {
   asked,
@@ -22,7 +19,6 @@ import {
 import { assertContrast } from "../contrast.mjs";
 import { sample } from "./sample.mjs";
 
-const [option, argument, given] = process.argv.slice(2);
 let address = "";
 
 function write(report) {
@@ -35,58 +31,6 @@ const rowsTold = async (page) => (
   await settled(page),
   Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", ""))
 );
-
-async function shots(to) {
-  mkdirSync(to, { recursive: true });
-  for (const scheme of ["light", "dark"]) {
-    const page = await openPage({ scheme });
-    for (const id of ["new", "findings", "speed", "maps", "calibration", "stability", "methods", "faults"]) {
-      const section = page.locator(`section#${id}`);
-      await section.scrollIntoViewIfNeeded();
-      await page.waitForTimeout(250);
-      await section.screenshot({ path: `${to}/${id}-${scheme}.png` });
-    }
-    for (const [name, link] of [
-      ["finding", ".findings tbody a"],
-      ["distance", ".findings tr:has-text('distance outside') a"],
-      ["bucket", ".causes a"],
-    ]) {
-      await page.evaluate(() => {
-        location.hash = "#/findings";
-      });
-      if ((await page.locator(link).count()) === 0) continue;
-      await page.locator(link).first().click();
-      await page.waitForSelector(".case");
-      if ((await page.locator(".prove").count()) > 0) await page.locator(".prove").click();
-      await page.waitForTimeout(300);
-      await page.screenshot({ path: `${to}/${name}-${scheme}.png`, fullPage: true });
-    }
-    await page.context().close();
-  }
-  const narrow = await openPage({ width: 400 });
-  await settled(narrow);
-  await narrow.screenshot({ path: `${to}/narrow.png`, fullPage: true });
-  for (const [name, link] of [
-    ["finding", ".findings tbody a"],
-    ["bucket", ".causes a"],
-  ]) {
-    await go(narrow, "#/findings");
-    if ((await narrow.locator(link).count()) === 0) continue;
-    await narrow.locator(link).first().click();
-    await narrow.waitForSelector(".case");
-    await narrow.screenshot({ path: `${to}/narrow-${name}.png`, fullPage: true });
-  }
-  const page = await openPage();
-  await settled(page);
-  await page.screenshot({ path: `${to}/top.png` });
-  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-  await page.emulateMedia({ media: "print" });
-  await page.setViewportSize({ width: 717, height: 1000 }); // paper
-  await settled(page);
-  await page.screenshot({ path: `${to}/print.png`, fullPage: true });
-  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-  await page.pdf({ path: `${to}/print.pdf` }).catch(() => {});
-}
 
 const go = (page, hash) =>
   page.evaluate((hash) => {
@@ -920,48 +864,6 @@ async function test() {
   assert.deepEqual(asked, [], "nothing is asked from the network");
 }
 
-async function times(findings) {
-  write(sample(findings));
-  const page = await openPage();
-  await page.waitForSelector(".findings tbody tr");
-  const loaded = await page.evaluate(() => performance.now());
-  const other = await page.evaluate(async () => {
-    const drawn = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-    const timed = async (act) => {
-      const start = performance.now();
-      act();
-      await drawn();
-      return performance.now() - start;
-    };
-    const took = { search: [], sort: [] },
-      field = document.querySelector("input[type=search]");
-    for (const text of ["w", "wrong", "wrong disjoint", "wrong disjoint side", ""])
-      took.search.push(
-        await timed(() => {
-          field.value = text;
-          field.dispatchEvent(new Event("input", { bubbles: true }));
-        }),
-      );
-    for (const head of document.querySelectorAll(".findings thead button"))
-      took.sort.push(await timed(() => head.click()));
-    return took;
-  });
-  const span = (took) => `${Math.round(Math.min(...took))} to ${Math.round(Math.max(...took))} ms`;
-  console.log(
-    `${findings} findings: ${Math.round(loaded)} ms until the table stands; until it is drawn again a letter of ` +
-      `a search takes ${span(other.search)}, sorting ${span(other.sort)}`,
-  );
-}
-
-if (option === "--shots") {
-  if (given) address = pathToFileURL(resolve(given)).href;
-  else write(sample(400));
-  await shots(argument);
-  console.log(`errors: ${errors.join("; ") || "none"}`);
-} else if (option === "--times") {
-  await times(Number(argument));
-} else {
-  await test();
-  console.log("page_test: all well");
-}
+await test();
+console.log("page_test: all well");
 await browser.close();
