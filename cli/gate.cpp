@@ -155,7 +155,8 @@ JudgedGate judge(GateReport report, const Known& known, std::span<const std::uni
   std::set<std::string> stored = causes_of(all_methods(), cases);
   for (const JudgedFailure& f : gate.failures)
     if (is_from_case(f)) stored.insert(f.bucket);
-  gate.remarks = suppression_remarks(known.suppressions, today(), stored);
+  for (GateRemark& remark : suppression_remarks(known.suppressions, today(), stored))
+    gate.remarks.push_back(std::move(remark));
   return gate;
 }
 

@@ -131,6 +131,10 @@ holds 'a stale suppression' out 'nobody/hang \(line 1\) matches no stored case'
 holds 'a stale suppression' out '^::error title=daylight gate::'
 holds 'a stale suppression' stale.xml '<failure type="remark"'
 holds 'a stale suppression' stale.json '"exit_code": 2'
+printf 'while read -r line; do echo '\''{"verdict":"undecided"}'\''; done\n' >src/silent.sh
+gate 2 --command "silent=bash src/silent.sh" --cases '' --pairs 300 --suppressions stale.jsonl --github
+holds 'a doubt beside a stale suppression' out '^::warning title=daylight gate::silent abstains on every pair'
+holds 'the suppression beside a doubt' out '^::error title=daylight gate::the suppression of nobody/hang'
 gate 64 --method nobody
 gate 64 --reproduce nonsense
 gate 1 --against ours.xml

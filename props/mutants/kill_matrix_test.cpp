@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
+#include <set>
 #include <stdexcept>
+#include <string>
 
+#include "base/json.hpp"
 #include "props/mutants/kill_data.hpp"
 
 namespace cyl {
@@ -50,6 +54,18 @@ TEST(KillMatrix, OneOutcomeOtherThanSurvivalIsAKill) {
   EXPECT_FALSE(row.killed());
   row.detections[1].outcome = Detection::Outcome::hung;
   EXPECT_TRUE(row.killed());
+}
+
+TEST(KillData, HasARowForEachFault) {
+  std::set<int> rows, faults;
+  const auto numbers_of = [](const char* file, const char* key, std::set<int>& numbers) {
+    std::ifstream in(std::string(DAYLIGHT_SOURCE_DIR "/props/mutants/") + file);
+    for (std::string line; std::getline(in, line);) numbers.insert(parse_json(line).at(key).get<int>());
+  };
+  numbers_of("mutants.jsonl", "number", faults);
+  numbers_of("kill_matrix.jsonl", "mutant", rows);
+  EXPECT_GT(faults.size(), 200u);
+  EXPECT_EQ(rows, faults) << "run daylight mutants matrix --only NUMBER --json FILE, and add the row";
 }
 
 TEST(KillData, NamesTheFaultsThatCampaignsSoonFindWithTheMethodsAsked) {

@@ -19,7 +19,7 @@ json rule(const Law& law) {
   return {{"id", rule_id(law)},
           {"name", law.name},
           {"shortDescription", text(law_title(law))},
-          {"help", text(fmt::format("{} Scope: {}", law.statement, law.where))}};
+          {"help", text(fmt::format("{}. Scope: {}.", law.statement, law.where))}};
 }
 
 /// Returns the path of a URI (RFC 3986). Unreserved characters and '/' stay, all others are percent-encoded.
