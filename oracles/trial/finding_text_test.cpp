@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "oracles/trial/trial.hpp"
+
 namespace cyl {
 namespace {
 
@@ -22,6 +24,12 @@ TEST(InWords, NamesTheWitnessExactly) {
       in_words({CertificateKind::point, {{1, 0, 0}, {}, {"", long_third, ""}}, {}}),
       "The point (1, about 0.3333333333333333, 0) lies in both. The certificate has its exact fractions.");
   EXPECT_EQ(in_words(Certificate{}), "No verdict could be proved.");
+}
+
+TEST(InWords, ADistanceBeyondTheDoublesHasABound) {
+  Trial trial(Pair{{{1.7e308, 0, 0}, {0, 0, 1}, 1, 1}, {{-1.7e308, 0, 0}, {0, 0, 1}, 1, 1}});
+  trial.distance = {std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(distance_in_words(trial), "more than 1.79e308 apart");
 }
 
 TEST(InWords, ASumThatIsADoubleIsShownAsOne) {

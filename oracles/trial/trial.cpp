@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
@@ -111,8 +112,11 @@ std::string distance_in_words(const Trial& trial) {
   const bool said =
       !trial.findings.empty() && trial.finding() && trial.finding()->kind == FindingKind::distance_outside;
   const double true_one = nearer_end(trial), other = said ? trial.answer().distance : 0;
-  return trial.meets() ? "overlapping by " + told_from(-true_one, -other)
-                       : told_from(true_one, other) + " apart";
+  const double sign = trial.meets() ? -1 : 1;
+  const std::string length = std::abs(true_one) < std::numeric_limits<double>::max()
+                                 ? told_from(sign * true_one, sign * other)
+                                 : "more than 1.79e308";  // which is below the largest double
+  return trial.meets() ? "overlapping by " + length : length + " apart";
 }
 
 std::string said_distance(const Trial& trial) {
