@@ -118,7 +118,9 @@ TEST(SceneJson, HoldsTheJointTree) {
       EXPECT_EQ(told["name"], link.name);
       EXPECT_EQ(told.value("joint", ""), link.joint);
       EXPECT_EQ(told.contains("parent"), link.parent.has_value());
-      if (link.parent) EXPECT_EQ(told["parent"], *link.parent);
+      if (link.parent) {
+        EXPECT_EQ(told["parent"], *link.parent);
+      }
       const auto three = [](const auto& v) { return json({v(0), v(1), v(2)}); };
       const auto& axes = link.origin.linear();
       EXPECT_EQ(told["origin"]["center"], three(link.origin.translation()));
