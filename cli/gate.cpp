@@ -308,9 +308,8 @@ void add_gate(Program& program) {
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
-      "suppression that is no longer needed. 3 can also mean that a method gave no verdict on "
-      "more than\n"
-      "half of its pairs.");
+      "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
+      "than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

@@ -220,10 +220,6 @@ QuickVerdict classify_by_projection(const Prepared& a, const Prepared& b, double
   return alternate_projections(p, contact_distance, on0, more_steps);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double moderate_length = power_of_two(moderate_exponent);
 
 // The least e with x <= 2^e.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/exit_code.hpp"
+#include "base/safe_text.hpp"
 
 namespace cyl {
 namespace {
@@ -40,7 +41,7 @@ bool is_error(const GateFailure& failure) { return failure.severity == Severity:
 std::vector<std::string> doubts(const GateReport& report) {
   std::vector<std::string> lines;
   if (report.undecided_truths > 0)
-    lines.push_back(fmt::format("the referee could not decide {} pairs", report.undecided_truths));
+    lines.push_back("the referee could not decide " + counted(report.undecided_truths, "pair"));
   for (const GatePhaseReport& p : report.phases)
     if ((p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0)
       lines.push_back(fmt::format("no pair was asked in the phase '{}'", to_string(p.phase)));

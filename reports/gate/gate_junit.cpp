@@ -118,29 +118,29 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
 /// Adds a suite of the gate itself. A missing question and a doubt is a test in error, and a remark that
 /// fails the gate is a test that failed. Returns its counts.
 Counts add_gate_itself(pugi::xml_node suites, const JudgedGate& gate) {
-  struct Line {
-    const char* node;
-    const char* type;
-    std::string text;
+  const auto leading_to = [&](int code) {
+    return static_cast<std::size_t>(std::ranges::count(gate.remarks, code, &GateRemark::exit_code));
   };
-  std::vector<Line> lines;
-  for (const std::string& line : gate.not_asked)
-    lines.push_back({"error", "not asked", "not asked: " + line});
-  for (const GateRemark& r : gate.remarks)
-    if (r.exit_code != exit_pass)
-      lines.push_back(r.exit_code == exit_findings ? Line{"failure", "remark", r.text}
-                                                   : Line{"error", "undecided", r.text});
-  Counts counts{lines.size(), 0, 0};
-  for (const Line& line : lines)
-    ++(line.node == std::string_view("failure") ? counts.failures : counts.errors);
-  if (lines.empty()) return counts;
+  const std::size_t failures = leading_to(exit_findings),
+                    errors = gate.not_asked.size() + leading_to(exit_undecided);
+  const Counts counts{failures + errors, failures, errors};
+  if (counts.tests == 0) return counts;
   pugi::xml_node suite = suites.append_child("testsuite");
   add_totals(suite, "daylight gate", counts);
   add_properties(suite, gate);
-  for (const Line& line : lines) {
-    const std::string what = one_line(line.text);
-    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", what}}), line.node,
-        {{"type", line.type}, {"message", what}});
+  const auto add_test = [&](const std::string& name, const char* outcome, const char* type,
+                            const std::string& message) {
+    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", name}}), outcome,
+        {{"type", type}, {"message", message}});
+  };
+  for (const std::string& line : gate.not_asked) {
+    const std::string what = one_line(line);
+    add_test("asked: " + what, "error", "not asked", "not asked: " + what);
+  }
+  for (const GateRemark& r : gate.remarks) {
+    const std::string what = one_line(r.text);
+    if (r.exit_code == exit_findings) add_test(what, "failure", "remark", what);
+    if (r.exit_code == exit_undecided) add_test(what, "error", "undecided", what);
   }
   return counts;
 }
