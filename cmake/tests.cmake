@@ -34,6 +34,7 @@ list(JOIN process_suites ":" process_suites)
 function(daylight_tests folder)
   file(GLOB tests RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/*_test.cpp ${folder}/*/*_test.cpp)
   daylight_test_program(${folder}_tests ${tests})
+  add_dependencies(unit_tests ${folder}_tests)
   foreach(room ${ARGN})
     daylight_target_of(${room} library)
     target_link_libraries(${folder}_tests PRIVATE ${library})
@@ -44,6 +45,8 @@ function(daylight_tests folder)
   gtest_discover_tests(${folder}_tests DISCOVERY_TIMEOUT 240 TEST_FILTER "${process_suites}"
                        TEST_LIST ${folder}_tests_of_processes PROPERTIES LABELS ${folder} ${always})
 endfunction()
+
+add_custom_target(unit_tests) # all that `./daylight test --quick` builds
 
 daylight_tests(base base base/process)
 daylight_tests(solver solver solver/literature corpus/pairs)

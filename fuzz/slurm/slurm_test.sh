@@ -70,12 +70,14 @@ NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$one CPUs=1 State=UNKNOWN
 NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$two CPUs=1 State=UNKNOWN
 PartitionName=night Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
 CONF
+# No job uses cgroups; the default, to detect their version, fails without a cgroup file system, as in a chroot.
+echo 'CgroupPlugin=cgroup/v1' >cgroup.conf
 export SLURM_CONF=$scratch/slurm.conf
 unset "${!SLURM_JOB@}" "${!SBATCH_@}"
 (umask 077 && head -c 1024 /dev/urandom >munge/key)
 munged --force --key-file="$scratch/munge/key" --socket="$scratch/munge/sock" --pid-file="$scratch/munge/pid" \
   --log-file="$scratch/munge/log" --seed-file="$scratch/munge/seed" 2>/dev/null
-# A daemon that does not start (slurmd without /sys/fs/cgroup, as in a chroot) says why in its log alone.
+# A daemon that does not start says why in its log alone.
 start() { "$@" -f "$SLURM_CONF" || { tail -n 20 log/*; exit 1; }; }
 start slurmctld
 start slurmd -N n1
