@@ -110,7 +110,6 @@ daylight_script(wasm_answers_deep "reports;deep" 2400 ${PROJECT_SOURCE_DIR}/repo
 daylight_script(wasm_build reports 600 ${PROJECT_SOURCE_DIR}/reports/web/wasm/build.sh --check)
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
                 ${program})
-daylight_script(vectors_by_engine cli 600 bash -c "${PROJECT_SOURCE_DIR}/docs/results/vectors.py \"$0\" | diff ${PROJECT_SOURCE_DIR}/docs/results/vectors.md -" ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 daylight_script(engine_pages_test oracles 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/guests/compare_test.py)
 
