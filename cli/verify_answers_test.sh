@@ -3,7 +3,7 @@
 # verify_answers_test.sh DAYLIGHT: certificates hold in exact arithmetic that is not ours, and not for other pairs.
 set -euo pipefail
 daylight=$1
-exact=$(dirname -- "$(dirname -- "$(readlink -f -- "$0")")")/python/vectors/daylight_vectors/exact.py
+exact=$(dirname -- "$(dirname -- "$(readlink -f -- "$0")")")/vectors/exact.py
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 {
@@ -14,7 +14,7 @@ trap 'rm -r "$folder"' EXIT
 } >"$folder/drawn.jsonl"
 "$daylight" check --distance --clearance 0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
-cat "${exact%python/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
+cat "${exact%vectors/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
 "$daylight" check --distance "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 grep -q '"points"' "$folder/answers.jsonl" || { echo 'no certificate of two points'; exit 1; }

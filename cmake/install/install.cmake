@@ -94,13 +94,8 @@ set_target_properties(daylight daylight-mutants PROPERTIES INSTALL_RPATH "$ORIGI
 install(TARGETS daylight daylight-mutants RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT portable)
 install(RUNTIME_DEPENDENCY_SET bundled PRE_EXCLUDE_REGEXES "^(ld-linux|libc|libdl|libm|libpthread|librt|libgcc_s|libstdc\\+\\+)[-.]"
         LIBRARY DESTINATION ${bundle} COMPONENT portable)
-file(GLOB vectors RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS vectors/v1/*)
-install(FILES ${vectors} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/vectors/v1 COMPONENT portable)
-foreach(folder python/vectors vectors/js vectors/cpp)
-  get_filename_component(above ${folder} DIRECTORY)
-  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${above} COMPONENT portable
-          PATTERN __pycache__ EXCLUDE PATTERN *_test.sh EXCLUDE PATTERN *_test.py EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN build EXCLUDE)
-endforeach()
+install(DIRECTORY vectors DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight COMPONENT portable
+        PATTERN __pycache__ EXCLUDE PATTERN *_test.py EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight COMPONENT portable)
 install(FILES cmake/install/portable.md RENAME README.md DESTINATION . COMPONENT portable)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

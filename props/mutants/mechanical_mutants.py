@@ -34,8 +34,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path += [str(HERE), str(ROOT / 'python/vectors')]
-from daylight_vectors import exact  # noqa: E402
+sys.path += [str(HERE), str(ROOT / 'vectors')]
+import exact  # noqa: E402
 from mutations import mutated, mutations  # noqa: E402
 
 RESULTS, ARGUMENTS = HERE / 'mechanical.jsonl', HERE / 'mechanical_equivalent.jsonl'

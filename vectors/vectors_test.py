@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 """vectors_test.py DAYLIGHT: the exact checker proves what `daylight vectors` writes and what is committed, both
 the same vectors. The lint, the runner and the plug-in of pytest notice what is planted."""
-import contextlib
 import copy
-import io
 import json
 import math
 import os
@@ -16,13 +14,11 @@ import unittest
 
 sys.dont_write_bytecode = True
 import daylight_vectors  # noqa: E402
-from daylight_vectors import lint, runner  # noqa: E402
-from daylight_vectors.__main__ import main  # noqa: E402
+import lint  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-FLAGS = daylight_vectors.flags()
+FLAGS = daylight_vectors.known_flags()
 SMOKE = daylight_vectors.load('smoke')
 MINE = '''
 import json, os, pathlib, sys
@@ -50,18 +46,14 @@ def broken(a, b):
 '''
 
 
-def lacks(what, package):
-    if os.environ.get('CI') == 'true':
-        raise AssertionError(f'with CI=true nothing may be skipped: no {what}')
-    raise unittest.SkipTest(f'no {what}: apt-get install {package}')
-
-
-def python_with(*modules):
-    """A Python that has them: this one, or Debian's, for which the packages are."""
+def python_with_pytest():
+    """A Python that has it: this one, or Debian's, for which the package is."""
     for python in (sys.executable, '/usr/bin/python3'):
-        if subprocess.run([python, '-c', 'import ' + ','.join(modules)], capture_output=True).returncode == 0:
+        if subprocess.run([python, '-c', 'import pytest'], capture_output=True).returncode == 0:
             return python
-    return lacks(', '.join(modules), ' '.join(f'python3-{name}' for name in modules))
+    if os.environ.get('CI') == 'true':
+        raise AssertionError('with CI=true nothing may be skipped: no pytest')
+    raise unittest.SkipTest('no pytest: apt-get install python3-pytest')
 
 
 def written(*arguments):
@@ -78,9 +70,8 @@ class Lint(unittest.TestCase):
                              [(v['id'], v['result']) for v in now['vectors']], 'a vector never changes')
             self.assertEqual({f for v in document['vectors'] for f in v['flags']}, set(FLAGS))
         self.assertEqual(document['vectors'][:200], SMOKE['vectors'])
-        page = (ROOT / 'docs/vectors.md').read_text()
-        self.assertEqual(lint.missing_rows(FLAGS, page), set())
-        self.assertEqual(lint.missing_rows(FLAGS, page.replace('| `Coaxial` |', '| Coaxial |')), {'Coaxial'})
+        page = (HERE.parent / 'docs/vectors.md').read_text()
+        self.assertEqual(set(re.findall(r'^\| `([A-Z]\w+)` \|', page, re.M)), set(FLAGS))
         header = (daylight_vectors.FOLDER / 'smoke.h').read_text()
         self.assertEqual(re.findall(r'"(v1-\w+)"', header),
                          [v['id'] for v in SMOKE['vectors'] if v['result'] != 'invalid'])
@@ -160,10 +151,11 @@ class Runner(unittest.TestCase):
         sys.modules.pop('mine', None)
         self.addCleanup(lambda: str(self.folder) in sys.path and sys.path.remove(os.getcwd()))
 
-    def ask(self, *arguments):
-        out = io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
-            return main(list(arguments)), out.getvalue()
+    def ask(self, name, **options):
+        run = daylight_vectors.Run(name, SMOKE['vectors'], **options)
+        wrong = [v for v in run.vectors if run.is_wrong(v)]
+        run.finish()
+        return run, wrong
 
     def test_judging(self):
         apart = next(v for v in SMOKE['vectors'] if v['result'] == 'disjoint')
@@ -180,57 +172,66 @@ class Runner(unittest.TestCase):
                 (deep, 'touching', 0, 'said'), (deep, False, 0, 'said'), (touch, 'touching', 0, 'right'),
                 (touch, True, 0, 'right'), (touch, False, 0, 'said'), (touch, False, 1e-12, 'acceptable'),
                 (touch, 0.0, 0, 'right')):
-            self.assertIn(judged, runner.judge(v, said, tolerance), (v['result'], said))
-        self.assertEqual(runner.decade_of({'result': 'disjoint', 'margin': 0.005}), '1e-03')
+            self.assertIn(judged, daylight_vectors.judge(v, said, tolerance), (v['result'], said))
+        self.assertEqual(daylight_vectors.decade_of({'result': 'disjoint', 'margin': 0.005}), '1e-03')
 
-    def test_the_command(self):
-        status, text = self.ask('mine:right')
-        self.assertEqual((status, text.splitlines()[-1][:20]), (0, '200 asked: 200 right'), text)
-        self.assertFalse(pathlib.Path(runner.STORE).exists())
-        status, text = self.ask('mine:blind')
-        self.assertEqual(status, 2)
-        self.assertRegex(text, r'Capsule 1e-0\d: \d+ wrong. The simplest, v1-')
-        self.assertIn('Met by', text)
-        failed = runner.failed_before()
+    def test_a_run(self):
+        run, wrong = self.ask('mine:right')
+        self.assertEqual((list(run.results.values()), wrong), (['right'] * 200, []))
+        self.assertFalse(pathlib.Path(daylight_vectors.STORE).exists())
+        run, wrong = self.ask('mine:blind')
+        decade, capsules = next((decade, [v for v in cell if run.is_wrong(v)])
+                                for (flag, decade), cell in run.cells().items() if flag == 'Capsule')
+        self.assertRegex(decade, r'1e-0\d')
+        report = daylight_vectors.report('Capsule', capsules, run.results)
+        self.assertRegex(report, f'^{len(capsules)} wrong. The simplest, v1-')
+        self.assertIn('Met by', report)
+        failed = daylight_vectors.failed_before()
+        self.assertEqual(sorted(v['id'] for v in wrong), failed)
         self.assertGreater(len(failed), 3)
         pathlib.Path('asked').unlink()
         self.ask('mine:blind')
         asked = [json.loads(line) for line in pathlib.Path('asked').read_text().splitlines()]
         first = [v for v in SMOKE['vectors'] if v['id'] in failed]
-        self.assertEqual([runner.solid_of(v['a']) for v in first], asked[:len(first)])
+        self.assertEqual([daylight_vectors.solid_of(v['a']) for v in first], asked[:len(first)])
         pathlib.Path('left out').write_text(''.join(f'{name} spheres are not ours\n' for name in failed) + '# all\n\n')
-        status, text = self.ask('mine:blind', '--exclude', 'left out')
-        self.assertEqual(status, 0, text)
-        self.assertIn(f'{len(failed)} excluded', text)
+        excluded = daylight_vectors.exclusions('left out')
+        self.assertEqual(sorted(excluded), failed)
+        run, wrong = self.ask('mine:blind', excluded=excluded)
+        self.assertEqual((len(run.results), wrong), (200 - len(failed), []))
         pathlib.Path('left out').write_text(failed[0] + '\n')
-        for wrong in (['mine:blind', '--exclude', 'left out'], ['mine'], ['nobody:right'], ['mine:left'], [],
-                      ['--tier']):
-            self.assertEqual(self.ask(*wrong)[0], 64, wrong)
-        self.assertIn('200 declined', self.ask('mine:unable')[1])
+        with self.assertRaisesRegex(ValueError, 'without a reason'):
+            daylight_vectors.exclusions('left out')
+        for name in ('mine', 'nobody:right', 'mine:left'):
+            with self.assertRaises(ValueError):
+                self.ask(name)
+        self.assertEqual(list(self.ask('mine:unable')[0].results.values()), ['declined'] * 200)
 
     def test_what_breaks(self):
         for number, why in enumerate(('gave no answer within 1 s', 'ended its process', 'ended its process',
                                       'raised ZeroDivisionError', 'said [1], which is no answer', 'raised ValueError')):
             os.environ['FAULT'] = str(number)
             self.addCleanup(os.environ.pop, 'FAULT', None)
-            status, text = self.ask('mine:broken', '--limit', '1')
-            self.assertEqual(status, 2, text)
-            self.assertRegex(text, r'1 wrong. The simplest, v1-\w+: ' + re.escape(why))
-            self.assertIn('200 asked: 0 right, 0 within the tolerance, 199 declined, 1 wrong', text)
+            run, wrong = self.ask('mine:broken', limit=1.0)
+            self.assertEqual(len(wrong), 1)
+            self.assertTrue(run.results[wrong[0]['id']].startswith(why), run.results[wrong[0]['id']])
+            self.assertEqual(list(run.results.values()).count('declined'), 199)
 
     def test_the_lint_command(self):
+        def proved(file):
+            done = subprocess.run([sys.executable, HERE / 'lint.py', file], stdout=subprocess.PIPE, text=True)
+            return done.returncode, done.stdout
         document = copy.deepcopy(SMOKE)
         document['vectors'][0]['result'] = 'touching'
         pathlib.Path('wrong.json').write_text(json.dumps(document))
-        self.assertEqual(self.ask('--lint', 'wrong.json')[0], 2)
-        smoke, page = daylight_vectors.FOLDER / 'smoke.json', ROOT / 'docs/vectors.md'
-        self.assertEqual(self.ask('--lint', str(smoke), '--page', str(page)), (0, '0 wrong\n'))
+        self.assertRegex('%d %s' % proved('wrong.json'), r'^2 wrong.json: v1-\w+: .*\n1 wrong\n$')
+        self.assertEqual(proved(daylight_vectors.FOLDER / 'smoke.json'), (0, '0 wrong\n'))
 
     def test_the_plug_in(self):
-        python = python_with('pytest')
+        python = python_with_pytest()
 
         def pytest(*arguments):
-            done = subprocess.run([python, '-m', 'pytest', '-p', 'daylight_vectors.plugin', '-v', *arguments],
+            done = subprocess.run([python, '-m', 'pytest', '-p', 'daylight_vectors', '-v', *arguments],
                                   stdout=subprocess.PIPE, text=True,
                                   env=dict(os.environ, PYTHONPATH=os.pathsep.join([str(HERE), os.getcwd()])))
             return done.returncode, done.stdout
@@ -241,7 +242,7 @@ class Runner(unittest.TestCase):
         self.assertEqual(status, 1, text)
         self.assertRegex(text, r'daylight::Capsule\[1e-0\d\] FAILED')
         self.assertRegex(text, r'\d+ wrong. The simplest, v1-')
-        failed = runner.failed_before()
+        failed = daylight_vectors.failed_before()
         self.assertGreater(len(failed), 3)
         self.assertRegex(pytest('--daylight', 'mine:blind')[1], r'\n\ndaylight::\S+ FAILED')
         pathlib.Path('left out').write_text(''.join(f'{name} spheres are not ours\n' for name in failed))
@@ -249,24 +250,6 @@ class Runner(unittest.TestCase):
         self.assertRegex(pytest('--daylight', 'mine:unable')[1], r'daylight::\S+ SKIPPED')
         self.assertEqual(pytest('--daylight', 'nobody:right')[0], 4)
         self.assertEqual(pytest()[0], 5)
-
-
-class Installed(unittest.TestCase):
-    def test_pip(self):
-        """As somebody without a network installs it."""
-        python = python_with('pip', 'wheel')
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = pathlib.Path(scratch)
-            subprocess.run(['cp', '-rL', HERE, folder / 'vectors'], check=True)
-            done = subprocess.run([python, '-m', 'pip', 'install', '--no-build-isolation', '--no-deps',
-                                   '--no-index', '--target', folder / 'site', folder / 'vectors'],
-                                  capture_output=True, text=True)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            smoke = folder / 'site/daylight_vectors/v1/smoke.json'
-            asked = subprocess.run([python, '-m', 'daylight_vectors', '--lint', smoke], cwd=folder,
-                                   env=dict(os.environ, PYTHONPATH=str(folder / 'site')), capture_output=True,
-                                   text=True)
-            self.assertEqual((asked.returncode, asked.stdout), (0, '0 wrong\n'))
 
 
 if __name__ == '__main__':

@@ -4,7 +4,7 @@ import sys
 import unittest
 
 sys.dont_write_bytecode = True
-from daylight_vectors import exact  # noqa: E402
+import exact  # noqa: E402
 
 UP = {'center': [0, 0, 0], 'axis': [0, 0, 2], 'radius': 3, 'height': 8, 'rounding': 0}
 SLANTED = {'center': [0, 0, 0], 'axis': [0, 3, 4], 'radius': 5, 'height': 10, 'rounding': 1}
