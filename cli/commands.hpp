@@ -20,7 +20,6 @@ void add_explain(Program& program);
 void add_export(Program& program);
 void add_families(Program& program);
 void add_vectors(Program& program);
-void add_versions(Program& program);
 void add_fuzz(Program& program);
 void add_gate(Program& program);
 void add_judge(Program& program);

@@ -19,11 +19,11 @@ int run(int argc, char** argv) {
                        "that get it wrong.",
                        cyl::build_info().text());
   for (const auto add :
-       {cyl::add_check,   cyl::add_ask,      cyl::add_judge,  cyl::add_campaign, cyl::add_merge,
-        cyl::add_fuzz,    cyl::add_worst,    cyl::add_replay, cyl::add_triage,   cyl::add_explain,
-        cyl::add_errata,  cyl::add_export,   cyl::add_chart,  cyl::add_gate,     cyl::add_mutants,
-        cyl::add_bench,   cyl::add_versions, cyl::add_scene,  cyl::add_near,     cyl::add_families,
-        cyl::add_vectors, cyl::add_play})
+       {cyl::add_check,  cyl::add_ask,    cyl::add_judge,  cyl::add_campaign, cyl::add_merge,
+        cyl::add_fuzz,   cyl::add_worst,  cyl::add_replay, cyl::add_triage,   cyl::add_explain,
+        cyl::add_errata, cyl::add_export, cyl::add_chart,  cyl::add_gate,     cyl::add_mutants,
+        cyl::add_bench,  cyl::add_scene,  cyl::add_near,   cyl::add_families, cyl::add_vectors,
+        cyl::add_play})
     add(program);
   // These options are for package builders and not in --help.
   const std::string_view asked = argc == 2 ? argv[1] : "";

@@ -109,7 +109,6 @@ daylight_script(wasm_build reports 600 ${PROJECT_SOURCE_DIR}/reports/web/wasm/bu
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
                 ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
-daylight_script(engine_pages_test oracles 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/guests/compare_test.py)
 
 # Planted faults: not selected they change nothing; the program as it is survives every detector, a plain fault does not.
 daylight_script(mutants_off_change_nothing props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/mutants_test.sh $<TARGET_FILE:answers>

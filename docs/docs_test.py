@@ -36,7 +36,6 @@ ELSEWHERE = {
     'daylight test': 'the test command itself',
     'daylight fuzz': 'fuzz_test',
     'oracles/guests/': 'engines_test',
-    'daylight versions': 'versions_test',
     'mutants matrix': 'mutants_smoke',
     'bench --curves': 'chart_test',
     '--bench bench.json': 'chart_test',

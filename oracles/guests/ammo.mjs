@@ -36,13 +36,9 @@ function placed(s) {
   return { object, end: () => [object, shape, pose, at, turn].forEach((gone) => Bullet.destroy(gone)) };
 }
 
-const rims = 0.04;
-const model = {
-  text: `the cylinder with its rims rounded by at most ${rims} (CONVEX_DISTANCE_MARGIN)`, precision: 'single',
-  inner: { rims },
-};
+const rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims, model }, (a, b) => {
+serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims }, (a, b) => {
   const one = placed(a), other = placed(b);
   least = Infinity;
   world.contactPairTest(one.object, other.object, heard);

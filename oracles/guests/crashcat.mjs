@@ -21,8 +21,7 @@ const operand = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: settings.collisionTolerance, source: 'collisionTolerance of its default settings: closer is considered to be colliding' };
-const model = { text: 'the cylinder itself (convexRadius 0)', precision: 'double' };
-serve({ name: 'crashcat', version, claim, takes: all_kinds, model }, (a, b) => {
+serve({ name: 'crashcat', version, claim, takes: all_kinds }, (a, b) => {
   found.reset();
   collideShapeVsShape(found, settings, ...operand(a), ...operand(b));
   return { verdict: found.hit ? 'intersecting' : 'disjoint' };

@@ -46,9 +46,4 @@ code=0
 "$daylight" replay runs/engines "${all[@]}" >out || code=$?
 [[ $code == 0 || $code == 2 ]] || { echo "replay: exit code $code"; cat out; exit 1; }
 ! grep -q 'not asked' out || { cat out; exit 1; }
-# The comparison asks them about the same pairs, with and without inner solids.
-python3 "$guests/compare.py" run "$daylight" --cylinders 40 --shapes 40 --extremes 40 --only rapier cannon --keep kept --out rows.jsonl
-for answered in 'rapier.*"answered": [5-9]' 'cannon.*"answered": [2-4]'; do
-  grep -q "$answered" rows.jsonl || { cat rows.jsonl; exit 1; }
-done
 echo passed

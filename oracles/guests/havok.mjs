@@ -26,14 +26,9 @@ const shapes = {
 const place = ({ position: p, turn: t }) => [[p.x, p.y, p.z], [t.x, t.y, t.z, t.w]];
 const reach = (s) => Math.hypot(s.radius, s.halfHeight) + s.rounding;
 
-// What it makes of a cylinder, as small spheres around it show.
-const sides = 16, rims = 0.015;
-const model = {
-  text: `a prism of ${sides} sides inside the cylinder, its rims rounded by at most ${rims} (measured)`, precision: 'single',
-  inner: { radius: Math.cos(Math.PI / sides), rims },
-};
+// Of a cylinder it makes a prism of 16 sides inside, with rims rounded by at most 0.015, as small spheres around show.
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'], model }, (a, b) => {
+serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'] }, (a, b) => {
   const made = [a, b].map((s) => shapes[s.kind](s));
   if (made.some(([result]) => result !== Havok.Result.RESULT_OK)) return { declined: 'it makes no such shape' };
   const [one, other] = made.map(must);

@@ -42,13 +42,9 @@ function placed(s) {
   return { shape, solid, end: () => { Jolt.destroy(solid); Jolt.destroy(at); Jolt.destroy(rotation); shape.Release(); } };
 }
 
-const model = {
-  text: rounds ? `the cylinder with its rims rounded by ${rounded_rims}` : 'the cylinder itself (convex radius 0)',
-  precision: 'single', inner: { rims: rounded_rims },
-};
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
 const name = rounds ? 'jolt-default' : 'jolt';
-serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims, model }, (a, b) => {
+serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims }, (a, b) => {
   const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
   one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
   const meet = hit.HadHit();

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the guests in Node share: a hello, then an answer line for each line of a pair. Most engines are of single
-// precision and keep a cylinder along y, so that b is put where a has its centre, before it is rounded. `--time` adds
-// to each answer its time in nanoseconds, with the making of both solids.
-//
-// The hello's `model` says for compare.py which solid the engine collides for a cylinder: it lies inside the cylinder
-// and has in it `inner`, the cylinder with its radius times `radius` and its rims rounded by `rims`.
+// precision and keep a cylinder along y, so that b is put where a has its centre, before it is rounded.
 import { createInterface } from 'node:readline';
 
 /** The unit quaternion that turns y to the line of `axis`, by the half-way vector. */
@@ -35,7 +31,6 @@ export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded'];
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
-  const timed = process.argv.includes('--time');
   // What comes in together goes out together: a write for each line would take longer than the answer.
   let said = '';
   const flush = () => { process.stdout.write(said); said = ''; };
@@ -48,9 +43,7 @@ export function serve(hello, answer) {
     const { a, b } = JSON.parse(line);
     try {
       const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center));
-      const start = process.hrtime.bigint();
-      const said = solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' };
-      say(timed ? { ...said, ns: Number(process.hrtime.bigint() - start) } : said);
+      say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
     } catch (error) {
       say({ error: String(error) });
       flush();

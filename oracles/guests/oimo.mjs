@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // OimoPhysics: the distance of its GJK and EPA, which is of cores, less the margins around them.
 import { readFileSync } from 'node:fs';
-import { oimo } from 'oimophysics';
 import { serve } from './lines.mjs';
 
-const { version } = JSON.parse(readFileSync(new URL('node_modules/oimophysics/package.json', import.meta.url)));
+const folder = new URL('node_modules/oimophysics/', import.meta.url);
+const { version } = JSON.parse(readFileSync(new URL('package.json', folder)));
+// Its file is a module, but its package does not say so: Node.js 18 would read it as CommonJS.
+const source = readFileSync(new URL('OimoPhysics.js', folder));
+const { oimo } = await import(`data:text/javascript;base64,${source.toString('base64')}`);
 const { geometry, narrowphase } = oimo.collision, { Quat, Transform, Vec3 } = oimo.common;
 const gjk = new narrowphase.detector.gjkepa.GjkEpa();
 
@@ -21,12 +24,9 @@ function placed(s) {
   return [shapes[s.kind](s), at];
 }
 
-const rims = oimo.common.Setting.defaultGJKMargin;
+const rims = oimo.common.Setting.defaultGJKMargin; // inside the cylinder
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1. Its EPA ends after 40 steps' };
-const model = {
-  text: `the cylinder with its rims rounded by ${rims} (Setting.defaultGJKMargin)`, precision: 'double', inner: { rims },
-};
-serve({ name: 'oimo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims, model }, (a, b) => {
+serve({ name: 'oimo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims }, (a, b) => {
   const [one, at] = placed(a), [other, there] = placed(b);
   const status = gjk.computeClosestPoints(one, other, at, there, null);
   if (status !== 0) return { error: `GjkEpaResultState ${status}` };

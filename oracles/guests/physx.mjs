@@ -39,8 +39,7 @@ function placed(s) {
 }
 
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of the length scale 1' };
-const model = { text: 'the cylinder itself (a convex core)', precision: 'single' };
-serve({ name: 'physx', version, claim, takes: all_kinds, model }, (a, b) => {
+serve({ name: 'physx', version, claim, takes: all_kinds }, (a, b) => {
   const [one, other] = [placed(a), placed(b)];
   const meet = query.overlap(one.geometry, one.pose, other.geometry, other.pose);
   for (const gone of [one, other]) gone.end();

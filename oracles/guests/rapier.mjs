@@ -5,14 +5,13 @@ import { all_kinds, serve } from './lines.mjs';
 
 await RAPIER.init();
 const claim = { relative: 1e-6, absolute: 1.2e-6, source: 'parry gjk eps_tol(): 10 units of the last place of 1 in single precision' };
-const model = { text: 'the cylinder itself', precision: 'single' };
 const shapes = {
   sphere: (s) => new RAPIER.Ball(s.rounding),
   capsule: (s) => new RAPIER.Capsule(s.halfHeight, s.rounding),
   cylinder: (s) => new RAPIER.Cylinder(s.halfHeight, s.radius),
   rounded: (s) => new RAPIER.RoundCylinder(s.halfHeight, s.radius, s.rounding),
 };
-serve({ name: 'rapier', version: RAPIER.version(), claim, takes: all_kinds, model }, (a, b) => {
+serve({ name: 'rapier', version: RAPIER.version(), claim, takes: all_kinds }, (a, b) => {
   const [first, second] = [a, b].map((s) => shapes[s.kind](s));
   const meet = first.intersectsShape(a.position, a.turn, second, b.position, b.turn);
   return { verdict: meet ? 'intersecting' : 'disjoint' };
