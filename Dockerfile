@@ -3,7 +3,7 @@
 FROM debian:12 AS build
 COPY . /daylight
 WORKDIR /daylight
-RUN ./daylight --version && ninja -C build/release portable && mkdir /portable && tar -xf build/daylight-*.tar.zst -C /portable --strip-components 1
+RUN ./daylight --version && ninja -C build/release portable && mkdir /portable && tar -xf build/daylight-*.tar.gz -C /portable --strip-components 1
 
 FROM debian:12-slim
 RUN apt-get update && apt-get install -y --no-install-recommends libstdc++6 && rm -rf /var/lib/apt/lists/*

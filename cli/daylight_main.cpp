@@ -3,12 +3,10 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <string_view>
 
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/manual.hpp"
 #include "cli/options.hpp"
 
 namespace {
@@ -25,14 +23,6 @@ int run(int argc, char** argv) {
         cyl::add_bench,  cyl::add_scene,  cyl::add_near,   cyl::add_families, cyl::add_vectors,
         cyl::add_play})
     add(program);
-  // These options are for package builders and not in --help.
-  const std::string_view asked = argc == 2 ? argv[1] : "";
-  if (asked == "--man-page" || asked == "--bash-completion") {
-    const std::string text =
-        asked == "--man-page" ? cyl::man_page(program.text()) : cyl::bash_completion(program.text());
-    std::fputs(text.c_str(), stdout);
-    return cyl::exit_pass;
-  }
   try {
     return program.run(argc, argv);
   } catch (const cyl::UsageError& error) {

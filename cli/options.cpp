@@ -198,22 +198,6 @@ void Command::run_unparsed(std::function<int(const std::vector<std::string>&)> w
   run([work = std::move(work), app = app_] { return work(app->remaining()); });
 }
 
-ProgramText Program::text() const {
-  ProgramText program{app_->get_name(), app_->get_description(), app_->version(), exit_codes, {}};
-  for (const CLI::App* command : app_->get_subcommands({})) {
-    CommandText text{
-        command->get_group(), command->get_name(), command->get_description(), command->get_footer(), {}};
-    for (const CLI::Option* o : command->get_options()) {
-      if (o == command->get_help_ptr()) continue;
-      const bool flag = o->get_items_expected_max() == 0;
-      text.options.push_back(
-          {o->get_name(), flag ? "" : o->get_type_name(), o->get_description(), o->get_default_str()});
-    }
-    program.commands.push_back(std::move(text));
-  }
-  return program;
-}
-
 Program::Program(const std::string& name, const std::string& summary, const std::string& version)
     : app_(std::make_unique<CLI::App>(summary, name)) {
   app_->formatter(std::make_shared<HelpFormat>());

@@ -12,8 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "cli/manual.hpp"
-
 namespace CLI {
 class App;
 class Option;
@@ -97,9 +95,6 @@ class Program {
   /// Runs the command of the command line, and returns its exit code. Returns exit_usage, with the reason on
   /// standard error, if the command line cannot be parsed. Exceptions of the command pass through.
   int run(int argc, char** argv);
-
-  /// The content of --help, for other layouts.
-  ProgramText text() const;
 
  private:
   std::unique_ptr<CLI::App> app_;

@@ -41,16 +41,6 @@ target_include_directories(daylight_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
 
 add_executable(daylight cli/daylight_main.cpp)
 target_link_libraries(daylight PRIVATE daylight_cli)
-# What packages bring beside it; of another machine's program nothing can be asked here.
-if(NOT CMAKE_CROSSCOMPILING)
-  foreach(page man-page=daylight.1 bash-completion=daylight.bash)
-    string(REPLACE "=" ";" page ${page})
-    list(GET page 0 option)
-    list(GET page 1 file)
-    add_custom_command(TARGET daylight POST_BUILD VERBATIM COMMAND sh -c "\"$1\" --${option} >\"$2\"" make $<TARGET_FILE:daylight>
-                       ${CMAKE_BINARY_DIR}/generated/${file})
-  endforeach()
-endif()
 
 add_executable(print_answers reports/web/wasm/print_answers_main.cpp)
 target_link_libraries(print_answers PRIVATE daylight_reports_web_wasm)

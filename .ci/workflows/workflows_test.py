@@ -163,7 +163,7 @@ class Shell(unittest.TestCase):
         self.assertEqual(causes['needs'], 'shard')
 
     def test_ours(self):
-        self.write('build/daylight-0.1.0-Linux.tar.zst', '')
+        self.write('build/daylight-0.1.0-Linux.tar.gz', '')
         self.values['github.ref_name'] = 'v0.1.0'
         for name in ('daylight', 'bin/ninja', 'bin/gh'):
             self.write(name, f'#!/bin/sh\necho {pathlib.Path(name).name} $* >>released.txt\n')
@@ -178,7 +178,7 @@ class Shell(unittest.TestCase):
                          ['deep true', 'run true', 'run true --quick'])
         self.assertEqual((self.folder / 'released.txt').read_text().splitlines(),
                          ['daylight --version', 'ninja -C build/release portable',
-                          'gh release create v0.1.0 build/daylight-0.1.0-Linux.tar.zst --verify-tag --generate-notes'])
+                          'gh release create v0.1.0 build/daylight-0.1.0-Linux.tar.gz --verify-tag --generate-notes'])
 
     def test_timer(self):
         self.write('mine/none', '')

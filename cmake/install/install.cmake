@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What can be installed, a component at a time. `program` is the program with what it reads. What other programs may link
-# are three libraries of the objects of the folders, each with its headers, a component of the CMake package `daylight` and
-# a pkg-config file:
+# are three libraries of the objects of the folders, each with its headers and a component of the CMake package `daylight`:
 #   solver    the decision and the distance; needs Eigen alone
 #   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
 #   oracles   every method, compare and the readers behind them; everything
@@ -11,11 +10,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/daylight)
-file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 
-# daylight_library(NAME OBJECTS .. HEADERS .. LINKS .. [PC_REQUIRES "a b"] [PC_LIBS "-la -lb"])
+# daylight_library(NAME OBJECTS .. HEADERS .. LINKS ..)
 function(daylight_library name)
-  cmake_parse_arguments(it "" "PC_REQUIRES;PC_LIBS" "OBJECTS;HEADERS;LINKS" ${ARGN})
+  cmake_parse_arguments(it "" "" "OBJECTS;HEADERS;LINKS" ${ARGN})
   set(library installed_${name})
   add_library(${library} STATIC ${it_OBJECTS})
   set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name} OUTPUT_NAME daylight_${name}
@@ -30,9 +28,6 @@ function(daylight_library name)
     get_filename_component(folder ${header} DIRECTORY)
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/daylight/${folder} COMPONENT ${name})
   endforeach()
-  configure_file(cmake/install/daylight.pc.in ${CMAKE_BINARY_DIR}/library/daylight-${name}.pc @ONLY)
-  install(FILES ${CMAKE_BINARY_DIR}/library/daylight-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
-          COMPONENT ${name})
 endfunction()
 
 # Which objects are in which library: every library is made of whole rooms, but for `exact`, which the readers belong to.
@@ -48,16 +43,14 @@ daylight_objects_of(solver_objects solver)
 daylight_objects_of(exact_objects corpus/pairs oracles/referee)
 daylight_objects_of(oracles_objects base base/process solver/literature corpus/store oracles/methods oracles/trial)
 
-daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen PC_REQUIRES eigen3
+daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen
   HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
 daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
-  PC_REQUIRES "daylight-solver fmt" PC_LIBS "-lmpfi -lmpfr -lgmpxx -lgmp"
   HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
           corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp corpus/pairs/size_range.hpp corpus/pairs/solid_kind.hpp
           base/enum_words.hpp)
 daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
                  ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt seccomp mujoco
-  PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt libseccomp" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"
   HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
           oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
           corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)
@@ -81,11 +74,7 @@ foreach(file ${data})
 endforeach()
 install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/gate/feature.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/daylight-gate COMPONENT program)
-if(NOT CMAKE_CROSSCOMPILING)
-  install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-  install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.bash RENAME daylight COMPONENT program
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-endif()
+
 # The portable archive (ninja portable): the program with the libraries that it needs, except those of the C and C++
 # compilers, which plug-ins share; the gate's self-check; vectors. It runs on any machine with a glibc as new as this one's.
 set(bundle ${CMAKE_INSTALL_LIBDIR}/daylight)
@@ -100,3 +89,37 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight COMPONENT po
 install(FILES cmake/install/portable.md RENAME README.md DESTINATION . COMPONENT portable)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.png)
+
+# The licences of the libraries that the portable archive bundles, and of those that are compiled into it.
+set(licences "")
+set(bundled bullet ccd console-bridge fcl fmt gmp lodepng mpfi mpfr mujoco nlopt octomap ode pugixml qhull-r seccomp sqlite3- tinyxml
+    urdfdom-model)
+list(TRANSFORM bundled REPLACE "(.+)" "/usr/share/doc/lib\\1*[0-9]/copyright")
+set(compiled_in libcli11-dev libeigen3-dev librapidcheck-dev libsqlitecpp-dev nlohmann-json3-dev zlib1g)
+list(TRANSFORM compiled_in REPLACE "(.+)" "/usr/share/doc/\\1/copyright")
+file(GLOB copyrights ${bundled} ${compiled_in})
+foreach(file ${copyrights})
+  file(READ ${file} text)
+  string(APPEND licences "${file}\n\n${text}\n\n")
+endforeach()
+file(WRITE ${CMAKE_BINARY_DIR}/library/bundled-libraries.txt "${licences}")
+install(FILES ${CMAKE_BINARY_DIR}/library/bundled-libraries.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT portable)
+
+set(CPACK_GENERATOR TGZ)
+set(CPACK_COMPONENTS_ALL program portable solver)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /)
+set(CPACK_STRIP_FILES ON)
+include(CPack)
+# Builds what the portable archive holds, and nothing else.
+add_custom_target(portable COMMAND ${CMAKE_CPACK_COMMAND} -B ${PROJECT_SOURCE_DIR}/build USES_TERMINAL)
+add_dependencies(portable daylight daylight-mutants installed_solver)
+
+# Installs into a clean prefix and builds the example of docs/library-use.md against it. Not of libraries with sanitizers
+# in them, which want a program that has them too.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/cmake/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
+  set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 2400)
+endif()
