@@ -26,7 +26,6 @@ void add_judge(Program& program);
 void add_merge(Program& program);
 void add_mutants(Program& program);
 void add_near(Program& program);
-void add_play(Program& program);
 void add_replay(Program& program);
 void add_scene(Program& program);
 void add_triage(Program& program);

@@ -98,7 +98,7 @@ daylight_script(workflows_test cli 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_D
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
-foreach(part data browser build scene robot play)
+foreach(part data browser build scene robot)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()
 # The solver of the pages in WebAssembly, and the native one.

@@ -105,10 +105,6 @@ export function filled(report) {
     );
 }
 
-/** The solver in the page of a file. */
-export const solverOf = (file) =>
-  inflateSync(Buffer.from(/id="solver">([^<]*)</.exec(readFileSync(file, "utf8"))[1], "base64"));
-
 /** What the page of a file shows. */
 export function dataOf(file) {
   const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));

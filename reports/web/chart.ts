@@ -20,7 +20,6 @@ export { csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
 export { csvCell } from "./parts/save.ts";
 export { bringSolver, solve } from "./parts/solver.ts";
-export { addressOf, pairOf } from "./play/solids.ts";
 export { full, shellQuoted } from "./parts/words.ts";
 export { frameOf, standIn } from "./scene/study.ts";
 export { rowsOf as studyRowsOf } from "./scene/order.ts";

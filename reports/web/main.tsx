@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The page: it shows the run or the scene that its data describe, or lets the reader play with pairs.
+// The page: it shows the run or the scene that its data describe.
 import * as forNode from "./chart.ts";
 import { render } from "preact";
 import { inflated } from "./parts/inflate.ts";
 import { bringSolver } from "./parts/solver.ts";
 import { safe, safeTexts } from "./parts/words.ts";
-import type { Play } from "./play/data.ts";
-import { PlayPage } from "./play/play_page.tsx";
 import type { Report } from "./run/data.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
@@ -15,7 +13,7 @@ import type { Study } from "./scene/study.ts";
 
 const noData =
   "This is the page without its data. daylight campaign writes it with the data of a run, daylight scene --page with " +
-  "the data of a scene, daylight play with pairs to try.";
+  "the data of a scene.";
 
 /** From the element that page_template.cpp fills; null if it holds the mark of the template. */
 async function dataOf(): Promise<unknown> {
@@ -31,16 +29,12 @@ async function bringSolverOfPage() {
 
 /** The title of the page and what it shows; nothing in the template without data. */
 async function shown() {
-  const data = (await dataOf()) as Report | Study | Play | null;
+  const data = (await dataOf()) as Report | Study | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safeTexts(data);
     await bringSolverOfPage();
     return { title: study.file, view: <StudyPage study={study} /> };
-  }
-  if ("examples" in data) {
-    await bringSolverOfPage();
-    return { title: "play", view: <PlayPage play={safeTexts(data)} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }

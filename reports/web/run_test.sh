@@ -5,7 +5,6 @@
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
 #     run_test.sh robot DAYLIGHT    the robots on such pages: joints, gaps, proofs, words, and the CSV
-#     run_test.sh play DAYLIGHT     the page to play with, written by DAYLIGHT; needs chromium
 #     run_test.sh wasm PRINT_ANSWERS PAIRS [SEED]    the solver in WebAssembly answers as the native one
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail
@@ -31,13 +30,6 @@ robot() {
   node scene/robot_test.mjs "$scratch"/*.html
 }
 
-play() {
-  scratch=$(mktemp -d)
-  trap 'rm -rf -- "$scratch"' EXIT
-  "$1" play --out "$scratch/play.html"
-  node play/page_test.mjs "$scratch/play.html"
-}
-
 build() {
   [[ node_modules/.package-lock.json -nt package-lock.json ]] ||
     exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/web'
@@ -51,7 +43,6 @@ case $1 in
   browser) node run/page_test.mjs && node run/tasks_test.mjs ;;
   scene) scene "$2" ;;
   robot) robot "$2" ;;
-  play) play "$2" ;;
   wasm) node wasm/compare_test.mjs "${@:2}" ;;
   build) build ;;
 esac

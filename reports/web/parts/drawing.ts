@@ -18,7 +18,7 @@ export interface Drawing {
 }
 
 /** The double nearest to an exact coordinate, for drawing. */
-export function coordinateValue(x: Coordinate): number {
+function coordinateValue(x: Coordinate): number {
   if (typeof x === "number") return x;
   if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
   const [n, d = "1"] = x.split("/");
