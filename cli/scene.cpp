@@ -12,18 +12,14 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "reports/web/page_template.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 namespace {
 
-/// The most cylinders for which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
-constexpr std::size_t page_cap = 200;
-
 struct SceneArguments {
-  std::string json, page, srdf, srdf_out;
+  std::string json, srdf, srdf_out;
   std::vector<std::string> at;
   bool table = false;
   SceneOptions question;
@@ -46,24 +42,13 @@ void check_length(const char* option, double length) {
   throw UsageError(fmt::format("{}: {} is not a length: give a finite number, 0 or more", option, length));
 }
 
-/// Throws UsageError, before any work, if there are too many cylinders for a study or for its page.
-void check_count(const SceneArguments& arguments, const Scene& scene) {
+/// Throws UsageError, before any work, if there are too many cylinders for a study.
+void check_count(const Scene& scene) {
   const std::size_t cylinders = scene.bodies.size();
   if (cylinders > study_cap)
     throw UsageError(
         fmt::format("{} cylinders: a study has up to {}{}", cylinders, study_cap,
                     stands_still(scene) ? ". 'daylight near' finds the close pairs of more cylinders" : ""));
-  if (!arguments.page.empty() && cylinders > page_cap)
-    throw UsageError(fmt::format("--page shows up to {} cylinders, not {}: use --json{}", page_cap, cylinders,
-                                 stands_still(scene) ? ", or 'daylight near'" : ""));
-}
-
-void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
-  if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, arguments.question, s));
-  if (arguments.json.empty() && arguments.page.empty()) return;
-  const std::string json = study_json(scene, arguments.question, s);
-  if (!arguments.json.empty()) write_file(arguments.json, json);
-  if (!arguments.page.empty()) write_file(arguments.page, fill_template(json, PageSolver::included));
 }
 
 int study(SceneArguments& arguments) {
@@ -86,10 +71,11 @@ int study(SceneArguments& arguments) {
     fmt::print(stderr, "daylight: {}\n", error.what());
     return exit_invalid_input;
   }
-  check_count(arguments, scene);
+  check_count(scene);
   const SceneStudy s = study_scene(scene, question);
   fmt::print("{}", study_text(scene, question, s, arguments.table));
-  write_results(arguments, scene, s);
+  if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, question, s));
+  if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
   if (s.verification && s.verification->wrong > 0) return exit_findings;
   const auto is_refuted = [](const ExemptionProof& e) { return e.verdict == MotionVerdict::refuted; };
   const auto is_open = [](const auto& proof) { return proof.verdict == MotionVerdict::open; };
@@ -151,12 +137,8 @@ void add_scene(Program& program) {
               "write an SRDF that disables neighbours and proved pairs; implies --prove")
       .writable();
   command.option("--json FILE", arguments->json, "write everything as JSON").writable();
-  command
-      .option("--page FILE", arguments->page,
-              "write an HTML page: the robot in 3D, its pairs, cost against wrong answers")
-      .writable();
   command.examples(
-      "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html\n"
+      "  daylight scene robot.urdf --clearance 0.01 --verify --json robot.json\n"
       "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
       "Exit code 2 of scene means that the referee refutes a recommended answer, or that --prove shows "
       "contact of\n"

@@ -26,15 +26,12 @@ expect 0 'one configuration' "$daylight" scene "$scenes/crane.urdf" --at luff=-0
 holds 'one' out '^1 configuration, '
 expect 0 'a list' "$daylight" scene "$scenes/shelf.csv"
 holds 'four cylinders' out '^6 pairs: 6 checked\.'
-expect 0 'a page' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --page crane.html
-page_data crane.html >crane.json
-holds 'with its data' crane.json '"recommended":\['
-holds 'for nobody on the network' crane.html "default-src 'none'"
-expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --page none/crane.html
-holds 'which' err 'none/crane.html cannot be written'
+expect 1 'no place for JSON' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --json none/crane.json
+holds 'which' err 'none/crane.json cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
-expect 64 'too many for a page' "$daylight" scene many.jsonl --page many.html
-holds 'what to do' err "up to 200 cylinders, not 201: use --json, or 'daylight near'"
+for i in {1..5}; do cat many.jsonl; done >more.jsonl
+expect 64 'too many for a study' "$daylight" scene more.jsonl
+holds 'what to do' err "^daylight: .*1005 cylinders: a study has up to 1000. 'daylight near' finds the close pairs"
 expect 0 'close pairs' "$daylight" near many.jsonl --clearance 0.3 --verify --json many.json --csv many.csv
 holds 'counts' out '^200 pairs with boxes that meet: 200 within 0.3, 0 undecided$'
 holds 'its names' many.json '"names":\["1","2",'
@@ -42,16 +39,6 @@ holds 'as a table' many.csv '^1,2,0\.19'
 printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
 expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
 holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, but a line of a scene is one solid: .*`daylight check` answers'
-{
-  printf '<robot name="many"><link name="l0"/>'
-  for i in {1..201}; do
-    printf '<link name="l%s"><collision><geometry><cylinder radius="1" length="2"/></geometry></collision></link>' "$i"
-    printf '<joint name="j%s" type="continuous"><parent link="l%s"/><child link="l%s"/></joint>' "$i" $((i - 1)) "$i"
-  done
-  printf '</robot>'
-} >many.urdf
-expect 64 'a mechanism too large for a page' "$daylight" scene many.urdf --page many.html
-holds 'what to do' err '--page shows up to 200 cylinders, not 201: use --json'
 expect 0 'generated' "$daylight" near --generate rods --count 2000 --verify --list 3 --json rods.json
 holds 'counted' out '^2425 pairs with boxes that meet: '
 holds 'the referee' out '^referee: 2425 pairs judged, 0 wrong, 0 not proved, [0-9]+ ms$'
@@ -64,7 +51,7 @@ expect 64 'no cylinders' "$daylight" near
 expect 64 'two sources' "$daylight" near many.jsonl --generate rods
 expect 64 'nothing of that kind' "$daylight" near --generate bricks
 : >empty.jsonl
-expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
+expect 0 'nothing in it' "$daylight" scene empty.jsonl --json empty.json
 holds 'nothing to do' out '^nothing to check$'
 expect 64 'no such file' "$daylight" scene none.urdf
 expect 65 'a bad line' "$daylight" scene <(:) # no ending that is known

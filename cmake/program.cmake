@@ -5,11 +5,10 @@ foreach(room oracles_methods)
                              DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
 endforeach()
 
-# The page and its solver go into the program as they are committed; reports/web/build.mjs and wasm/build.sh make them.
+# The page goes into the program as it is committed; reports/web/build.mjs makes it.
 set(page_template ${PROJECT_SOURCE_DIR}/reports/web/page_template.html)
-set(page_solver ${PROJECT_SOURCE_DIR}/reports/web/solver.wasm)
-set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPENDS "${page_template};${page_solver}"
-  COMPILE_DEFINITIONS "DAYLIGHT_PAGE_TEMPLATE=\"${page_template}\";DAYLIGHT_PAGE_SOLVER=\"${page_solver}\"")
+set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPENDS ${page_template}
+  COMPILE_DEFINITIONS DAYLIGHT_PAGE_TEMPLATE="${page_template}")
 
 # The programs that `daylight export` writes are templates; they go into the program as an array of names and texts.
 file(GLOB templates CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/export/templates/*
@@ -42,8 +41,6 @@ target_include_directories(daylight_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
 add_executable(daylight cli/daylight_main.cpp)
 target_link_libraries(daylight PRIVATE daylight_cli)
 
-add_executable(print_answers reports/web/wasm/print_answers_main.cpp)
-target_link_libraries(print_answers PRIVATE daylight_reports_web_wasm)
 add_executable(compare_builds EXCLUDE_FROM_ALL bench/stability/builds_main.cpp)
 target_link_libraries(compare_builds PRIVATE daylight_bench_stability)
 add_executable(find_errata EXCLUDE_FROM_ALL tools/find_errata_main.cpp)

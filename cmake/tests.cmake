@@ -98,14 +98,9 @@ daylight_script(workflows_test cli 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_D
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
-foreach(part data browser build scene robot)
-  daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
+foreach(part data browser build)
+  daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part})
 endforeach()
-# The solver of the pages in WebAssembly, and the native one.
-daylight_script(wasm_answers reports 600 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh wasm $<TARGET_FILE:print_answers> 100000)
-daylight_script(wasm_answers_deep "reports;deep" 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh wasm
-                $<TARGET_FILE:print_answers> 1000000 2)
-daylight_script(wasm_build reports 600 ${PROJECT_SOURCE_DIR}/reports/web/wasm/build.sh --check)
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
                 ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})

@@ -5,7 +5,6 @@
 #include "base/statistics.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/study/shown_pairs.hpp"
 
 namespace cyl {
 namespace {
@@ -72,103 +71,19 @@ json model_json(const SceneOptions& q, const SceneStudy& s, Level level) {
           {"missed", t.missed}};
 }
 
-json words_json(const StudyWords& w) {
-  return {{"counts", w.counts},     {"left_out", w.left_out},
-          {"pairs", w.pairs},       {"configurations", w.configurations},
-          {"enough", w.enough},     {"recommended", w.recommended},
-          {"remarks", w.remarks},   {"cost", w.cost},
-          {"forgiven", w.forgiven}, {"capsules", w.capsules},
-          {"rounding", w.rounding}, {"closest", w.closest},
-          {"verified", w.verified}, {"motions", w.motions}};
-}
-
-json highlight_json(const Highlight& highlight) {
-  json all{{"why", to_string(highlight.reason)}};
-  if (highlight.reason == Reason::first) return all;
-  all["pair"] = highlight.pair;
-  if (highlight.reason != Reason::closest) all["model"] = to_string(highlight.model);
-  all["length"] = highlight.length;
-  return all;
-}
-
-json sample_json(const Sample& sample) {
-  json wrong = json::array();
-  for (const Level level : enum_values<Level>)
-    if (sample.wrong[index_of(level)]) wrong.push_back(to_string(level));
-  return {{"distance", sample.distance},
-          {"within", sample.within},
-          {"wrong", std::move(wrong)},
-          {"on_a", vector_json(sample.on_a)},
-          {"on_b", vector_json(sample.on_b)}};
-}
-
-/// Returns only the joints that --at takes.
-json joints_json(const Scene& scene, const std::vector<double>& values) {
-  json joints = json::object();
-  for (std::size_t i = 0; i < scene.links.size(); ++i) {
-    const Link& link = scene.links[i];
-    if (link.motion != Motion::fixed && !link.follow) joints[link.joint] = values[i];
-  }
-  return joints;
-}
-
 json pose_json(const Pose& pose) {
   json axes = json::array();
   for (int k = 0; k < 3; ++k) axes.push_back(vector_json(pose.linear().col(k)));
   return {{"center", vector_json(pose.translation())}, {"axes", std::move(axes)}};
 }
 
-/// Returns the poses of the shapes that solids only bound: boxes, and the boxes of meshes.
-json boxes_json(const Scene& scene, const Shown& shown) {
-  json boxes = json::array();
-  const std::vector<Pose> poses = pose_links(scene, shown.joints);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    if (!body.box) continue;
-    boxes.push_back({{"body", i}});
-    boxes.back().update(pose_json(poses[body.link] * body.box->pose));
-  }
-  return boxes;
-}
-
-const char* motion_word(const Link& link) {
-  if (link.held) return "held";
-  return link.motion == Motion::turn ? "turn" : link.motion == Motion::slide ? "slide" : "fixed";
-}
-
-/// Returns what forward kinematics needs about a link and the joint that carries it.
-json link_json(const Link& link) {
-  json all{{"name", link.name}, {"motion", motion_word(link)}, {"origin", pose_json(link.origin)}};
-  if (link.parent) all["parent"] = *link.parent;
-  if (!link.joint.empty()) all["joint"] = link.joint;
-  if (link.motion == Motion::fixed) return all;
-  all["axis"] = vector_json(link.axis);
-  if (!link.follow) all["limits"] = {link.low, link.high};
-  if (const auto& f = link.follow)
-    all["follows"] = {{"link", f->link}, {"multiplier", f->multiplier}, {"offset", f->offset}};
-  return all;
-}
-
 json body_json(const Scene& scene, const Body& body) {
-  json all{{"name", body.name},
-           {"link", scene.links[body.link].name},
-           {"on", body.link},
-           {"solid", cylinder_json(body.solid)}};
+  json all{{"name", body.name}, {"link", scene.links[body.link].name}, {"solid", cylinder_json(body.solid)}};
   if (body.box)
     all["holds"] = {{"shape", body.box->shape},
                     {"size", vector_json(body.box->size)},
                     {"pose", pose_json(body.box->pose)}};
   return all;
-}
-
-json shown_json(const Scene& scene, const Shown& shown) {
-  json reasons = json::array(), cylinders = json::array(), pairs = json::array();
-  for (const Highlight& highlight : shown.highlights) reasons.push_back(highlight_json(highlight));
-  for (const Cylinder& c : shown.placed) cylinders.push_back(cylinder_json(c));
-  for (const Sample& sample : shown.pairs) pairs.push_back(sample_json(sample));
-  return {{"configuration", shown.configuration},       {"reasons", std::move(reasons)},
-          {"joints", joints_json(scene, shown.joints)}, {"cylinders", std::move(cylinders)},
-          {"boxes", boxes_json(scene, shown)},          {"pairs", std::move(pairs)}};
 }
 
 /// The joints are those of a refuted pair. The bound is that of a proved one.
@@ -211,8 +126,7 @@ void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
 
 std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
-       links = json::array(), bodies = json::array(), kept = json::array(), roundings = json::array(),
-       rounded = json::array();
+       bodies = json::array(), roundings = json::array(), rounded = json::array();
   for (const auto& [shape, link] : scene.left_out) left_out.push_back(shape + " of " + link);
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
   for (const RoundingCost& r : s.roundings) {
@@ -226,10 +140,7 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
     alone[to_string(level)] = s.alone_ns[index_of(level)];
     models.push_back(model_json(q, s, level));
   }
-  for (const Link& link : scene.links) links.push_back(link_json(link));
   for (const Body& body : scene.bodies) bodies.push_back(body_json(scene, body));
-  for (const Shown& configuration : shown_configurations(scene, q, s))
-    kept.push_back(shown_json(scene, configuration));
   json all{{"file", q.file},
            {"seed", std::to_string(q.seed)},
            {"clearance", q.clearance},
@@ -251,13 +162,10 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
              {"recommended", s.cascade_ns},
              {"rounded", std::move(rounded)},
              {"alone", std::move(alone)}}},
-           {"words", words_json(words_of(scene, q, s))},
            {"models", std::move(models)},
            {"roundings", std::move(roundings)},
-           {"links", std::move(links)},
            {"bodies", std::move(bodies)},
-           {"pairs", std::move(pairs)},
-           {"kept", std::move(kept)}};
+           {"pairs", std::move(pairs)}};
   if (s.closest)
     all["closest_call"] = {{"a", scene.bodies[s.closest->a].name},
                            {"b", scene.bodies[s.closest->b].name},

@@ -334,42 +334,21 @@ std::string line(const std::string& words, const char* before = "") {
 
 }  // namespace
 
-StudyWords words_of(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  StudyWords w;
-  w.counts = counts_words(scene);
-  w.left_out = left_out_words(scene);
-  w.pairs = pairs_words(scene, s);
-  if (s.pairs.empty()) return w;
-  w.configurations = configurations_words(scene, q, s);
-  w.enough = enough_words(scene, q, s);
-  w.recommended = recommended_words(scene, s);
-  w.remarks = remark_words(scene, s);
-  w.cost = cost_words(s);
-  w.forgiven = forgiven_words(q, s);
-  w.capsules = capsules_words(q, s);
-  w.rounding = rounding_words(s);
-  w.closest = closest_words(scene, q, s);
-  w.verified = verified_words(s);
-  w.motions = motions_words(q, s);
-  return w;
-}
-
 std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool every_pair) {
-  const StudyWords w = words_of(scene, q, s);
-  std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
-  for (const std::string& shapes : w.left_out) text += line(shapes, "  not tested: ");
+  std::string text = fmt::format("seed {}\n", q.seed) + line(counts_words(scene));
+  for (const std::string& shapes : left_out_words(scene)) text += line(shapes, "  not tested: ");
   for (const std::string& note : scene.notes) text += line(note, "  ");
-  text += line(w.pairs);
+  text += line(pairs_words(scene, s));
   if (s.pairs.empty()) return text + "nothing to check\n";
-  text += line(w.configurations) + models_table(q, s);
+  text += line(configurations_words(scene, q, s)) + models_table(q, s);
   const std::string more = needs_more(scene, q, s);
-  text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
-  text += line(w.recommended, "recommended: ");
-  for (const std::string& remark : w.remarks) text += line(remark, "  ");
-  text += line(w.cost, "  ") + line(w.forgiven, "  ");
-  for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
-  return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
-         motions_text(scene, s, every_pair);
+  text += "\n" + enough_words(scene, q, s) + (more.empty() ? "\n" : ":\n" + more);
+  text += line(recommended_words(scene, s), "recommended: ");
+  for (const std::string& remark : remark_words(scene, s)) text += line(remark, "  ");
+  text += line(cost_words(s), "  ") + line(forgiven_words(q, s), "  ");
+  for (const std::string& rounding : rounding_words(s)) text += line(rounding, "  ");
+  return text + line(capsules_words(q, s)) + line(closest_words(scene, q, s)) + line(verified_words(s)) +
+         line(motions_words(q, s)) + motions_text(scene, s, every_pair);
 }
 
 }  // namespace cyl

@@ -5,7 +5,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { deflateSync, inflateSync } from "node:zlib";
+import { deflateSync } from "node:zlib";
 
 function skip(why) {
   process.exit(
@@ -90,23 +90,14 @@ export const colours = async (page) => (
 );
 
 const packed = (bytes) => deflateSync(bytes).toString("base64");
-/** The solver that pages hold, as it is committed. */
-export const solverModule = readFileSync(new URL("./solver.wasm", import.meta.url));
 
 /** The page with data in it, as page_template.cpp fills it. */
 export function filled(report) {
   const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
   return template
     .replace("@@DAYLIGHT_REPORT_DATA@@", () => packed(JSON.stringify(report)))
-    .replace("@@DAYLIGHT_SOLVER@@", () => ("kept" in report ? packed(solverModule) : ""))
     .replace(
       /<script id="program">(.*?)<\/script>/s,
       (_, program) => `<script type="text/plain" id="program">${packed(program)}</script>`,
     );
-}
-
-/** What the page of a file shows. */
-export function dataOf(file) {
-  const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));
-  return JSON.parse(inflateSync(Buffer.from(text, "base64")));
 }

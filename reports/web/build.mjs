@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds what is committed: page_template.html, the page of a run or a scene without its data.
+// Builds what is committed: page_template.html, the page of a run without its data.
 //     npm ci && node build.mjs            writes it
 //     node build.mjs --check              says whether it is what these sources give; exit status 1 where not
 // The same sources and package-lock.json give the same bytes. It carries the hash of what it was built from, which
@@ -65,7 +65,7 @@ async function page() {
     loader = await scriptOf("loader.ts");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-  const policy = `default-src 'none'; script-src ${hash(program.text)} ${hash(loader.text)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:`;
+  const policy = `default-src 'none'; script-src ${hash(program.text)} ${hash(loader.text)}; style-src 'unsafe-inline'; img-src data: blob:`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp)

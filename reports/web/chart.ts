@@ -19,14 +19,7 @@ export { logGamma, sameRateProbability } from "./run/rates.ts";
 export { csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
 export { csvCell } from "./parts/save.ts";
-export { bringSolver, solve } from "./parts/solver.ts";
 export { full, shellQuoted } from "./parts/words.ts";
-export { frameOf, standIn } from "./scene/study.ts";
-export { rowsOf as studyRowsOf } from "./scene/order.ts";
-export { gap, gapsOf } from "./scene/gap.ts";
-export { freeJoints, jointValues, placed } from "./scene/kinematics.ts";
-export { csvOfStudy } from "./scene/csv.ts";
-export { riskOf } from "./scene/risk.ts";
 export { expand, onlyHere, pareto, plainDocument };
 
 /** Points of a file's width; text is 11 of them high. */

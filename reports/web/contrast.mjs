@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
  *  the ground of a map, and controls without an effect. */
 const exempt = [
   "[aria-label$=grid], [aria-label=frame], [aria-label=tip], .rule, .reach, .ground, defs *",
-  ".projection .body, .projection .plane, button:disabled, .zero, .sr",
+  ".projection .body, .projection .plane, button:disabled, .zero",
 ].join();
 
 const measured = (exempt) => {

@@ -1,55 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The page: it shows the run or the scene that its data describe.
+// The page: it shows the run that its data describe.
 import * as forNode from "./chart.ts";
 import { render } from "preact";
 import { inflated } from "./parts/inflate.ts";
-import { bringSolver } from "./parts/solver.ts";
-import { safe, safeTexts } from "./parts/words.ts";
+import { safe } from "./parts/words.ts";
 import type { Report } from "./run/data.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
-import { StudyPage } from "./scene/scene_page.tsx";
-import type { Study } from "./scene/study.ts";
 
-const noData =
-  "This is the page without its data. daylight campaign writes it with the data of a run, daylight scene --page with " +
-  "the data of a scene.";
-
-/** From the element that page_template.cpp fills; null if it holds the mark of the template. */
-async function dataOf(): Promise<unknown> {
-  const text = document.getElementById("report-data")?.textContent ?? "";
-  if (text === "" || text.startsWith("@")) return null;
-  return inflated(text).json();
-}
-
-/** From the element that page_template.cpp fills for pages that ask the solver. */
-async function bringSolverOfPage() {
-  await bringSolver(await inflated(document.getElementById("solver")!.textContent!).arrayBuffer());
-}
-
-/** The title of the page and what it shows; nothing in the template without data. */
-async function shown() {
-  const data = (await dataOf()) as Report | Study | null;
-  if (data === null) return null;
-  if ("kept" in data) {
-    const study = safeTexts(data);
-    await bringSolverOfPage();
-    return { title: study.file, view: <StudyPage study={study} /> };
-  }
-  return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
-}
-
-/** Draws the page, or says why it cannot. */
+/** Draws the data in the element that page_template.cpp fills, or says why it cannot. */
 async function draw() {
-  const page = document.getElementById("page")!;
+  const page = document.getElementById("page")!,
+    text = document.getElementById("report-data")!.textContent;
+  if (text.startsWith("@")) {
+    page.textContent = "This is the page without its data. daylight campaign writes it with the data of a run.";
+    return;
+  }
   try {
-    const it = await shown();
-    if (it) {
-      document.title = `daylight ${it.title}`;
-      render(it.view, page);
-    } else {
-      page.textContent = noData;
-    }
+    const report = expand((await inflated(text).json()) as Report);
+    document.title = `daylight ${safe(report.run.id)}`;
+    render(<RunPage report={report} />, page);
   } catch (error) {
     page.textContent = `The data of this page cannot be read: ${error}`;
     console.error(error);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the JSON that the page of a run or of a scene holds. page_data.py PAGE.html"""
+"""Prints the JSON that the page of a run holds. page_data.py PAGE.html"""
 import base64
 import json
 import pathlib
@@ -22,8 +22,7 @@ def unpacked(rows):
 
 page = pathlib.Path(sys.argv[1]).read_text(encoding='utf-8')
 data = json.loads(zlib.decompress(base64.b64decode(re.search('id="report-data">(.*?)<', page)[1])))
-if 'findings' in data:
-    data['findings'] = unpacked(data['findings'])
-    for drawn in data['maps']:
-        drawn['cells'] = unpacked(drawn['cells'])
+data['findings'] = unpacked(data['findings'])
+for drawn in data['maps']:
+    drawn['cells'] = unpacked(drawn['cells'])
 print(json.dumps(data, ensure_ascii=False, separators=(',', ':')))

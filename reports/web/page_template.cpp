@@ -5,21 +5,15 @@
 
 #include <stdexcept>
 
-// The assembler includes the template and the solver as bytes of this program.
+// The assembler includes the template as bytes of this program.
 asm(".pushsection .rodata\n"
     "daylight_page_template:\n"
     ".incbin \"" DAYLIGHT_PAGE_TEMPLATE
     "\"\n"
     "daylight_page_template_end:\n"
     ".byte 0\n"
-    "daylight_page_solver:\n"
-    ".incbin \"" DAYLIGHT_PAGE_SOLVER
-    "\"\n"
-    "daylight_page_solver_end:\n"
-    ".byte 0\n"
     ".popsection\n");
 extern "C" const char daylight_page_template[], daylight_page_template_end[];
-extern "C" const char daylight_page_solver[], daylight_page_solver_end[];
 
 namespace cyl {
 namespace {
@@ -59,23 +53,17 @@ std::size_t end_of(std::string_view what, std::string_view page, std::size_t fro
 
 }  // namespace
 
-std::string fill_template(std::string_view json, PageSolver solver) {
+std::string fill_template(std::string_view json) {
   // Each mark and tag occurs once in the template, in this order.
-  constexpr std::string_view data_mark = "@@DAYLIGHT_REPORT_DATA@@", solver_mark = "@@DAYLIGHT_SOLVER@@",
-                             tag = "<script id=\"program\">", end_tag = "</script>";
+  constexpr std::string_view data_mark = "@@DAYLIGHT_REPORT_DATA@@", tag = "<script id=\"program\">",
+                             end_tag = "</script>";
   const std::string_view page(daylight_page_template,
                               static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
-  const std::string_view module(daylight_page_solver,
-                                static_cast<std::size_t>(daylight_page_solver_end - daylight_page_solver));
-  const std::size_t after_data = end_of(data_mark, page, 0),
-                    after_solver = end_of(solver_mark, page, after_data),
-                    program = end_of(tag, page, after_solver),
+  const std::size_t after_data = end_of(data_mark, page, 0), program = end_of(tag, page, after_data),
                     rest = end_of(end_tag, page, program) - end_tag.size();
   std::string filled(page.substr(0, after_data - data_mark.size()));
   filled += packed(json);
-  filled += page.substr(after_data, after_solver - solver_mark.size() - after_data);
-  if (solver == PageSolver::included) filled += packed(module);
-  filled += page.substr(after_solver, program - tag.size() - after_solver);
+  filled += page.substr(after_data, program - tag.size() - after_data);
   filled += "<script type=\"text/plain\" id=\"program\">";
   filled += packed(page.substr(program, rest - program));
   return filled += page.substr(rest);

@@ -15,7 +15,7 @@ const others = [
 ];
 
 export function sourcesHash() {
-  const names = ["", "parts/", "run/", "scene/"]
+  const names = ["", "parts/", "run/"]
     .flatMap((folder) => readdirSync(new URL(`./${folder}`, here)).map((name) => folder + name))
     .filter((name) => /\.tsx?$/.test(name))
     .concat(others)

@@ -64,18 +64,17 @@ export function Outline({
   of,
   flat,
   view,
-  ...how
+  class: name,
 }: {
   of: Solid;
   flat: Flatten;
   view: View;
-  class?: string;
-  style?: Record<string, string | number>;
+  class: string;
 }) {
   const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat)),
     outline = hull(swollen(ends.flat(), of.rounding / view.radius));
   return (
-    <g {...how}>
+    <g class={name}>
       <path class="body" d={path(outline)} />
       {(of.rounding > 0 ? [outline] : ends).map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
@@ -86,33 +85,4 @@ export function Outline({
 
 export function Way({ from, to }: { from: Flat; to: Flat }) {
   return <line class="gap" x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />;
-}
-
-export function SolidsProjection({
-  solids,
-  view,
-  near,
-  label,
-}: {
-  solids: { solid: Solid; colour: string; faint: boolean }[];
-  view: View;
-  near: [Vec, Vec] | null;
-  label: string;
-}) {
-  const flat = flatten(view);
-  return (
-    <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
-      {solids.map(({ solid, colour, faint }, i) => (
-        <Outline
-          of={solid}
-          flat={flat}
-          view={view}
-          class={faint ? "faint" : ""}
-          style={{ fill: `var(${colour})`, stroke: `var(${faint ? "--grey" : colour})` }}
-          key={i}
-        />
-      ))}
-      {near && <Way from={flat(near[0])} to={flat(near[1])} />}
-    </svg>
-  );
 }

@@ -69,17 +69,6 @@ export function safe(text: string): string {
 /** One line of JSON that hides nothing: the escapes of safe() are those of JSON. */
 export const jsonLine = (data: unknown) => safe(JSON.stringify(data));
 
-/** The same data with every text in them made safe. */
-export function safeTexts<T>(data: T): T {
-  const madeSafe = (x: unknown): unknown => {
-    if (typeof x === "string") return safe(x);
-    if (Array.isArray(x)) return x.map(madeSafe);
-    if (x === null || typeof x !== "object") return x;
-    return Object.fromEntries(Object.entries(x).map(([key, value]) => [key, madeSafe(value)]));
-  };
-  return madeSafe(data) as T;
-}
-
 const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
 /** The shortest decimal that is this double, in exponent form where it has more than 12 digits and is no size that
  *  people read as it is. */
