@@ -139,24 +139,27 @@ sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
 expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --out sent
-holds 'triage' out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
+holds 'triage' out ': sent/case.jsonl, exact.py, issue.md$'
+holds 'triage' out '^ask it again: .* replay sent/case.jsonl --methods bad --plugin bad=/.*/libbad.so$'
 expect 0 'sent/exact.py' python3 sent/exact.py
-expect 1 'sent/build.sh' sh sent/build.sh
-holds 'sent/build.sh' out '^bad answers: 0, disjoint$'
-holds 'sent/build.sh' out '^WRONG$'
-expect 0 'sent/build.sh' sh sent/build.sh good.so
-holds 'sent/build.sh' out '^right$'
 ! grep -rIF -- "$PWD" sent || failed 'what is sent knows this machine'
-expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --source bad.cpp --out source
-[[ -e source/bad.cpp && ! -e source/libbad.so ]] || failed 'the source is not sent, or the library is'
-grep -q '`bad.cpp`' source/issue.md || failed 'the text does not name the source'
-expect 1 'source/build.sh' sh source/build.sh
-holds 'source/build.sh' out '^WRONG$'
-expect 64 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --method decide --out source
-expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
-expect 134 'sent/build.sh' sh sent/build.sh
-expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
-expect 0 'sent/exact.py' python3 sent/exact.py
+again=$(sed -n 's/^    daylight //p' sent/issue.md)
+equal 'the command' 'replay case.jsonl --methods bad --plugin bad=libbad.so' "$again"
+cp libbad.so sent
+cd sent
+# shellcheck disable=SC2086
+expect 2 'asked again' "$daylight" $again
+holds 'asked again' out '^  bad .*wrong_disjoint'
+cp ../good.so libbad.so
+# shellcheck disable=SC2086
+expect 0 'asked once it is right' "$daylight" $again
+cd ..
+expect 64 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --method decide --out sent
+expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out crashing
+expect 2 'a crash' "$daylight" replay crashing/case.jsonl --methods bad --plugin ./libbad.so
+expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out plain
+expect 0 'plain/exact.py' python3 plain/exact.py
+expect 2 'plain' "$daylight" replay plain/case.jsonl --methods plain --command 'sh plain.sh'
 printf '%s' '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},' \
   '"b":{"center":[3,0,0],"axis":[0,0,1],"radius":0,"height":2,"rounding":1}}' >round.jsonl
 printf '%s\n' 'echo "{\"name\":\"round\",\"claim\":{\"relative\":1e-18,\"source\":\"none\"},\"takes\":[\"sphere\",\"capsule\"]}"' \
@@ -165,15 +168,6 @@ expect 0 'of a sphere and a capsule' "$daylight" export round.jsonl --command 's
 holds 'with the digits that matter' round/issue.md '^# round gives a distance of 1.0000000000001 for a sphere and a capsule that are (1|0.9999[0-9]*) apart$'
 expect 0 'what it said is refuted' python3 round/exact.py
 holds 'what it said is refuted' out '^the distance said, 1.0000000000001, is too large by more than [0-9.e-]+: proved$'
-
-cd elsewhere
-expect 1 '../sent/build.sh' sh ../sent/build.sh
-holds '../sent/build.sh' out '^it answers: \{"verdict":"disjoint"\}$'
-expect 0 '../sent/build.sh' sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
-expect 64 'a program that does not start' sh ../sent/build.sh 'exit 3'
-holds 'a program that does not start' err '^it does not answer an easy pair, and exits with status 3$'
-lacks 'a program that does not start' out WRONG
-cd ..
 
 # One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.
 causes --plugin good.so

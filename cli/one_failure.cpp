@@ -2,15 +2,20 @@
 #include "cli/one_failure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
+#include <vector>
 
+#include "base/own_command.hpp"
 #include "base/process/child.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
@@ -20,7 +25,6 @@
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 #include "reports/export/export.hpp"
-#include "reports/export/framework_test_text.hpp"
 
 namespace cyl {
 namespace {
@@ -47,7 +51,7 @@ Ran run_build(const fs::path& folder) {
 }
 
 /// Returns whether the program, built and run in its own folder, shows the failure. False if it could not be
-/// built or asked. Throws std::runtime_error if it ran without a failure.
+/// built. Throws std::runtime_error if it ran without a failure.
 bool shows_failure(const Export& files) {
   std::string name = (fs::temp_directory_path() / "daylight-export-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + " cannot be made");
@@ -57,9 +61,7 @@ bool shows_failure(const Export& files) {
   });
   write_export(files, name);
   const Ran ran = run_build(name);
-  const bool script = files.program_name == "reproduce.py";
-  if (!script && !fs::exists(fs::path(name) / "reproduce")) return false;
-  if (WIFEXITED(ran.status) && WEXITSTATUS(ran.status) == exit_usage) return false;
+  if (!fs::exists(fs::path(name) / "reproduce")) return false;
   if (!WIFEXITED(ran.status) || WEXITSTATUS(ran.status) != 0) return true;
   throw std::runtime_error(
       "the program that would be sent does not show the failure, so nothing is written. It printed:\n" +
@@ -102,33 +104,23 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   return {name, now.finding()->kind, target.pair};
 }
 
-void add_send_options(Command& command, SendOptions& options) {
-  command.section("Output");
-  command.option("--emit FRAMEWORK", options.framework, "also write a test in this framework")
-      .one_of(test_frameworks());
-  command
-      .option("--source FILE", options.sources,
-              "source of a guest, to send with it; a plug-in is compiled from the first one")
-      .one_each()
-      .existing_file();
-}
-
-int export_failure(const MethodSet& set, const OneFailure& failure, const SendOptions& options,
-                   const std::string& folder) {
-  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests,
-                                   {options.sources, failure.worst, options.framework});
-  const bool tried = shows_failure(files);
+int export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder) {
+  const auto guest = std::ranges::find(set.guests, failure.method, &Guest::name);
+  const bool is_guest = guest != set.guests.end();
+  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair,
+                                   is_guest ? &*guest : nullptr, failure.worst);
+  const bool shown = is_guest || shows_failure(files);
   write_export(files, folder);
-  std::string more;
-  for (const SentFile& sent : files.files) more += ", " + sent.name;
-  if (!files.test.empty()) more += ", " + files.test_name;
-  fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py{}\n", failure.method, to_string(failure.kind),
-             folder, files.program_name, more);
-  fmt::print(
-      "{}\n",
-      tried ? "tested: it was built and run here, and shows the failure"
-            : "not tested: it could not be built or run here; sh build.sh in that folder shows the reason");
-  return tried ? exit_pass : exit_undecided;
+  std::vector<std::string_view> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  fmt::print("{}, {}: {}/{}\n", failure.method, to_string(failure.kind), folder, fmt::join(names, ", "));
+  if (is_guest)
+    fmt::print("ask it again: {}\n", command_for(own_command(), folder + "/case.jsonl", *guest));
+  else
+    fmt::print("{}\n", shown ? "tested: it was built and run here, and shows the failure"
+                             : "not tested: it could not be built here; sh build.sh in that folder shows the "
+                               "reason");
+  return shown ? exit_pass : exit_undecided;
 }
 
 }  // namespace cyl

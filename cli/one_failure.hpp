@@ -34,17 +34,9 @@ void add_failure_options(Command& command, FailureOptions& options);
 /// new answer. Throws UsageError if it does not name exactly one pair, or if the method is right on it.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
-/// Further files of an export: the sources of a guest, and a test in this framework, if any.
-struct SendOptions {
-  std::vector<std::string> sources;
-  std::string framework;
-};
-void add_send_options(Command& command, SendOptions& options);
-
-/// Builds and runs the result of make_export(), writes it into the folder, and prints what it wrote. Returns
-/// exit_undecided if the program could not be built or run here. Throws std::runtime_error, and writes
+/// Writes make_export() into the folder, and prints what it wrote. A program for a packaged library is built
+/// and run first. Returns exit_undecided if it could not be built here. Throws std::runtime_error, and writes
 /// nothing, if it does not show the failure.
-int export_failure(const MethodSet& set, const OneFailure& failure, const SendOptions& options,
-                   const std::string& folder);
+int export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder);
 
 }  // namespace cyl

@@ -41,7 +41,6 @@ namespace {
 struct TriageArguments {
   std::string run, budget, json, explained, exported, out, method, annotated;
   CauseNote note;
-  SendOptions sent;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
@@ -147,7 +146,7 @@ int export_cause(const TriageArguments& arguments) {
   }
   if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
-  return export_failure(set, failure, arguments.sent, arguments.out);
+  return export_failure(set, failure, arguments.out);
 }
 
 int annotate_cause(const TriageArguments& arguments) {
@@ -190,14 +189,13 @@ void add_triage(Program& program) {
   command.option("--out DIR", arguments->out, "folder for --export");
   command
       .option("--export KEY", arguments->exported,
-              "only write a program, a proof and an issue text for the maintainers")
+              "only write a proof, an issue text and a program or case for the maintainers")
       .needs("--out")
       .excludes("--explain");
   command
       .option("--method NAME", arguments->method,
               "method whose failure --export writes, if the cause has several")
       .needs("--export");
-  add_send_options(command, arguments->sent);
   command
       .option("--annotate KEY", arguments->annotated,
               "only store an owner and a note for this cause, next to the runs")

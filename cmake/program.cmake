@@ -12,8 +12,7 @@ set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPE
 
 # The programs that `daylight export` writes are templates; they go into the program as an array of names and texts.
 file(GLOB templates CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/export/templates/*
-     ${PROJECT_SOURCE_DIR}/oracles/plugin.h ${PROJECT_SOURCE_DIR}/vectors/exact.py
-     ${PROJECT_SOURCE_DIR}/oracles/methods/ccd_support.inc)
+     ${PROJECT_SOURCE_DIR}/vectors/exact.py ${PROJECT_SOURCE_DIR}/oracles/methods/ccd_support.inc)
 set(export_templates "")
 foreach(template ${templates})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${template})

@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
-#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
@@ -19,11 +23,7 @@
 #include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/hangs_on_sums.hpp"
 #include "reports/export/export_check.hpp"
-#include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
-#include "reports/export/framework_test_text.hpp"
-#include "reports/export/linked_libraries.hpp"
-#include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
@@ -58,9 +58,8 @@ struct Recipient {
   std::string hulls;    ///< the solids that replace cylinders in the question, if any do
   std::string how;      ///< steps that show the answer
   std::string closing;  ///< last lines of the issue
-  AxesGiven axes = AxesGiven::of_unit_length;
-  std::string program_name, program, build;
-  std::vector<SentFile> files;
+  AxesGiven axes;
+  Export files;  ///< what these steps need
 };
 
 std::string what_happened(const Recipient& to, const Trial& p) {
@@ -93,8 +92,10 @@ std::string what_happened(const Recipient& to, const Trial& p) {
                          p.meets() ? "meet" : fmt::format("are {}", distance_in_words(p)));
     case FindingKind::hang:
       return fmt::format("{} hangs on {}", what, solids);
-    default:
+    case FindingKind::crash:
       return fmt::format("{} aborts on {}", what, solids);
+    default:
+      return fmt::format("{}: {} for {}", what, to_string(p.finding()->kind), solids);
   }
 }
 
@@ -162,16 +163,19 @@ std::string hull_in_words(const LibraryCall& call, const Trial& p) {
 /// Answers the first question of a reader: is this not within the tolerance?
 std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   if (p.answer().status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
-  const bool within = within_claim(p);
-  if (claim.relative > 0)
-    return fmt::format(
-        "\nThe claim: answers are right above a margin of {} of the size plus a length of {} ({}). This pair "
-        "is {} "
-        "it.\n",
-        format_double(claim.relative), format_double(claim.absolute), one_line(claim.source),
-        within ? "below" : "above");
-  return fmt::format("\nThe stated tolerance is a length of {} ({}). This pair is {} it.\n",
-                     format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
+  const bool within = within_claim(p), length_only = claim.relative == 0;
+  const std::string tolerance =
+      length_only ? fmt::format("a length of {}", format_double(claim.absolute))
+                  : fmt::format("{} of the size plus a length of {}", format_double(claim.relative),
+                                format_double(claim.absolute));
+  if (p.finding()->kind == FindingKind::distance_outside)
+    return fmt::format("\nThe stated tolerance of a distance is {} ({}). The error of this one is {} it.\n",
+                       tolerance, one_line(claim.source), within ? "within" : "beyond");
+  if (length_only)
+    return fmt::format("\nThe stated tolerance is {} ({}). This pair is {} it.\n", tolerance,
+                       one_line(claim.source), within ? "within" : "beyond");
+  return fmt::format("\nThe claim: answers are right above a margin of {} ({}). This pair is {} it.\n",
+                     tolerance, one_line(claim.source), within ? "below" : "above");
 }
 
 /// Writes a note if the library asks our support function.
@@ -201,14 +205,6 @@ std::string table_of(const Pair& pair) {
          row("a", pair.a, rounded) + row("b", pair.b, rounded);
 }
 
-std::string other_in_words(const Trial& p, const Trial& other) {
-  const auto margin = [](const Trial& t) { return t.finding()->margin ? t.finding()->margin->lo : 0; };
-  return fmt::format("\n**Another pair of the same cause** is {}. It fails there too. The solids are {}.\n\n",
-                     margin(other) > margin(p) ? "the worst known" : "the simplest known",
-                     distance_in_words(other)) +
-         table_of(other.pair);
-}
-
 /// Returns the system that gave the answer: "Linux x86_64".
 std::string system_in_words() {
   utsname system;
@@ -216,7 +212,7 @@ std::string system_in_words() {
 }
 
 /// The headings are the ones that trackers request in a bug report.
-std::string issue(const Recipient& to, const Trial& p, const Method& method, const Trial* other) {
+std::string issue(const Recipient& to, const Trial& p, const Method& method) {
   std::string text =
       fmt::format("# {}\n\n### Library and version\n\n{}. {}.\n\n", title(to, p), to.whom, system_in_words());
   if (within_claim(p))
@@ -232,7 +228,6 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
   text += table_of(p.pair);
   text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p, method));
   text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
-  if (other) text += other_in_words(p, *other);
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);
   const bool repeats =
       p.finding()->kind != FindingKind::distance_outside || shows_distance(p, method.claim());
@@ -246,11 +241,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
   return text + fmt::format("\n### Steps to reproduce\n\n{}\n", to.how) + to.closing;
 }
 
-constexpr std::string_view as_told = "It ends as described above.";
-constexpr std::string_view by_its_exit =
-    "It prints the answer. Its exit code is 1 while the answer is wrong, and 0 once it is right.";
-
-/// A pair with less margin, in claims, is near the edge of the claim. Then another pair is shown with it.
+/// A pair with less margin, in claims, is near the edge of the claim. Then the worst pair is sent instead.
 constexpr double edge_margin = 10;
 
 /// Whether the proved error is within the claim, or hardly more than the claim allows.
@@ -274,76 +265,87 @@ std::string build(const LibraryCall& call, FindingKind kind) {
 }
 
 Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& method) {
-  Recipient to;
-  to.what = call.call;
-  to.whom =
-      fmt::format("`{}` of {} {}, {}", call.call, call.library, one_line(method.version()), call.settings);
-  to.hulls = hull_in_words(call, p);
-  to.how = fmt::format(
-      "`sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
-      "`apt install g++ pkg-config {}`). {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
-      call.library, call.packages, ends(p) ? as_told : by_its_exit, compiler_options, call.flags);
-  to.closing =
-      "\nThank you for the library. We found this by cross-examining several libraries on the same pairs and "
-      "proving each answer right or wrong.\n";
-  to.program_name = "reproduce.cpp";
-  to.program = reproducing_program(call, p, method);
-  to.build = build(call, p.finding()->kind);
-  return to;
+  return {
+      .what = call.call,
+      .whom = fmt::format("`{}` of {} {}, {}", call.call, call.library, one_line(method.version()),
+                          call.settings),
+      .hulls = hull_in_words(call, p),
+      .how = fmt::format(
+          "`sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
+          "`apt install g++ pkg-config {}`). {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
+          call.library, call.packages,
+          ends(p)
+              ? "It ends as described above."
+              : "It prints the answer. Its exit code is 1 while the answer is wrong, and 0 once it is right.",
+          compiler_options, call.flags),
+      .closing =
+          "\nThank you for the library. We found this by cross-examining several libraries on the same pairs "
+          "and proving each answer right or wrong.\n",
+      .axes = AxesGiven::of_unit_length,
+      .files = {{"reproduce.cpp", reproducing_program(call, p, method)},
+                {"build.sh", build(call, p.finding()->kind)}}};
 }
 
-/// Returns "; this folder has its source: `mine.cpp`, to be linked with `-lmine`".
-std::string sources_in_words(std::span<const SentFile> files, const std::string& flags) {
-  std::string names;
-  for (const SentFile& file : files) names += (names.empty() ? "`" : ", `") + file.name + '`';
-  if (names.empty()) return "";
-  return fmt::format("; this folder has its source: {}{}", names,
-                     flags.empty() ? "" : ", to be linked with `" + flags + '`');
+/// Returns a text without the folders of this machine in front of files.
+std::string without_folders(std::string text, const Guest& guest) {
+  std::error_code none;
+  std::vector<fs::path> folders{
+      guest.kind == GuestKind::plugin ? fs::path(guest.what).parent_path() : fs::path(guest.folder),
+      fs::current_path(none)};
+  std::istringstream words(guest.what);
+  for (fs::path word; words >> word;)
+    if (word.is_absolute() && fs::exists(word, none)) folders.push_back(word.parent_path());
+  for (const fs::path& folder : folders) {
+    const std::string prefix = folder.string() + '/';
+    if (!folder.is_absolute() || prefix == "//") continue;
+    for (std::size_t at = 0; (at = text.find(prefix, at)) != text.npos;) {
+      if (at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0)
+        ++at;  // in the middle of another path
+      else
+        text.erase(at, prefix.size());
+    }
+  }
+  return text;
 }
 
-Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, const SentBeside& beside) {
-  Recipient to;
-  to.what = guest.name;
-  to.files = guest_files(guest, beside.sources);
-  to.whom = fmt::format("`{}` {}: {}{}", guest.name, one_line(method.version()), guest_in_words(guest),
-                        sources_in_words(to.files, linked_libraries_of(guest.what)));
-  to.axes = AxesGiven::as_they_are;
-  to.program_name = guest_program_name(guest);
-  const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
-  const std::set<std::string> packages = npm_packages(to.files);
-  to.how = fmt::format(
-      "`sh build.sh` {}runs `{}`, which asks it without daylight. {}",
-      packages.empty() ? "" : fmt::format("installs `{}` with npm, and ", fmt::join(packages, "`, `")),
-      to.program_name, as_it_does ? as_told : by_its_exit);
-  to.program = guest_program(guest, p, method.claim());
-  to.build = guest_build(guest, p.finding()->kind, beside.sources);
-  return to;
+Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
+  Guest elsewhere = guest;
+  elsewhere.what = without_folders(guest.what, guest);
+  const std::string kind = guest.kind == GuestKind::plugin ? "plug-in" : "program";
+  return {.what = guest.name,
+          .whom = fmt::format("`{}` {}: a {}, `{}`", guest.name, one_line(method.version()), kind,
+                              elsewhere.what),
+          .how = fmt::format(
+              "With daylight, in a folder that has the {} and `case.jsonl`:\n\n    {}\n\nThe exit code is 2 "
+              "while the answer is wrong beyond the claim, and 0 once it is right.",
+              kind, command_for("daylight", "case.jsonl", elsewhere)),
+          .axes = AxesGiven::as_they_are,
+          .files = {{"case.jsonl", format_pair(p.pair) + '\n'}}};
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + " cannot be written");
+/// Whether a guest's answer to the pair alone shows a finding of this kind.
+bool one_call_shows(FindingKind kind) {
+  return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent &&
+         kind != FindingKind::undecided_truth;
 }
 
 }  // namespace
 
+std::string command_for(const std::string& daylight, const std::string& file, const Guest& guest) {
+  return fmt::format("{} replay {} --methods {} {}", daylight, shell_quoted(file), shell_quoted(guest.name),
+                     options_for(guest));
+}
+
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
-                   const Pair& pair, std::span<const Guest> guests, const SentBeside& beside) {
+                   const Pair& pair, const Guest* guest, const std::optional<Pair>& worst) {
   const auto& method = find_method(methods, name);
-  const auto guest =
-      std::find_if(guests.begin(), guests.end(), [&](const Guest& g) { return g.name == name; });
-  const bool is_guest = guest != guests.end();
   const LibraryCall* call = find_library_call(name);
-  if (call == nullptr && !is_guest)
-    throw UsageError(fmt::format(
-        "export writes programs for guests and for FCL, Bullet, libccd, ODE and MuJoCo, but not for "
-        "'{}'",
-        name));
-  if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
-    throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
-  if (!is_guest && is_rounded(pair))
+  if (call == nullptr && guest == nullptr)
+    throw UsageError(
+        fmt::format("export knows guests and FCL, Bullet, libccd, ODE and MuJoCo, but not '{}'", name));
+  if (!(guest ? one_call_shows(kind) : program_shows(kind)))
+    throw UsageError(fmt::format("one call cannot show a finding of kind {}", to_string(kind)));
+  if (!guest && is_rounded(pair))
     throw UsageError("programs for packaged libraries do not support roundings: daylight check --method " +
                      std::string(name) + " asks about the pair");
   Trial asked = try_method(method, pair);
@@ -352,53 +354,31 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
                                  format_method_answer(asked.answer())));
   if (!asked.decided())
     throw UsageError("the referee could not decide this pair, so there is nothing to send");
-  std::optional<Trial> other;
-  if (beside.worst && format_pair(*beside.worst) != format_pair(pair)) {
-    other = try_method(method, *beside.worst);
-    if (!other->fails(kind) || !other->decided() || !other->finding()->margin ||
-        solids_in_words(other->pair) != solids_in_words(asked.pair))
-      other.reset();
-    else if (at_edge(asked, method->claim()) && !at_edge(*other, method->claim()))
-      std::swap(asked, *other);
-  }
-  if (is_guest)
-    for (Trial* t : {&asked, other ? &*other : nullptr})
-      if (t) t->answers[0].set_reason(without_folders(t->answers[0].reason, *guest));
-  Recipient how = is_guest ? ask_guest(*guest, asked, *method, beside) : ask_library(*call, asked, *method);
-  std::string text = issue(how, asked, *method, other ? &*other : nullptr);
-  Export files{std::move(how.program_name),
-               std::move(how.program),
-               std::move(how.build),
-               exact_check(asked, method->claim(), how.axes),
-               std::move(text),
-               std::move(how.files)};
-  if (!beside.framework.empty()) {
-    files.test_name = framework_test_name(beside.framework);
-    files.test = framework_test(beside.framework, asked, *method);
-  }
-  return files;
+  if (worst && at_edge(asked, method->claim()))
+    if (Trial other = try_method(method, *worst);
+        other.fails(kind) && other.decided() && other.finding()->margin && !at_edge(other, method->claim()))
+      asked = std::move(other);
+  if (guest) asked.answers[0].set_reason(without_folders(asked.answers[0].reason, *guest));
+  Recipient to = guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
+  to.files["exact.py"] = exact_check(asked, method->claim(), to.axes);
+  to.files["issue.md"] = issue(to, asked, *method);
+  return std::move(to.files);
 }
 
 void write_export(const Export& files, const std::string& folder) {
   std::error_code fault;
   fs::create_directories(folder, fault);
   if (fault) throw std::runtime_error(folder + ": " + fault.message());
-  const fs::path into(folder);
-  write_file(into / files.program_name, files.program);
-  write_file(into / "build.sh", files.build);
-  write_file(into / "exact.py", files.check);
-  write_file(into / "issue.md", files.issue);
-  if (!files.test.empty()) write_file(into / files.test_name, files.test);
-  if (files.program_name == "reproduce.c")
-    write_file(into / "plugin.h", std::string(template_text("plugin.h")));
-  for (const SentFile& sent : files.files) {
-    fs::create_directories((into / sent.name).parent_path(), fault);
-    fs::copy_file(sent.file, into / sent.name, fs::copy_options::overwrite_existing, fault);
-    if (fault) throw std::runtime_error(sent.file + ", to be sent: " + fault.message());
+  for (const auto& [name, text] : files) {
+    const fs::path file = fs::path(folder) / name;
+    std::ofstream out(file);
+    out << text;
+    out.close();
+    if (!out) throw std::runtime_error(file.string() + " cannot be written");
+    if (text.starts_with("#!"))
+      fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                      fs::perm_options::add, fault);
   }
-  for (const char* script : {"build.sh", "exact.py"})
-    fs::permissions(into / script, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                    fs::perm_options::add, fault);
 }
 
 }  // namespace cyl

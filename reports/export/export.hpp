@@ -1,47 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Writes a finding for the maintainers of a library. It has a program that needs only their library (or the
-// guest), a proof that needs only Python, and the text of an issue.
+// Writes a finding for the maintainers of a library: a proof that needs only Python, the text of an issue,
+// and either a program that needs only their library, or the case for a guest.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/trial.hpp"
-#include "reports/export/export_guest.hpp"
 
 namespace cyl {
 
-/// The files of the folder.
-struct Export {
-  std::string program_name;  ///< reproduce.cpp; of guests see guest_program_name()
-  std::string program;
-  std::string build;                ///< build.sh: builds the program beside itself and runs it
-  std::string check;                ///< exact.py
-  std::string issue;                ///< issue.md
-  std::vector<SentFile> files{};    ///< copied beside them: what a guest is made of
-  std::string test_name{}, test{};  ///< in the framework of SentBeside, if it has one
-};
+/// The texts of the folder, by the names of their files: exact.py and issue.md. Those of a packaged library
+/// also have reproduce.cpp, and build.sh, which builds the program beside itself and runs it. Those of a
+/// guest have case.jsonl.
+using Export = std::map<std::string, std::string>;
 
-/// Further inputs of an export.
-struct SentBeside {
-  std::vector<std::string> sources;  ///< of a guest; the first is what a plug-in is compiled of
-  std::optional<Pair> worst;         ///< on which it fails of the same cause by the greatest margin known
-  std::string framework{};           ///< one of test_frameworks(), in which a test is written too
-};
+/// Returns the command that asks the guest again about the case in the file. `daylight` is how the program is
+/// called.
+std::string command_for(const std::string& daylight, const std::string& file, const Guest& guest);
 
-/// Asks the method again, contained. Throws UsageError if no method has that name, if no program can be
-/// written for it, or if it does not fail in this way on this pair now. Throws std::runtime_error if it
-/// fails only because axes are rounded. If the pair is at the edge of the claim and the worst is not,
-/// the export is about the worst and mentions the pair. The files do not contain a path of this
-/// machine.
+/// Asks the method again, contained. `guest` is the method's guest, or null if it is of a packaged library.
+/// Throws UsageError if no method has that name, if nothing can be written for it, or if it does not fail in
+/// this way on this pair now. Throws std::runtime_error if it fails only because axes are rounded. If the
+/// pair is at the edge of the claim and `worst` is not, the export is about the worst. The files do not
+/// contain a path of this machine.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
-                   FindingKind kind, const Pair& pair, std::span<const Guest> guests = {},
-                   const SentBeside& beside = {});
+                   FindingKind kind, const Pair& pair, const Guest* guest = nullptr,
+                   const std::optional<Pair>& worst = {});
 
 /// Creates the folder if it does not exist, and overwrites an earlier export. Throws std::runtime_error that
 /// names a file that cannot be written.

@@ -11,7 +11,6 @@
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "reports/export/export_program.hpp"
-#include "reports/export/program_text.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {

@@ -4,15 +4,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <vector>
 
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/adapter.hpp"
-#include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+/// Returns `text` with every @word@ replaced.
+std::string filled(std::string_view text, const Words& words) {
+  std::string out;
+  while (true) {
+    const std::size_t begin = text.find('@');
+    out += text.substr(0, begin);
+    if (begin == std::string_view::npos) return out;
+    text.remove_prefix(begin + 1);
+    const std::size_t end = text.find('@');
+    out += words.at(std::string(text.substr(0, end)));
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Returns literal() of a bound of doubles: the largest one if it is infinite.
+std::string bound(double x) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return literal(std::clamp(x, -largest, largest));
+}
+
+/// Returns "1, 2.5, -0.0".
+std::string listed(const double* numbers, int count) {
+  std::string text = literal(numbers[0]);
+  for (int i = 1; i < count; ++i) text += ", " + literal(numbers[i]);
+  return text;
+}
 
 /// Adds @a.radius@, @a.rotation@ and the other words of one solid.
 void add_solid(Words& words, const std::string& name, const Cylinder& c) {
@@ -93,8 +123,9 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
   const auto is_true = [&] { text += fmt::format("  std::puts(\"truth: {}\");\n", truth_line(asked)); };
   const auto judge_by = [&](const std::string& wrong) {
     text += fmt::format("  const bool wrong = {};\n", wrong);
-    text += fmt::format("  std::puts(wrong ? \"{}\" : \"right\");\n  return wrong ? 1 : 0;\n",
-                        judgement(*asked.finding()));
+    text += fmt::format(
+        "  std::puts(wrong ? \"{}\" : \"right\");\n  return wrong ? 1 : 0;\n",
+        asked.finding()->severity == Severity::resolution ? "not as proved, within the claim" : "WRONG");
   };
   if (call.call == "fcl::distance" && (kind == FindingKind::non_finite || kind == FindingKind::bad_witness))
     text += "  const fcl::Vector3d between = result.nearest_points[1] - result.nearest_points[0];\n";
@@ -159,8 +190,11 @@ const LibraryCall* find_library_call(std::string_view method) {
   return program == nullptr ? nullptr : &program->call;
 }
 
-std::string_view judgement(const Finding& finding) {
-  return finding.severity == Severity::resolution ? "not as proved, within the claim" : "WRONG";
+std::string literal(double x) {
+  std::string text = format_double(x);
+  const bool integer = text.find_first_of(".en") == std::string::npos;
+  if (integer && (text.size() > 9 || text == "-0")) text += ".0";
+  return text;
 }
 
 bool program_shows(FindingKind kind) {

@@ -11,6 +11,14 @@
 
 namespace cyl {
 
+/// Returns the file of that name in templates/, which is part of this program. Throws std::out_of_range if
+/// there is none.
+std::string_view template_text(std::string_view name);
+
+/// Returns a literal of C++ that is this double: no integer that a type could be too small for, and -0 stays
+/// it.
+std::string literal(double x);
+
 /// A library, and the call by which a method asks it.
 struct LibraryCall {
   std::string method;
@@ -29,9 +37,6 @@ const LibraryCall* find_library_call(std::string_view method);
 
 /// Returns whether a program can show a finding of this kind.
 bool program_shows(FindingKind kind);
-
-/// Returns the text that a program prints if the answer is wrong. Within the claim this is not a fault.
-std::string_view judgement(const Finding& finding);
 
 /// Returns the pair as the libraries get it: axes of unit length, rounded.
 Pair as_given(const Pair& pair);

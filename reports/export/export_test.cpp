@@ -3,26 +3,48 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "base/safe_text.hpp"
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_program.hpp"
-#include "reports/export/exported_folder_test.hpp"
-#include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+struct Ran {
+  int status;
+  std::string printed;
+};
+
+/// A folder of its own with an export in it, as its receiver has it.
+class Folder : Scratch {
+ public:
+  explicit Folder(const Export& files) { write_export(files, folder.string()); }
+
+  Ran run(const std::string& command) const {
+    const std::string all = "cd " + shell_quoted(folder.string()) + " && { " + command + "; } >printed 2>&1";
+    const int status = std::system(all.c_str());
+    std::ifstream in(folder / "printed");
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            {std::istreambuf_iterator<char>(in), {}}};
+  }
+};
 
 Pair pair_of(const std::string& text) { return parse_case(text, 1).value.value().pair; }
 
@@ -57,17 +79,18 @@ void expect_shown(std::string_view method, FindingKind kind, const std::string& 
     const Folder folder(files);
     const Ran program = folder.run("sh build.sh");
     EXPECT_EQ(program.status, 1) << program.printed;
-    const bool within = has(files.issue, "within its tolerance\n");
-    EXPECT_EQ(within, has(files.issue, "The claim quoted below allows this answer")) << files.issue;
-    EXPECT_EQ(within,
-              has(files.issue, "This pair is below it") || has(files.issue, "This pair is within it"));
+    const bool within = has(files.at("issue.md"), "within its tolerance\n");
+    EXPECT_EQ(within, has(files.at("issue.md"), "The claim quoted below allows this answer"))
+        << files.at("issue.md");
+    EXPECT_EQ(within, has(files.at("issue.md"), "This pair is below it") ||
+                          has(files.at("issue.md"), "This pair is within it"));
     EXPECT_TRUE(has(program.printed, within ? "\nnot as proved, within the claim\n" : "\nWRONG\n"))
         << program.printed;
     const Ran proof = folder.run("python3 exact.py");
     EXPECT_EQ(proof.status, 0) << proof.printed;
     EXPECT_TRUE(has(proof.printed, ": proved\n")) << proof.printed;
   }
-  files.check = tampered(files.check, no_certificate);
+  files["exact.py"] = tampered(files["exact.py"], no_certificate);
   const Ran proof = Folder(files).run("python3 exact.py");
   EXPECT_EQ(proof.status, 1) << proof.printed;
   EXPECT_TRUE(has(proof.printed, "NOT PROVED")) << proof.printed;
@@ -124,14 +147,15 @@ TEST(Export, MujocoShowsIt) {
 
 TEST(Export, ACrashIsOnlyCalled) {
   const Export files = export_of("ode", FindingKind::crash, pair_of(least_rod));
-  EXPECT_TRUE(has(files.issue, "# dCollide aborts on two cylinders\n")) << files.issue;
+  EXPECT_TRUE(has(files.at("issue.md"), "# dCollide aborts on two cylinders\n")) << files.at("issue.md");
   const Ran program = Folder(files).run("sh build.sh");
   EXPECT_EQ(program.status, 134) << program.printed;
   EXPECT_TRUE(has(program.printed, "calling the library: it aborts\n")) << program.printed;
 }
 
 TEST(Export, TheIssueSaysWhatAReaderNeeds) {
-  const std::string issue = export_of("ode", FindingKind::wrong_disjoint, pair_of(nearly_parallel)).issue;
+  const std::string issue =
+      export_of("ode", FindingKind::wrong_disjoint, pair_of(nearly_parallel)).at("issue.md");
   for (const char* part : {"# dCollide misses two cylinders that overlap by 0.00", "`dCollide` of ODE 0.",
                            "one contact", "| b | (0, 1.01, 0) | (0, 0.03, 1) | 1 | 1 |", "No collision.",
                            "lies in both", "This pair is beyond it", "exact.py", "build.sh", "libode-dev"})
@@ -220,15 +244,14 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
                       .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;
-    files.program_name = "reproduce.cpp";
-    files.check = exact_check(asked, claim);
+    std::string& check = files["exact.py"];
+    check = exact_check(asked, claim);
     const Ran proof = Folder(files).run("python3 exact.py");
-    EXPECT_EQ(proof.status, 0) << proof.printed << files.check;
+    EXPECT_EQ(proof.status, 0) << proof.printed << check;
     EXPECT_TRUE(has(proof.printed, words)) << proof.printed;
     // A possible distance cannot be refuted.
     const double real = asked.distance.lo / 2 + asked.distance.hi / 2;
-    files.check =
-        replaced(files.check, "\"distance\":" + format_double(said), "\"distance\":" + format_double(real));
+    check = replaced(check, "\"distance\":" + format_double(said), "\"distance\":" + format_double(real));
     EXPECT_EQ(Folder(files).run("python3 exact.py").status, 1);
   };
   const Pair apart = pair_of(R"({"a":{"center":[0,3,0],"axis":[0,0,1],"radius":0,"height":0},)"
@@ -239,6 +262,142 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   const Pair round = pair_of(ball_and_capsule);
   expect_proof(round, 1.0000000000001, "too large", 1e-15);
   expect_proof(round, 0.9999999999999, "too small", 1e-15);
+}
+
+/// A fault of a guest, chosen by the height of the first solid.
+struct Fault {
+  FindingKind kind;
+  bool meet;  ///< whether the solids meet
+  const char* in_shell;
+};
+
+const Fault faults[] = {
+    {FindingKind::wrong_disjoint, true, R"(echo '{"verdict":"disjoint"}')"},
+    {FindingKind::wrong_intersecting, false, R"(echo '{"verdict":"touching"}')"},
+    {FindingKind::wrong_touching, true, R"(echo '{"verdict":"touching"}')"},
+    {FindingKind::distance_outside, false, R"(echo '{"verdict":"disjoint","distance":100}')"},
+    {FindingKind::bad_witness, false, R"(echo '{"verdict":"disjoint","direction":[0,1,0]}')"},
+    {FindingKind::bad_witness, true, R"(echo '{"verdict":"intersecting","point":[0,0,[50,0.1]]}')"},
+    {FindingKind::reported, false, R"(echo '{"error":"no luck"}')"},
+    {FindingKind::malformed, false, "echo loading"},
+    {FindingKind::crash, false, "exit 3"},
+};
+
+/// A program with these faults, in its own folder.
+class FaultyGuest : Scratch {
+ public:
+  FaultyGuest() {
+    std::ofstream shell(folder / "faulty.sh");
+    shell << "while read -r q; do case $q in\n";
+    for (std::size_t i = 0; i < std::size(faults); ++i)
+      shell << "*'\"height\":" << i + 1 << "},\"b\"'*) " << faults[i].in_shell << ";;\n";
+    shell << "*) echo '{\"verdict\":\"disjoint\"}';; esac; done\n";
+    shell.close();
+    OpenedGuest opened = std::move(open_guest(command("sh faulty.sh")).front());
+    methods_.push_back(std::move(opened.method));
+  }
+
+  Guest command(const std::string& what) const {
+    return {GuestKind::command, "faulty", what, folder.string()};
+  }
+  Guest plugin() const { return {GuestKind::plugin, "faulty", (folder / "libfaulty.so").string(), ""}; }
+
+  Export exported(std::size_t fault, const Guest& guest) const {
+    const auto& [kind, meet, in_shell] = faults[fault];
+    const double height = static_cast<double>(fault + 1);
+    const Pair pair{{{0, 0, 0}, {0, 0, 2}, 1, height}, {{meet ? 1.0 : 4.0, 0, 0}, {0, 0, 1}, 1, 2}};
+    return make_export(methods_, "faulty", kind, pair, &guest);
+  }
+
+ private:
+  std::vector<std::unique_ptr<Method>> methods_;
+};
+
+/// The place of a kind among the faults.
+std::size_t place_of(FindingKind kind) {
+  return static_cast<std::size_t>(std::ranges::find(faults, kind, &Fault::kind) - std::begin(faults));
+}
+
+TEST(Export, EveryFaultOfAGuestIsProved) {
+  const FaultyGuest faulty;
+  for (std::size_t i = 0; i < std::size(faults); ++i) {
+    const Export files = faulty.exported(i, faulty.command("sh faulty.sh"));
+    const Ran proof = Folder(files).run("python3 exact.py");
+    EXPECT_EQ(proof.status, 0) << i << ' ' << proof.printed;
+    const bool of_its_answer =
+        faults[i].kind == FindingKind::bad_witness || faults[i].kind == FindingKind::distance_outside;
+    EXPECT_EQ(has(proof.printed, "said"), of_its_answer) << i << ' ' << proof.printed;
+    EXPECT_FALSE(has(files.at("exact.py"), "that the library gets")) << "a guest gets the axes as they are";
+    EXPECT_TRUE(has(files.at("issue.md"), "# faulty")) << files.at("issue.md");
+    EXPECT_TRUE(parse_case(files.at("case.jsonl"), 1).value) << files.at("case.jsonl");
+  }
+}
+
+TEST(Export, NothingThatIsSentKnowsThisMachine) {
+  const FaultyGuest faulty;
+  const std::size_t reported = place_of(FindingKind::reported);
+  const std::string script = faulty.command("").folder + "/faulty.sh";
+  for (const auto& [guest, option] : std::vector<std::pair<Guest, std::string>>{
+           {faulty.plugin(), "--plugin faulty=libfaulty.so"},
+           {faulty.command("/bin/sh " + script), "--command 'faulty=sh faulty.sh'"}}) {
+    const Export files = faulty.exported(reported, guest);
+    for (const auto& [name, text] : files)
+      for (const std::string& path : {fs::temp_directory_path().string() + '/',
+                                      fs::current_path().string() + '/', std::string(DAYLIGHT_SOURCE_DIR)})
+        EXPECT_FALSE(has(text, path)) << name << '\n' << text;
+    EXPECT_TRUE(
+        has(files.at("issue.md"), "\n    daylight replay case.jsonl --methods faulty " + option + "\n"))
+        << files.at("issue.md");
+  }
+}
+
+TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
+  const FaultyGuest faulty;
+  const std::string issue =
+      faulty.exported(place_of(FindingKind::reported), faulty.command("sh faulty.sh")).at("issue.md");
+  EXPECT_TRUE(issue.starts_with("# faulty reports a failure on two cylinders that are ")) << issue;
+  EXPECT_TRUE(has(issue, "with the reason `no luck`."));
+  EXPECT_FALSE(has(issue, "throw")) << issue;
+  EXPECT_FALSE(has(issue, "xception")) << issue;
+}
+
+TEST(Export, AtTheEdgeOfTheClaimTheWorstIsSent) {
+  const Scratch scratch;
+  const Guest guest{GuestKind::command, "edge",
+                    "echo '{\"claim\":{\"relative\":1e-3}}'; while read -r q; do echo "
+                    "'{\"verdict\":\"disjoint\"}'; done",
+                    scratch.folder.string()};
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::move(open_guest(guest).front().method));
+  const auto overlap = [](double depth) {
+    return Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 - depth, 0, 0}, {0, 0, 1}, 1, 2}};
+  };
+  const auto sent = [&](double simplest, std::optional<double> worst) {
+    std::optional<Pair> pair;
+    if (worst) pair = overlap(*worst);
+    return make_export(methods, "edge", FindingKind::wrong_disjoint, overlap(simplest), &guest, pair)
+        .at("issue.md");
+  };
+  EXPECT_TRUE(has(sent(0.0078125, 1.0), "| b | (1, 0, 0)"));
+  EXPECT_TRUE(has(sent(0.5, 1.0), "| b | (1.5, 0, 0)"));
+  EXPECT_TRUE(has(sent(0.0078125, {}), "| b | (1.9921875, 0, 0)"));
+  EXPECT_TRUE(has(sent(0.001953125, {}), "within its tolerance")) << "within the claim";
+}
+
+// The margin of a touching pair is 0. It is the error of the distance that exceeds the claim.
+TEST(Export, OfAWrongDistanceTheErrorIsBeyondTheClaim) {
+  const Scratch scratch;
+  const Guest guest{GuestKind::command, "far",
+                    "echo '{\"claim\":{\"relative\":1e-3}}'; while read -r q; do echo "
+                    "'{\"verdict\":\"touching\",\"distance\":9}'; done",
+                    scratch.folder.string()};
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::move(open_guest(guest).front().method));
+  const Pair touching{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}};
+  const std::string issue =
+      make_export(methods, "far", FindingKind::distance_outside, touching, &guest).at("issue.md");
+  EXPECT_TRUE(has(issue, "The error of this one is beyond it.")) << issue;
+  EXPECT_FALSE(has(issue, "This pair is")) << issue;
 }
 
 }  // namespace
