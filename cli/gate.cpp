@@ -24,7 +24,6 @@
 #include "base/source_tree.hpp"
 #include "base/times.hpp"
 #include "base/usage_error.hpp"
-#include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/mutants.hpp"
@@ -42,7 +41,7 @@ namespace cyl {
 namespace {
 
 struct GateArguments {
-  std::string cap, methods, junit, sarif, json, against, keep, reproduce;
+  std::string cap, methods, junit, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
   std::optional<std::uint64_t> seed, pairs;
   bool github = false, laws = false, first_failure = false;
@@ -162,8 +161,6 @@ JudgedGate judge(GateReport report, const Known& known, std::span<const std::uni
 
 void write_files(const GateArguments& arguments, const JudgedGate& gate) {
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(gate));
-  if (!arguments.sarif.empty())
-    write_file(arguments.sarif, gate_sarif(gate, build_info().version, !arguments.against.empty()));
   if (!arguments.json.empty()) write_file(arguments.json, gate_json(gate));
   if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(gate));
 }
@@ -276,12 +273,11 @@ void add_gate(Program& program) {
       .default_text("corpus/cases/");
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
-  command.option("--sarif FILE", arguments->sarif, "write SARIF 2.1.0").writable();
   command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
   command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
       .option("--annotate FILE:LINE", arguments->annotate,
-              "source line of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
+              "source line of failures in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
       .one_each();
   command.section("Baseline");
   command

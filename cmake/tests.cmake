@@ -23,7 +23,7 @@ endfunction()
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
 set(process_suites Backward Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
-    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit GateSarif Guest* *SupervisedProcess* KillMatrix Kin
+    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* KillMatrix Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Worker
     Worst WorstOfCause WriteStability)
 list(TRANSFORM process_suites APPEND ".*")

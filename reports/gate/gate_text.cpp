@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
 #include <span>
 #include <vector>
@@ -125,71 +124,9 @@ std::string failures_text(const JudgedGate& gate) {
   return text;
 }
 
-/// Returns whether a table helps: cells must differ in more than their numbers of pairs.
-bool table_helps(const GateMethod& m) {
-  if (std::ranges::none_of(m.cells, [](const GateCell& c) { return c.pairs + c.undecided > 0; }))
-    return false;
-  return std::any_of(m.cells.begin(), m.cells.end(), [](const GateCell& c) {
-    return c.wrong > 0 || (c.claimed && (c.pairs == 0 || c.undecided > 0));
-  });
-}
-
-std::string cell_text(const GateCell& c) {
-  std::string text = grouped(c.pairs);
-  if (c.wrong > 0) text = fmt::format("{}!{}", grouped(c.wrong), text);
-  return c.claimed ? text : '(' + text + ')';
-}
-
-std::string cells_table(const GateMethod& m) {
-  std::vector<ContactFeature> features;  // in the order of the cells
-  std::map<int, std::map<ContactFeature, std::string>> rows;
-  for (const GateCell& c : m.cells) {
-    if (std::find(features.begin(), features.end(), c.stratum.feature) == features.end())
-      features.push_back(c.stratum.feature);
-    rows[c.stratum.decade][c.stratum.feature] = cell_text(c);
-  }
-  std::string text =
-      wrapped("", fmt::format("{}: decided pairs of the random sample, by margin (up to) and contact feature",
-                              one_line(m.name)));
-  text += "  3!70 means that 3 of 70 are wrong. Brackets mean that the method does not claim the cell.\n";
-  text += fmt::format("{:<8}", "margin");
-  for (const ContactFeature feature : features) text += fmt::format("{:>15}", to_string(feature));
-  text += '\n';
-  for (const auto& [decade, row] : rows) {
-    text += fmt::format("{:<8}", power(decade));
-    for (const ContactFeature feature : features) {
-      const auto found = row.find(feature);
-      text += fmt::format("{:>15}", found == row.end() ? "" : found->second);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 std::string name_of(const CloseGateCell& c) {
   return fmt::format("{} {} {}", to_string(c.cell.lie), to_string(c.cell.band), power(c.cell.decade));
 }
-
-std::string close_table(const GateMethod& m) {
-  std::string text = wrapped(
-      "", fmt::format(
-              "{}: decided close contacts, by position of the axes, their small angle, and margin (up to)",
-              one_line(m.name)));
-  text += "  3!70 means that 3 of 70 are wrong beyond the claim.\n";
-  text += fmt::format("{:<26}", "margin");
-  for (int d = first_close_decade; d <= last_close_decade; ++d) text += fmt::format("{:>6}", power(d));
-  for (const CloseGateCell& c : m.close_cells) {
-    if (c.cell.decade == first_close_decade)
-      text += fmt::format("\n{:<13} {:<12}", to_string(c.cell.lie), to_string(c.cell.band));
-    const std::uint64_t wrong = c.wrong_gaps + c.wrong_overlaps, all = c.gaps + c.overlaps;
-    // `wrong` may exceed `all`, which leaves out undecided answers and pairs without a proved truth.
-    text += fmt::format(
-        "{:>6}", wrong > 0 ? fmt::format("{}!{}", wrong, std::max(all, wrong)) : fmt::format("{}", all));
-  }
-  return text + '\n';
-}
-
-bool is_wrong(const CloseGateCell& c) { return c.wrong_gaps + c.wrong_overlaps > 0; }
 
 /// Gaps and overlaps are two questions with one bound each. Returns the worse bound.
 double bound_of(const CloseGateCell& c) {
@@ -364,10 +301,6 @@ std::string gate_text(const JudgedGate& gate) {
   }
   for (const std::string& line : gate.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(gate) + '\n' + failures_text(gate) + '\n';
-  for (const GateMethod& m : gate.report.methods)
-    if (table_helps(m)) text += cells_table(m) + '\n';
-  for (const GateMethod& m : gate.report.methods)
-    if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
   for (const GateMethod& m : gate.report.methods) text += proved_in_words(m);
   for (const GateRemark& r : gate.remarks) text += wrapped("", one_line(r.text) + '.');
   return text;

@@ -94,15 +94,6 @@ TEST(GateText, BriefOnesAreCapped) {
   EXPECT_EQ(occurrences(text, "said disjoint"), brief_cap);
 }
 
-TEST(GateText, TableIfItHelps) {
-  const std::string text = gate_text(example_gate());
-  EXPECT_FALSE(has(text, "intersect: decided pairs"));
-  EXPECT_TRUE(has(text, "7!50"));
-  EXPECT_TRUE(has(text, "(50)"));
-  EXPECT_TRUE(has(text, "3!190"));
-  EXPECT_EQ(occurrences(text, ": decided close contacts"), 1u);
-}
-
 TEST(GateText, StatesWhatIsProvedOneFactALine) {
   const JudgedGate gate = example_gate();
   EXPECT_EQ(
@@ -156,9 +147,6 @@ TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
             "  Each combination has 300 pairs.\n"
             "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each combination, at 95 % confidence.\n"
             "  It is undecided on 100 more.\n");
-  JudgedGate gate = example_gate();
-  gate.report.methods = {m};
-  EXPECT_TRUE(has(gate_text(gate), "            300\n")) << "the table has the decided pairs";
 }
 
 TEST(GateText, RoundedSolidsHaveALine) {

@@ -30,13 +30,6 @@ std::string proved_in_words(const GateMethod& method);
 /// its own. The time is that of the whole gate, because methods are asked side by side.
 std::string gate_junit(const JudgedGate& gate);
 
-/// Returns SARIF 2.1.0 for code hosts: a rule for each law and a result for each failure. `version` is that
-/// of daylight. `compared` means that there was a base (--against), so each result is new or unchanged.
-/// Failures beyond a claim have the level error, all others note. An invocation that did not ask all has a
-/// notification for each line of that, and is not a success. A result of a guest is at its given source line,
-/// or has no place.
-std::string gate_sarif(const JudgedGate& gate, std::string_view version, bool compared);
-
 /// Annotations of one kind that gate_github() writes; the service itself drops those of a step beyond ten.
 inline constexpr std::size_t annotations_cap = 10;
 

@@ -22,7 +22,6 @@ struct SourceLine {
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
   bool known = false;  ///< excused: the base has it on as many pairs, or it is suppressed
-  std::optional<std::string> suppressed = {};  ///< the reason, if a suppression excuses it
   std::uint64_t in_base = 0;          ///< pairs of the base that failed like this, be it within the claim
   std::string options = {};           ///< options that add a guest, else empty
   std::optional<SourceLine> at = {};  ///< for a guest: its source line, if one was given

@@ -53,10 +53,7 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
   const std::vector<std::size_t> groups = algorithm_groups(methods);
   for (JudgedFailure& f : gate.failures) {
     const auto excuse = [&](std::string_view key) {
-      const Suppression* const found = find_suppression(suppressions, key, today);
-      if (found == nullptr) return;
-      f.known = true;
-      f.suppressed = found->reason;
+      f.known |= find_suppression(suppressions, key, today) != nullptr;
     };
     excuse(f.bucket);
     const auto kind = from_word<FindingKind>(f.kind);
