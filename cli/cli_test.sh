@@ -78,6 +78,16 @@ says 'another method' 0 '\{"verdict":"disjoint","method":"intersect"\}' check --
 says 'an unknown method' 64 '' check --method nobody
 says 'a name of several methods' 64 '' check --method nlopt
 says 'a name that begins others' 0 '.*"disjoint".*"method":"fcl-libccd"\}' check --method fcl-libccd
+# Each fault of the published texts is a method, for whoever names it.
+grep '"id":"erratum-2017-one-octant"' "$source_tree/corpus/cases/errata.jsonl" >in
+says 'one fault alone' 0 '\{"verdict":"intersecting",.*' check --method seed2017-only-one-octant
+says 'without it' 0 '\{"verdict":"disjoint",.*' check --method seed2017-without-one-octant
+expect 2 'a campaign asks it' "$daylight" campaign --pairs 200 --seed 1 --families touching_disks --cases '' \
+  --methods seed2017-only-one-octant --table --out run
+holds 'that one alone' out '^seed2017-only-one-octant +200 '
+expect 2 'a run with it is replayed' "$daylight" replay run
+holds 'by its name' out 'seed2017-only-one-octant'
+cp one in
 says 'another method, nonsense in' 65 '.*"disjoint".*'$'\n''.*"intersecting".*'$'\n'"$invalid" check --method intersect one two
 
 says 'no command' 64 ''

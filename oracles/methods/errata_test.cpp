@@ -4,13 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "solver/literature/separation_2008.hpp"
 
@@ -44,6 +50,62 @@ TEST(Errata, EachThatAPairShowsIsShownByItsCase) {
     left.erase(found);
   }
   for (const auto& [id, c] : left) ADD_FAILURE() << id << " belongs to no erratum";
+}
+
+/// Returns the part of errata.md about an erratum, on one line.
+std::string section_of(const std::string& all, std::string_view id) {
+  const std::size_t begin = all.find("\n### " + std::string(id) + '\n');
+  if (begin == all.npos) return {};
+  const std::size_t end = std::min(all.find("\n### ", begin + 1), all.find("\n## ", begin + 1));
+  std::string line;
+  for (const char c : all.substr(begin, end - begin)) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || !line.ends_with(' ')) line += blank ? ' ' : c;
+  }
+  return line;
+}
+
+TEST(Errata, ErrataMdStatesThePairAndTheAnswersOfEach) {
+  std::ifstream file(DAYLIGHT_SOURCE_DIR "/solver/literature/errata.md");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const auto pairs = cases();
+  for (const Erratum& e : errata()) {
+    const std::string section = section_of(all, e.id);
+    ASSERT_FALSE(section.empty()) << e.id;
+    EXPECT_NE(section.find(" Kind: "), std::string::npos) << section;
+    if (e.shown_by == ShownBy::none) continue;
+    const Pair& pair = pairs.at(case_of(e)).pair;
+    const ShownErratum shown(e);
+    const std::string text = format_pair(pair);
+    const std::size_t second = text.find("\"b\":");
+    for (const std::string& stated :
+         {std::string(to_string(judge(pair).verdict)) + ", by proof. `" + wrong_method(e) + "` answers " +
+              std::string(to_string(shown.wrong->ask(pair).verdict)) + ", `" + right_method(e) +
+              "` answers " + std::string(to_string(shown.right->ask(pair).verdict)) + '.',
+          text.substr(0, second), text.substr(second)})  // the section has a line for each solid
+      EXPECT_NE(section.find(stated), std::string::npos) << e.id << ": " << stated;
+  }
+}
+
+TEST(Errata, ErrataMdNamesTestsThatThereAre) {
+  const auto text_of = [](const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::filesystem::path folder = DAYLIGHT_SOURCE_DIR "/solver/literature";
+  std::string tests;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().string().ends_with("_test.cpp")) tests += text_of(entry.path());
+  const std::string all = text_of(folder / "errata.md");
+  const std::string_view checked = "* **Checked by**";
+  int named = 0;
+  for (std::size_t at = 0; (at = all.find(checked, at)) != all.npos; at += checked.size()) {
+    const std::size_t begin = all.find('`', at) + 1, dot = all.find('.', begin), end = all.find('`', begin);
+    const std::string suite = all.substr(begin, dot - begin), name = all.substr(dot + 1, end - dot - 1);
+    EXPECT_NE(tests.find('(' + suite + ", " + name + ')'), std::string::npos) << suite << '.' << name;
+    ++named;
+  }
+  EXPECT_GT(named, 3);
 }
 
 /// A program can follow these errors, but no pair shows them. They change no verdict, alone or in the
