@@ -46,6 +46,7 @@ void add_explain(Program& program) {
       .writable();
   command.examples(
       "  daylight explain runs/latest:12\n"
+      "  daylight explain runs/latest fcl-libccd/overflow\n"
       "  daylight explain failing.jsonl:3 --method fcl-libccd --json why.json",
       "Exit code 64 of explain also means that the method is not wrong on that pair. 2 and 3 do not occur.");
   command.run([arguments] { return explain_case(*arguments); });

@@ -33,6 +33,7 @@ void add_export(Program& program) {
   command.option("--out DIR", arguments->out, "folder for the files").required();
   command.examples(
       "  daylight export runs/latest:12 --out upstream\n"
+      "  daylight export runs/latest fcl-libccd/hang --out upstream\n"
       "  daylight export failing.jsonl --method mine --plugin ./libmine.so --out sent",
       "A program for a packaged library is built and run first, and not written if it does not show the\n"
       "failure. Exit code 64 of export also means that the method is not wrong on that pair, and 3 that the\n"

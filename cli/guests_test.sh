@@ -133,14 +133,14 @@ for key in bad/wrong_disjoint bad/crash/sigabrt bad/exception/no-luck bad/malfor
 done
 page_data runs/three/report.html | grep -F -- "--plugin 'bad=" >/dev/null || failed 'the page does not say how to bring the guests'
 expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/buckets/*.jsonl | head -n 1)" --methods bad
-expect 0 'triage' "$daylight" triage runs/three --explain bad/wrong_disjoint
-holds 'triage' out '^bad '
+expect 0 'explain' "$daylight" explain runs/three bad/wrong_disjoint
+holds 'explain' out '^bad '
 sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
-expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --out sent
-holds 'triage' out ': sent/case.jsonl, exact.py, issue.md$'
-holds 'triage' out '^ask it again: .* replay sent/case.jsonl --methods bad --plugin bad=/.*/libbad.so$'
+expect 0 'export' "$daylight" export runs/three bad/wrong_disjoint --out sent
+holds 'export' out ': sent/case.jsonl, exact.py, issue.md$'
+holds 'export' out '^ask it again: .* replay sent/case.jsonl --methods bad --plugin bad=/.*/libbad.so$'
 expect 0 'sent/exact.py' python3 sent/exact.py
 ! grep -rIF -- "$PWD" sent || failed 'what is sent knows this machine'
 again=$(sed -n 's/^    daylight //p' sent/issue.md)
@@ -154,10 +154,10 @@ cp ../good.so libbad.so
 # shellcheck disable=SC2086
 expect 0 'asked once it is right' "$daylight" $again
 cd ..
-expect 64 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --method decide --out sent
-expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out crashing
+expect 64 'export' "$daylight" export runs/three bad/wrong_disjoint --method decide --out sent
+expect 0 'export' "$daylight" export runs/three bad/crash/sigabrt --out crashing
 expect 2 'a crash' "$daylight" replay crashing/case.jsonl --methods bad --plugin ./libbad.so
-expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out plain
+expect 0 'export' "$daylight" export runs/three plain/wrong_disjoint --out plain
 expect 0 'plain/exact.py' python3 plain/exact.py
 expect 2 'plain' "$daylight" replay plain/case.jsonl --methods plain --command 'sh plain.sh'
 printf '%s' '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},' \

@@ -8,23 +8,30 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
 #include <vector>
 
+#include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/process/child.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
+#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "corpus/store/run_store.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 #include "reports/export/export.hpp"
+#include "reports/triage/triage.hpp"
 
 namespace cyl {
 namespace {
@@ -68,15 +75,63 @@ bool shows_failure(const Export& files) {
       ran.printed);
 }
 
-}  // namespace
-
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = from_word<FindingKind>(word)) return *kind;
   throw UsageError(fmt::format("'{}' is not a kind of finding", word));
 }
 
+/// Returns the cause that has that key in the last triage.
+nlohmann::json find_cause(const std::string& run, const std::string& key) {
+  if (!fs::is_directory(run)) throw UsageError(fmt::format("'{}' is not a run, so it has no causes", run));
+  const nlohmann::json causes = causes_json(run);
+  for (const nlohmann::json& cause : causes)
+    if (cause.at("key") == key) return cause;
+  throw UsageError(fmt::format("{0} has no cause '{1}': `daylight triage {0}` lists its {2} causes", run, key,
+                               causes.size()));
+}
+
+Pair pair_in(const nlohmann::json& shown) {
+  return parse_case(shown.at("pair").dump(), 1).value.value().pair;
+}
+
+/// Returns the first stored failure of a method with the cause.
+std::optional<OneFailure> stored_failure(const std::string& run, const nlohmann::json& cause,
+                                         const std::string& method) {
+  const auto ids = cause.at("findings").get<std::set<std::int64_t>>();
+  for (const FindingRecord& f : RunStore::open(run).findings())
+    if (ids.contains(f.id) && f.method == method)
+      if (const CaseLine line = parse_case(f.pair, 1); line.value)
+        return OneFailure{f.method, f.kind, line.value->pair};
+  return {};
+}
+
+OneFailure failure_with_cause(const FailureOptions& options,
+                              std::span<const std::unique_ptr<Method>> methods) {
+  const std::string run = lasting_name(options.target);
+  const nlohmann::json cause = find_cause(run, options.key);
+  const auto names = cause.at("methods").get<std::vector<std::string>>();
+  OneFailure failure{cause.at("method"), kind_of_word(cause.at("kind")), pair_in(cause.at("simplest"))};
+  if (!options.method.empty()) {
+    if (std::ranges::find(names, options.method) == names.end())
+      throw UsageError(fmt::format("cause '{}' has the methods {}", options.key, fmt::join(names, ", ")));
+    failure.method = options.method;
+    const auto method = position_of(methods, options.method);
+    if (method && !try_method(methods[*method], failure.pair).fails(failure.kind))
+      failure = stored_failure(run, cause, options.method).value_or(failure);
+  } else if (names.size() > 1) {
+    fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
+               fmt::join(names, ", "), failure.method);
+  }
+  if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
+    failure.worst = pair_in(*worst);
+  return failure;
+}
+
+}  // namespace
+
 void add_failure_options(Command& command, FailureOptions& options) {
-  command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a file of one case").required();
+  command.option("CASE", options.target, "RUN:ID, FILE:LINE, a file of one case, or RUN with KEY").required();
+  command.option("KEY", options.key, "a cause of RUN, as `triage` lists it");
   command.section("Methods");
   command.option("--method NAME", options.method, "the method that is wrong")
       .default_text("the method of the finding");
@@ -87,10 +142,12 @@ void add_failure_options(Command& command, FailureOptions& options) {
 }
 
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods) {
+  if (!options.key.empty()) return failure_with_cause(options, methods);
   const std::vector<Target> targets = targets_of(options.target);
   if (targets.size() != 1)
-    throw UsageError(fmt::format("'{}' has {} pairs: give one pair, as FILE:LINE or RUN:ID", options.target,
-                                 targets.size()));
+    throw UsageError(
+        fmt::format("'{}' has {} pairs: give one pair, as FILE:LINE or RUN:ID, or a cause, as RUN KEY",
+                    options.target, targets.size()));
   const Target& target = targets.front();
   const bool stored = target.finding && (options.method.empty() || options.method == target.finding->method);
   const std::string name = stored ? target.finding->method : options.method;

@@ -20,18 +20,16 @@ struct OneFailure {
   std::optional<Pair> worst{};  ///< of the same cause
 };
 
-/// Throws UsageError if the word is not a kind of finding.
-FindingKind kind_of_word(const std::string& word);
-
-/// The options of `explain` and `export` that name a failure.
+/// The options of `explain` and `export` that name a failure: a pair, or a cause of a triaged run.
 struct FailureOptions {
-  std::string target, method, kind;
+  std::string target, key, method, kind;
   GuestOptions guests;
 };
 void add_failure_options(Command& command, FailureOptions& options);
 
-/// Returns the failure that the command line names. Missing parts come from the stored finding, else from a
-/// new answer. Throws UsageError if it does not name exactly one pair, or if the method is right on it.
+/// Returns the failure that the command line names. Of a cause it is the simplest one, or one of --method.
+/// Missing parts come from the stored finding, else from a new answer. Throws UsageError if it names neither
+/// exactly one pair nor a cause, or if the method is right on the pair.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 /// Writes make_export() into the folder, and prints what it wrote. A program for a packaged library is built

@@ -32,8 +32,8 @@ try() { # NAME COMMAND.. : whatever the exit code
   starts "$1" no
 }
 try triage triage renamed --for 1s
-try 'triage --explain' triage renamed --explain "$key"
-try 'triage --export' triage renamed --export "$key" --out sent
+try 'explain of a cause' explain renamed "$key"
+try 'export of a cause' export renamed "$key" --out sent
 try replay replay renamed
 try 'replay of a finding' replay "renamed:$id"
 try explain explain "renamed:$id"

@@ -2,15 +2,12 @@
 #include "reports/triage/triage.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -21,17 +18,12 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
-#include "cli/one_failure.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/targets.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
-#include "corpus/store/run_store.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "fuzz/campaign/climbed.hpp"
-#include "oracles/trial/trial.hpp"
-#include "reports/explain/explain.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/triage/cause_notes.hpp"
 
@@ -39,7 +31,7 @@ namespace cyl {
 namespace {
 
 struct TriageArguments {
-  std::string run, budget, json, explained, exported, out, method, annotated;
+  std::string run, budget, json, annotated;
   CauseNote note;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
@@ -95,62 +87,10 @@ int triage(const TriageArguments& arguments) {
   return exit_code(result);
 }
 
-/// Returns the cause that has that key in the last triage.
-nlohmann::json find_cause(const TriageArguments& arguments, const std::string& key) {
-  const nlohmann::json causes = causes_json(arguments.run);
-  for (const nlohmann::json& cause : causes)
-    if (cause.at("key") == key) return cause;
-  throw UsageError(fmt::format("{} has no cause '{}': `daylight triage {}` lists its {} causes",
-                               arguments.run, key, arguments.run, causes.size()));
-}
-
-/// Returns the simplest failure of a cause.
-OneFailure failure_in(const nlohmann::json& cause) {
-  return {cause.at("method"), kind_of_word(cause.at("kind")),
-          parse_case(cause.at("simplest").at("pair").dump(), 1).value.value().pair};
-}
-
-int explain_cause(const TriageArguments& arguments) {
-  const OneFailure failure = failure_in(find_cause(arguments, arguments.explained));
-  const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
-  fmt::print("{}", explanation_text(explain(methods, failure.method, failure.kind, failure.pair)));
-  return exit_pass;
-}
-
-/// Returns the first stored failure of another method with the cause.
-std::optional<OneFailure> stored_failure(const TriageArguments& arguments, const nlohmann::json& cause) {
-  const auto ids = cause.at("findings").get<std::set<std::int64_t>>();
-  for (const FindingRecord& f : RunStore::open(arguments.run).findings())
-    if (ids.contains(f.id) && f.method == arguments.method)
-      if (const CaseLine line = parse_case(f.pair, 1); line.value)
-        return OneFailure{f.method, f.kind, line.value->pair};
-  return {};
-}
-
-int export_cause(const TriageArguments& arguments) {
-  const nlohmann::json cause = find_cause(arguments, arguments.exported);
-  OneFailure failure = failure_in(cause);
-  const auto set = methods_for_targets(arguments.guests, {arguments.run});
-  const auto names = cause.at("methods").get<std::vector<std::string>>();
-  if (!arguments.method.empty()) {
-    if (std::find(names.begin(), names.end(), arguments.method) == names.end())
-      throw UsageError(
-          fmt::format("cause '{}' has the methods {}", arguments.exported, fmt::join(names, ", ")));
-    failure.method = arguments.method;
-    const auto method = position_of(set.methods, arguments.method);
-    if (method && !try_method(set.methods[*method], failure.pair).fails(failure.kind))
-      failure = stored_failure(arguments, cause).value_or(failure);
-  } else if (names.size() > 1) {
-    fmt::print("the methods {} share this cause, and this exports {} (--method selects another)\n",
-               fmt::join(names, ", "), failure.method);
-  }
-  if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
-    failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
-  return export_failure(set, failure, arguments.out);
-}
-
 int annotate_cause(const TriageArguments& arguments) {
-  find_cause(arguments, arguments.annotated);
+  const nlohmann::json causes = causes_json(arguments.run);
+  if (std::ranges::none_of(causes, [&](const auto& cause) { return cause.at("key") == arguments.annotated; }))
+    throw UsageError(fmt::format("{} has no cause '{}'", arguments.run, arguments.annotated));
   const std::string file = notes_file_of(arguments.run);
   write_note(file, arguments.annotated, arguments.note);
   fmt::print("stored in {}\n", file);
@@ -185,22 +125,8 @@ void add_triage(Program& program) {
   command.flag("--new-only", arguments->new_only,
                "list, write and fail on only the causes that earlier runs do not have");
   command.section("One cause");
-  command.option("--explain KEY", arguments->explained, "only report why the method of this cause fails");
-  command.option("--out DIR", arguments->out, "folder for --export");
-  command
-      .option("--export KEY", arguments->exported,
-              "only write a proof, an issue text and a program or case for the maintainers")
-      .needs("--out")
-      .excludes("--explain");
-  command
-      .option("--method NAME", arguments->method,
-              "method whose failure --export writes, if the cause has several")
-      .needs("--export");
-  command
-      .option("--annotate KEY", arguments->annotated,
-              "only store an owner and a note for this cause, next to the runs")
-      .excludes("--explain")
-      .excludes("--export");
+  command.option("--annotate KEY", arguments->annotated,
+                 "only store an owner and a note for this cause, next to the runs");
   command.option("--owner NAME", arguments->note.owner, "owner of the cause").needs("--annotate");
   command
       .option("--note NOTE", arguments->note.note,
@@ -208,7 +134,7 @@ void add_triage(Program& program) {
       .needs("--annotate");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
-      "  daylight triage runs/latest --export fcl-libccd/hang --out upstream",
+      "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
       "RUN/buckets/ has the simplest pair of each cause. It has the worst pair (.worst.jsonl) if a search "
       "found\n"
@@ -218,10 +144,7 @@ void add_triage(Program& program) {
       "remain to be examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
-    return !arguments->explained.empty()   ? explain_cause(*arguments)
-           : !arguments->exported.empty()  ? export_cause(*arguments)
-           : !arguments->annotated.empty() ? annotate_cause(*arguments)
-                                           : triage(*arguments);
+    return arguments->annotated.empty() ? triage(*arguments) : annotate_cause(*arguments);
   });
 }
 

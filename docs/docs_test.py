@@ -157,7 +157,7 @@ def shortened(words, number):
     words = [patterns.get(word, word) for word in words]
     if words[0] == 'gate':
         words += ['--cases', '', '--for', '1s']
-    if words[0] == 'triage' and not {'--for', '--annotate', '--explain', '--export'} & set(words):
+    if words[0] == 'triage' and not {'--for', '--annotate'} & set(words):
         words += ['--for', '1s']
     if words[0] == 'scene' and '--configurations' not in words:
         words += ['--configurations', '10', '--boxes', '1000']

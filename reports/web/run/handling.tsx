@@ -47,21 +47,21 @@ function Annotate({ report, b, triage }: { report: FullReport; b: Cause; triage:
 }
 
 export function Handling({ report, b }: { report: FullReport; b: Cause }) {
-  const triage = `./daylight triage ${shellQuoted(report.run.folder)}`,
+  const run = shellQuoted(report.run.folder),
     key = shellQuoted(b.key);
   return (
     <section class="handling">
       <h3>Next steps</h3>
-      <Copy label="Explain it" text={`${triage} --explain ${key}`} />
+      <Copy label="Explain it" text={`./daylight explain ${run} ${key}`} />
       <Copy
-        label="For the maintainers: a program, a proof and the text of an issue"
-        text={`${triage} --export ${key} --out upstream`}
+        label="For the maintainers: a proof, the text of an issue, and a program or case"
+        text={`./daylight export ${run} ${key} --out upstream`}
       />
       <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
       <p class="soft">
         Its pair is in <code>{safe(b.file)}</code>.
       </p>
-      <Annotate report={report} b={b} triage={triage} />
+      <Annotate report={report} b={b} triage={`./daylight triage ${run}`} />
     </section>
   );
 }

@@ -16,7 +16,7 @@ const namedFaults = 3;
 /** The first of the faults with its picture and command, the next ones in a line each. */
 function Faults({ report, faults, word }: { report: FullReport; faults: Cause[]; word: string }) {
   const [first, ...others] = faults;
-  const command = `./daylight triage ${shellQuoted(report.run.folder)} --explain ${shellQuoted(first!.key)}`;
+  const command = `./daylight explain ${shellQuoted(report.run.folder)} ${shellQuoted(first!.key)}`;
   return (
     <div class="band bad">
       <div>

@@ -48,7 +48,7 @@ async function leadsToWhatIsNew(page, report) {
   assert.match(await band.innerText(), /^1 new fault: \S+[^]* (reports|returns|offers|crash)[^]*\.\s/);
   assert.equal(await band.locator("a").first().getAttribute("href"), `#/bucket/${fresh.key}`);
   assert.ok((await band.locator(".thumb .projection").boundingBox()).height > 100, "its picture");
-  assert.equal(await copied(page, "Explain it"), `./daylight triage runs/sample --explain ${fresh.key}`);
+  assert.equal(await copied(page, "Explain it"), `./daylight explain runs/sample ${fresh.key}`);
   assert.equal(await page.locator("header nav a").count(), 3);
   const told = await page.locator("#new .facts dd").nth(4).innerText();
   assert.equal(told, `${buckets.length - 1} and 1 only in earlier runs`);
@@ -396,7 +396,7 @@ async function handlesACause(page, report) {
   await row.locator("a").click();
   await page.waitForSelector(".handling");
   assert.match(await page.locator(".handling .note").innerText(), /ada: asked upstream/);
-  assert.equal(await copied(page, "A program"), `./daylight triage runs/sample --export ${noted.key} --out upstream`);
+  assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${noted.key} --out upstream`);
   assert.deepEqual(JSON.parse(await copied(page, "suppressions.jsonl")), {
     bucket: noted.key,
     reason: "",

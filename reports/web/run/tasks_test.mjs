@@ -56,7 +56,7 @@ async function sendIt(page, click) {
   const box = page.locator(".copy", { hasText: "For the maintainers" });
   await click(box.getByRole("button", { name: "Copy" }));
   assert.match(await read(page, box), /copied|by hand/);
-  assert.match(await box.locator("code").innerText(), /--export \S+ --out upstream$/);
+  assert.match(await box.locator("code").innerText(), /daylight export runs\/sample \S+ --out upstream$/);
 }
 
 for (const [task, clicks] of [
