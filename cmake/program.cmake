@@ -7,7 +7,7 @@ endforeach()
 
 # The page goes into the program as it is committed; reports/web/build.mjs makes it.
 set(page_template ${PROJECT_SOURCE_DIR}/reports/web/page_template.html)
-set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPENDS ${page_template}
+set_source_files_properties(reports/run/page_template.cpp PROPERTIES OBJECT_DEPENDS ${page_template}
   COMPILE_DEFINITIONS DAYLIGHT_PAGE_TEMPLATE="${page_template}")
 
 # The programs that `daylight export` writes are templates; they go into the program as an array of names and texts.

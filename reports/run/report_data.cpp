@@ -21,12 +21,12 @@
 #include "corpus/store/stored_answers.hpp"
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
+#include "reports/run/page_template.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/cause_notes.hpp"
 #include "reports/triage/causes.hpp"
 #include "reports/triage/triage.hpp"
-#include "reports/web/page_template.hpp"
 
 namespace cyl {
 namespace {

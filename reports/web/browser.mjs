@@ -30,12 +30,10 @@ export const browser = await chromium.launch({ executablePath: browserFile, time
 export const errors = [],
   asked = [];
 
-/** `first`: what runs before the page does. */
-export async function open(address, { scheme = "light", first, width = 1366 } = {}) {
+export async function open(address, { scheme = "light", width = 1366 } = {}) {
   const context = await browser.newContext({ colorScheme: scheme, viewport: { width, height: 850 }, offline: true });
   context.setDefaultTimeout(patience);
   const page = await context.newPage();
-  if (first) await page.addInitScript(first);
   page.on("console", (m) => {
     if (m.type() === "error") errors.push(m.text());
   });
@@ -51,14 +49,6 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
   return page;
 }
 
-/** As where there is no WebGL. */
-export const withoutWebgl = () => {
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (kind) {
-    return kind === "2d" ? getContext.call(this, kind) : null;
-  };
-};
-
 /** Until what was done is drawn. */
 export const settled = (page) =>
   page.evaluate(
@@ -68,36 +58,8 @@ export const settled = (page) =>
       }),
   );
 
-/** How many different colours the canvas has, and how many pixels that nothing shines through. */
-export const colours = async (page) => (
-  await settled(page),
-  page.evaluate(() => {
-    const canvas = document.querySelector(".stage canvas");
-    const flat = Object.assign(document.createElement("canvas"), {
-      width: canvas.width,
-      height: canvas.height,
-    }).getContext("2d");
-    flat.drawImage(canvas, 0, 0);
-    const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-    let hash = 0,
-      opaque = 0;
-    for (const pixel of data) {
-      hash = (Math.imul(hash, 31) + pixel) | 0;
-      opaque += pixel >>> 24 > 200 ? 1 : 0;
-    }
-    return { count: new Set(data).size, hash, opaque };
-  })
-);
-
-const packed = (bytes) => deflateSync(bytes).toString("base64");
-
-/** The page with data in it, as page_template.cpp fills it. */
+/** The page with data in it, as reports/run/page_template.cpp fills it. */
 export function filled(report) {
   const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
-  return template
-    .replace("@@DAYLIGHT_REPORT_DATA@@", () => packed(JSON.stringify(report)))
-    .replace(
-      /<script id="program">(.*?)<\/script>/s,
-      (_, program) => `<script type="text/plain" id="program">${packed(program)}</script>`,
-    );
+  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64"));
 }

@@ -54,26 +54,19 @@ async function bundle(options) {
   return { text: outputFiles[0].text, licences: licences(metafile) };
 }
 
-async function scriptOf(entry) {
-  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" }),
-    text = bundled.text.trimEnd();
-  return { ...bundled, text: text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--") };
-}
-
 async function page() {
-  const program = await scriptOf("main.tsx"),
-    loader = await scriptOf("loader.ts");
+  const program = await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" }),
+    script = program.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
-  const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-  const policy = `default-src 'none'; script-src ${hash(program.text)} ${hash(loader.text)}; style-src 'unsafe-inline'; img-src data: blob:`;
+  const hash = createHash("sha256").update(script).digest("base64");
+  const policy = `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'; img-src data: blob:`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp)
     .replace("@@POLICY@@", () => policy)
     .replace("@@LICENCES@@", () => program.licences)
     .replace("@@STYLE@@", () => style)
-    .replace("@@SCRIPT@@", () => program.text)
-    .replace("@@LOADER@@", () => loader.text);
+    .replace("@@SCRIPT@@", () => script);
 }
 
 const name = "page_template.html",

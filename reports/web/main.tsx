@@ -2,13 +2,18 @@
 // The page: it shows the run that its data describe.
 import * as forNode from "./chart.ts";
 import { render } from "preact";
-import { inflated } from "./parts/inflate.ts";
 import { safe } from "./parts/words.ts";
 import type { Report } from "./run/data.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
 
-/** Draws the data in the element that page_template.cpp fills, or says why it cannot. */
+/** What reports/run/page_template.cpp compressed: zlib, in base64. */
+function inflated(text: string): Response {
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")));
+}
+
+/** Draws the data in the element that reports/run/page_template.cpp fills, or says why it cannot. */
 async function draw() {
   const page = document.getElementById("page")!,
     text = document.getElementById("report-data")!.textContent;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the pages share: sections, tables, fields with a button that copies their text (Copy), and other elements.
+// Sections, plots, choices, and fields with a button that copies their text (Copy).
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-
-/** A colour of style.css, for what is no element. */
-export const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export function Section({
   id,

@@ -43,10 +43,3 @@ export interface Solid {
   half: number;
   rounding: number;
 }
-/** All points within a radius of a segment; of half 0: a ball. */
-export interface Capsule {
-  center: Vec;
-  axis: Vec;
-  half: number;
-  radius: number;
-}

@@ -1,8 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Solids as lines on paper: for print, and if the browser has no WebGL.
+// The drawing of a pair: both solids as lines, with what is known of them.
 import type { Vec } from "./data.ts";
+import type { Drawing } from "./drawing.ts";
 import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geometry.ts";
-import type { View } from "./stage.ts";
+
+/** From where a drawing is seen, and the radius of what is in the picture. */
+interface View {
+  eye: Vec;
+  up: Vec;
+  target: Vec;
+  radius: number;
+}
+
+/** Looking across the direction of the gap, a little from above; a lies left of b. */
+function viewOf(d: Drawing, close: boolean): View {
+  const along: Vec = d.direction ?? [1, 0, 0],
+    [u, v] = squareTo(along);
+  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
+  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
+}
 
 type Flat = [number, number];
 
@@ -36,7 +52,7 @@ function hull(points: Flat[]): Flat[] {
 type Flatten = (x: Vec) => Flat;
 
 /** To the unit of the picture: x right, y down. */
-export function flatten(view: View): Flatten {
+function flatten(view: View): Flatten {
   const forward = unit(scale(view.eye, -1)),
     right = unit(cross(forward, view.up)),
     up = cross(right, forward);
@@ -46,7 +62,7 @@ export function flatten(view: View): Flatten {
   };
 }
 
-export const path = (points: Flat[]) =>
+const path = (points: Flat[]) =>
   points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(4)} ${y.toFixed(4)}`).join("") + "Z";
 
 /** Points around each, as far away as the outline of a ball. */
@@ -60,7 +76,7 @@ const swollen = (points: Flat[], by: number): Flat[] =>
         }),
       );
 
-export function Outline({
+function Outline({
   of,
   flat,
   view,
@@ -83,6 +99,41 @@ export function Outline({
   );
 }
 
-export function Way({ from, to }: { from: Flat; to: Flat }) {
-  return <line class="gap" x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />;
+/** `close`: where the solids are nearest to each other, instead of all of them. */
+export function Projection({ drawing: d, close = false, label }: { drawing: Drawing; close?: boolean; label: string }) {
+  const view = viewOf(d, close),
+    flat = flatten(view);
+  const dotAt = (x: Vec, name: string) => {
+    const [cx, cy] = flat(x);
+    return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />;
+  };
+  const line = ([x1, y1]: Flat, [x2, y2]: Flat) => <line class="gap" x1={x1} y1={y1} x2={x2} y2={y2} />;
+  let trace = null;
+  if (d.plane && d.direction) {
+    // as the edge that it would show if one looked along it
+    const [u, v] = squareTo(d.direction),
+      side = 0.75 * d.extent;
+    const corners = [
+      [1, 1],
+      [1, -1],
+      [-1, -1],
+      [-1, 1],
+    ].map(([p, q]) => flat(add(d.plane!, add(scale(u, p! * side), scale(v, q! * side)))));
+    trace = <path class="plane" d={path(corners)} />;
+  }
+  return (
+    <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
+      {trace}
+      <Outline of={d.a} flat={flat} view={view} class="solid-a" />
+      <Outline of={d.b} flat={flat} view={view} class="solid-b" />
+      {d.near && (
+        <>
+          {line(flat(d.near.a), flat(d.near.b))}
+          {dotAt(d.near.a, "a")}
+          {dotAt(d.near.b, "b")}
+        </>
+      )}
+      {d.point && dotAt(d.point, "point")}
+    </svg>
+  );
 }

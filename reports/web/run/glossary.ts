@@ -116,5 +116,3 @@ export const glossary: Record<string, string> = {
   "wrong by": "The least error of the distance, compared with the proved interval.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
-/** Terms by the alphabet. */
-export const glossaryEntries = () => Object.entries(glossary).sort(([x], [y]) => (x < y ? -1 : 1));

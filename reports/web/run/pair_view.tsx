@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Both solids in 3D, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
-import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+// Both solids, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
+import { useMemo, useState } from "preact/hooks";
 import { drawingOf, exaggerated, exaggeration } from "../parts/drawing.ts";
-import { objectsOf, viewOf } from "../parts/pair_objects.ts";
-import { Projection } from "../parts/pair_projection.tsx";
-import { getStage, mountStage } from "../parts/stage.ts";
+import { Projection } from "../parts/projection.tsx";
 import { short } from "../parts/words.ts";
 import type { Case } from "./data.ts";
 
@@ -21,34 +19,24 @@ export function Thumbnail({ shown }: { shown: Case }) {
   }, [shown]);
   return (
     <span class="thumb" aria-hidden="true">
-      <Projection drawing={drawing} view={viewOf(drawing, false)} label="" />
+      <Projection drawing={drawing} label="" />
     </span>
   );
 }
 
 export function PairView({ shown }: { shown: Case }) {
-  const place = useRef<HTMLDivElement>(null);
   const trueDrawing = useMemo(() => drawingOf(shown), [shown]);
   const factor = exaggeration(trueDrawing);
   const [close, zoom] = useState(false);
   const [wide, widen] = useState(factor > widenedAtOnce);
   const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
-  const view = useMemo(() => viewOf(drawing, close), [drawing, close]);
-  const stage = getStage();
   const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half));
   const ratio = Math.max(...sizes) / Math.min(...sizes);
-
-  useLayoutEffect(() => {
-    if (!stage || !place.current) return;
-    return mountStage(stage, place.current, () => stage.show(objectsOf(drawing)));
-  }, [drawing]);
-  useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
 
   const gap = trueDrawing.gap,
     words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
   const formatGap = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * trueDrawing.unit)}`;
   const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${formatGap}`;
-  useLayoutEffect(() => stage?.setAriaLabel(label), [label]);
   return (
     <figure class="pair-view">
       <div class="stage-tools" role="group" aria-label="View">
@@ -77,8 +65,8 @@ export function PairView({ shown }: { shown: Case }) {
           )}
         </span>
       </div>
-      <div class={`stage ${stage ? "" : "flat"}`} ref={place}>
-        <Projection drawing={drawing} view={view} label={label} />
+      <div class="stage">
+        <Projection drawing={drawing} close={close} label={label} />
       </div>
       <figcaption>
         {factor > 1 && wide && (
@@ -96,11 +84,10 @@ export function PairView({ shown }: { shown: Case }) {
         {Number.isFinite(ratio) && ratio > uneven && (
           <>One solid is {short(ratio, 2)} times as large as the other. The smaller one may be too small to see. </>
         )}
-        {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL, so the drawing is a projection."}
         {drawing.near &&
           (gap !== null && gap < 0
-            ? " The dots on a line are approximately the deepest points of each solid in the other."
-            : " The dots on a line are approximately the nearest points.")}
+            ? "The dots on a line are approximately the deepest points of each solid in the other."
+            : "The dots on a line are approximately the nearest points.")}
       </figcaption>
     </figure>
   );

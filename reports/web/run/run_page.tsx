@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page of a run: an overview in sections, and a view of one cause or finding by the part of the address after '#'.
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Words } from "../parts/glossary.tsx";
 import { grouped, safe, seconds } from "../parts/words.ts";
 import { useAddress, type Address } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
@@ -10,7 +9,7 @@ import { NotInThisRun } from "./elements.tsx";
 import { FindingView } from "./finding.tsx";
 import { Findings } from "./findings.tsx";
 import { arrive, skip } from "./focus.ts";
-import { glossaryEntries } from "./glossary.ts";
+import { glossary } from "./glossary.ts";
 import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
@@ -47,6 +46,24 @@ function Header({ report }: { report: FullReport }) {
   );
 }
 
+/** The glossary, folded. Its texts are also the tooltips of the page. */
+function Words() {
+  const entries = Object.entries(glossary).sort(([x], [y]) => (x < y ? -1 : 1));
+  return (
+    <details id="words">
+      <summary>Glossary: {entries.length} terms</summary>
+      <dl class="words">
+        {entries.map(([word, meaning]) => (
+          <div key={word}>
+            <dt>{word}</dt>
+            <dd>{meaning}</dd>
+          </div>
+        ))}
+      </dl>
+    </details>
+  );
+}
+
 /** Everything below the summary. */
 function Rest({ report, address }: { report: FullReport; address: Address }) {
   return (
@@ -61,7 +78,7 @@ function Rest({ report, address }: { report: FullReport; address: Address }) {
         <Kills report={report} />
         <NotInThisRun report={report} />
       </div>
-      <Words entries={glossaryEntries()} />
+      <Words />
       <footer class="soft">
         <p>{safe(report.run.build)}</p>
         {report.run.command && (

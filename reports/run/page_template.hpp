@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page of a run: one HTML file, nothing beside it and nothing from the network. It is page_template.html,
-// which the sources in this folder are built to, with the data in it.
+// The page of a run: one HTML file, nothing beside it and nothing from the network. It is
+// reports/web/page_template.html with the data in it.
 #pragma once
 
 #include <string>

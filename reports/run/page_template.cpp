@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/web/page_template.hpp"
+#include "reports/run/page_template.hpp"
 
 #include <zlib.h>
 
@@ -42,31 +42,14 @@ std::string base64(std::string_view bytes) {
   return text.replace(text.size() - missing, missing, missing, '=');
 }
 
-std::string packed(std::string_view text) { return base64(compressed(text)); }
-
-/// Returns the end of the first `what` in the page after `from`.
-std::size_t end_of(std::string_view what, std::string_view page, std::size_t from) {
-  const std::size_t at = page.find(what, from);
-  if (at == page.npos) throw std::runtime_error("the template of the page lacks a place");
-  return at + what.size();
-}
-
 }  // namespace
 
 std::string fill_template(std::string_view json) {
-  // Each mark and tag occurs once in the template, in this order.
-  constexpr std::string_view data_mark = "@@DAYLIGHT_REPORT_DATA@@", tag = "<script id=\"program\">",
-                             end_tag = "</script>";
+  constexpr std::string_view mark = "@@DAYLIGHT_REPORT_DATA@@";
   const std::string_view page(daylight_page_template,
                               static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
-  const std::size_t after_data = end_of(data_mark, page, 0), program = end_of(tag, page, after_data),
-                    rest = end_of(end_tag, page, program) - end_tag.size();
-  std::string filled(page.substr(0, after_data - data_mark.size()));
-  filled += packed(json);
-  filled += page.substr(after_data, program - tag.size() - after_data);
-  filled += "<script type=\"text/plain\" id=\"program\">";
-  filled += packed(page.substr(program, rest - program));
-  return filled += page.substr(rest);
+  std::string filled(page);
+  return filled.replace(page.find(mark), mark.size(), base64(compressed(json)));
 }
 
 }  // namespace cyl
