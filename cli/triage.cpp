@@ -25,14 +25,12 @@
 #include "corpus/store/suppressions.hpp"
 #include "fuzz/campaign/climbed.hpp"
 #include "reports/run/report_data.hpp"
-#include "reports/triage/cause_notes.hpp"
 
 namespace cyl {
 namespace {
 
 struct TriageArguments {
-  std::string run, budget, json, annotated;
-  CauseNote note;
+  std::string run, budget, json;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
@@ -87,17 +85,6 @@ int triage(const TriageArguments& arguments) {
   return exit_code(result);
 }
 
-int annotate_cause(const TriageArguments& arguments) {
-  const nlohmann::json causes = causes_json(arguments.run);
-  if (std::ranges::none_of(causes, [&](const auto& cause) { return cause.at("key") == arguments.annotated; }))
-    throw UsageError(fmt::format("{} has no cause '{}'", arguments.run, arguments.annotated));
-  const std::string file = notes_file_of(arguments.run);
-  write_note(file, arguments.annotated, arguments.note);
-  fmt::print("stored in {}\n", file);
-  write_page(read_run(arguments.run, campaign_families()), in_source_tree("props/mutants/kill_matrix.jsonl"));
-  return exit_pass;
-}
-
 }  // namespace
 
 void add_triage(Program& program) {
@@ -124,14 +111,6 @@ void add_triage(Program& program) {
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
   command.flag("--new-only", arguments->new_only,
                "list, write and fail on only the causes that earlier runs do not have");
-  command.section("One cause");
-  command.option("--annotate KEY", arguments->annotated,
-                 "only store an owner and a note for this cause, next to the runs");
-  command.option("--owner NAME", arguments->note.owner, "owner of the cause").needs("--annotate");
-  command
-      .option("--note NOTE", arguments->note.note,
-              "note about the cause; without owner and note, both are removed")
-      .needs("--annotate");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
@@ -144,7 +123,7 @@ void add_triage(Program& program) {
       "remain to be examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
-    return arguments->annotated.empty() ? triage(*arguments) : annotate_cause(*arguments);
+    return triage(*arguments);
   });
 }
 

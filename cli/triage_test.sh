@@ -68,11 +68,8 @@ printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
 expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
 holds 'its place' err 'bad.jsonl: line 1, column 30: owner is not a text'
 
-# The second morning: nothing is new; what is noted stays.
+# The second morning: nothing is new.
 rm -r killed
-expect 0 'a note' "$daylight" triage night --annotate fcl-libccd/overflow --owner ada --note 'told "them"'
-holds 'noted' notes.jsonl '"owner":"ada"'
-expect 64 'no such cause' "$daylight" triage night --annotate no/such --owner ada
 expect 2 'another night' "$daylight" "${night[@]}" --seed 4 --out night2
 triage night2
 holds 'nothing is new' out '^0 new causes, '
@@ -84,11 +81,10 @@ equal 'none is written' '[]' "$(<new.json)"
 expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json --suppressions ''
 equal 'all are new' "$(grep -c '"key"' causes.json)" "$(grep -c '"key"' new.json)"
 page_data night2/report.html >page.json
-expect 0 'the page has what was noted, and the nights' python3 - page.json <<'END'
+expect 0 'the page has the nights' python3 - page.json <<'END'
 import json, sys
 data = json.load(open(sys.argv[1], encoding='utf-8'))
 cause = next(b for b in data['buckets'] if b['key'] == 'fcl-libccd/overflow')
-assert cause['note'] == {'owner': 'ada', 'note': 'told "them"'}, cause['note']
 assert [night['run'] for night in cause['nights']] == ['night', 'night2'] and cause['standing'] == 'known'
 assert data['changes']['new'] == 0 and data['changes']['against'] == ['night'] and data['changes']['known'] > 0
 assert all(f['margin'] is None or f['margin'][0] <= f['margin'][1] for f in data['findings'])

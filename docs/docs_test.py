@@ -157,7 +157,7 @@ def shortened(words, number):
     words = [patterns.get(word, word) for word in words]
     if words[0] == 'gate':
         words += ['--cases', '', '--for', '1s']
-    if words[0] == 'triage' and not {'--for', '--annotate'} & set(words):
+    if words[0] == 'triage' and '--for' not in words:
         words += ['--for', '1s']
     if words[0] == 'scene' and '--configurations' not in words:
         words += ['--configurations', '10', '--boxes', '1000']
@@ -259,7 +259,7 @@ def main():
             commands |= set(commands_of(text))
     here = [c for c in commands if not any(part in c for part in ELSEWHERE)]
     # These need what another writes.
-    here.sort(key=lambda command: ('--against' in command or '--annotate' in command, command))
+    here.sort(key=lambda command: ('--against' in command, command))
     if len(here) < 15:
         fail(f'only {len(here)} command lines were found')
     with tempfile.TemporaryDirectory() as scratch:

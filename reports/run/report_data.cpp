@@ -24,7 +24,6 @@
 #include "reports/run/page_template.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
-#include "reports/triage/cause_notes.hpp"
 #include "reports/triage/causes.hpp"
 #include "reports/triage/triage.hpp"
 
@@ -290,24 +289,20 @@ void add_findings(json& report, const RunData& run) {
 // Causes
 // -----------------------------------------------------------------------------------------------------------
 
-/// Adds the causes of the last triage, with the notes on them and the places of their pairs.
+/// Adds the causes of the last triage, with the places of their pairs.
 void add_causes(json& report, const RunData& run) {
-  const std::map<std::string, CauseNote> notes = read_notes(notes_file_of(run.folder));
   std::map<std::string, std::size_t> by_standing;
   std::set<std::string> against;
   json causes = causes_json(run.folder);
   for (json& cause : causes) {
-    const std::string key = cause.at("key");
-    cause["file"] = fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(key));
-    if (const auto note = notes.find(key); note != notes.end())
-      cause["note"] = {{"owner", note->second.owner}, {"note", note->second.note}};
+    cause["file"] =
+        fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(cause.at("key").get<std::string>()));
     if (const json standing = cause.value("standing", json()); standing.is_string())
       ++by_standing[standing.get<std::string>()];
     for (const json& night : cause.value("nights", json::array())) against.insert(night.at("run"));
   }
   against.erase(report.at("run").at("id").get<std::string>());
   report["buckets"] = std::move(causes);
-  report["notes_file"] = notes_file_of(run.folder);
   report["changes"] = nullptr;
   if (by_standing.empty()) return;
   json changes{{"against", against}};

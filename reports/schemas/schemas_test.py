@@ -92,10 +92,7 @@ def main():
         if 'unreadable' in run('judge', folder / 'said.jsonl', '--pairs', folder / 'asked.jsonl', '--name', 'mine'):
             sys.exit('judge does not read what guest_answer.json describes')
         hold('guest_answer.json', [given[1], *given], ('kind',))
-        key = json.loads((folder / 'two.json').read_text())[0]['key']
-        run('triage', folder / 'runs/two', '--annotate', key, '--owner', 'ada', '--note', 'asked upstream')
         hold('buckets.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
-        hold('note.json', lines((folder / 'runs/notes.jsonl').read_text()))
         hold('report_data.json', [json.loads(subprocess.check_output(
             [ROOT / 'reports/web/page_data.py', folder / 'runs' / night / 'report.html'])) for night in ('one', 'two')])
         if shutil.which('node'):  # what the tests of the page make up has the form that the program writes

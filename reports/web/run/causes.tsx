@@ -22,7 +22,6 @@ const numeric = new Set<CauseColumn>(["count", "margin"]);
 
 export const causeAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
-export const formatNote = ({ note }: Cause) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
 
 /** A run of its nights with the day on which it began. */
 export const formatRun = ({ nights }: Cause, run: string) => {
@@ -52,7 +51,6 @@ function CauseRow({ b }: { b: Cause }) {
             )}
             <div>{safe(sentenceOf(b))}.</div>
             <div class="soft">{safe(b.cause)}</div>
-            {b.note && <div class="note">{safe(formatNote(b))}</div>}
           </div>
         </div>
       </td>

@@ -116,7 +116,6 @@ export interface Cause {
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
   file: string; // JSON Lines, with its pair
-  note?: { owner: string; note: string };
 }
 
 /** How often a method was asked and wrong, by cell of a plane. Cells not listed were not visited. */
@@ -235,7 +234,6 @@ export interface Report {
   history: { runs: number; groups: HistoryGroup[] } | null;
   /** Causes by how they stand against the runs named. */
   changes: ({ [standing in Standing]: number } & { against: string[] }) | null;
-  notes_file: string; // beside the runs: notes and owners of causes
   /** Whether the campaign found the faults planted to test it: green where each was found in its usual time. */
   alarm: { green: boolean; text: string } | null;
   kill_matrix: {

@@ -60,7 +60,7 @@ const termsOf = (text: string) =>
 
 const causeText = (b: Cause) =>
   searchText([
-    b.key, b.cause, sentenceOf(b), ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason,
+    b.key, b.cause, sentenceOf(b), ...b.labels, ...b.methods, b.suppressed?.reason,
   ]);
 
 export function rowsOf(report: FullReport): Row[] {

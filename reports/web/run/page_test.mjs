@@ -151,7 +151,7 @@ async function keepsWhatIsShown(page, report) {
   );
   const both = of((f) => f.severity === "contract" && f.family === "touching_side_rim");
   assert.equal(await rowsOfText("touching_side_rim  Beyond its claim"), both);
-  assert.ok(await rowsOfText("asked upstream"), "the note of a cause");
+  assert.ok(await rowsOfText("known upstream"), "why a cause is suppressed");
   assert.equal((await causesShown(page)).length, 1);
   await search(page).fill("");
   await settled(page);
@@ -378,35 +378,25 @@ const copied = (page, label) =>
     .locator("code")
     .innerText();
 
-/** The commands and lines of a cause, its note, its nights and its claim. */
+/** The commands and lines of a cause, its nights and its claim. */
 async function handlesACause(page, report) {
-  const noted = report.buckets.find((b) => b.note),
+  const shown = report.buckets[2],
     found = report.buckets.find((b) => b.simplified === false);
-  await go(page, "#/findings");
-  const row = page.locator(".causes tr", { hasText: "asked upstream" });
-  assert.equal(await row.locator("a").innerText(), noted.key);
-  await row.locator("a").click();
+  await go(page, `#/bucket/${shown.key}`);
   await page.waitForSelector(".handling");
-  assert.match(await page.locator(".handling .note").innerText(), /ada: asked upstream/);
-  assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${noted.key} --out upstream`);
+  assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${shown.key} --out upstream`);
   assert.deepEqual(JSON.parse(await copied(page, "suppressions.jsonl")), {
-    bucket: noted.key,
+    bucket: shown.key,
     reason: "",
     link: "",
     owner: "",
     expires: "2027-02-20",
   });
-  assert.deepEqual(JSON.parse(await copied(page, "a line for daylight check")), noted.simplest.pair);
+  assert.deepEqual(JSON.parse(await copied(page, "a line for daylight check")), shown.simplest.pair);
   assert.match(await page.locator(".detail .right .facts").first().innerText(), /margins\s+\S+ up to 0.01 or more/i);
-  await page.getByLabel("Owner", { exact: true }).fill("o'hara");
-  await page.getByLabel("Note", { exact: true }).fill("two words");
-  assert.equal(
-    await copied(page, "Record it in runs/notes.jsonl"),
-    `./daylight triage runs/sample --annotate ${noted.key} --owner 'o'\\''hara' --note 'two words'`,
-  );
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
 
-  assert.equal(await page.locator(".nights .night").count(), noted.nights.length);
+  assert.equal(await page.locator(".nights .night").count(), shown.nights.length);
   assert.match(
     await page.locator(".nights .night title").last().textContent(),
     /20261122-220000-4[^]*of 280,000 pairs/,
@@ -728,7 +718,6 @@ async function opensAFirstRun() {
   for (const b of first.buckets) {
     Object.assign(b, { chance: null, nights: [], standing: null, simplified: true });
     b.first_version = b.last_version = "";
-    delete b.note;
   }
   write(first);
   const page = await openPage();
@@ -755,12 +744,11 @@ async function showsHostileTextAsText() {
   Object.assign(report.run, { id: hostile, seed: hostile, status: hostile, build: hostile, command: hostile });
   report.findings.forEach((f) => Object.assign(f, { method: hostile, family: hostile, reason: hostile }));
   report.methods[0].name = report.methods[0].claim.source = hostile;
-  report.cases[0].note = report.notes_file = hostile;
+  report.cases[0].note = hostile;
   report.changes.against = [hostile];
   for (const b of report.buckets) {
     Object.assign(b, { key: `${b.key}${hostile}`, method: hostile, cause: hostile, labels: [hostile], file: hostile });
     Object.assign(b, { methods: [hostile], first_version: hostile, last_version: "", feature: hostile });
-    b.note = { owner: hostile, note: hostile };
     for (const night of b.nights) night.run = night.started = hostile;
   }
   report.findings.forEach((f) => Object.assign(f, { bucket: f.bucket && `${f.bucket}${hostile}` }));

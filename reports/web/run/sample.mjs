@@ -197,7 +197,6 @@ export function sample(findings_total = 400) {
       last_version: i % 2 ? "1.2" : "1.1",
       simplified: i % 5 !== 3,
       file: `runs/sample/buckets/${key.replaceAll("/", "_")}.jsonl`,
-      ...(i === 2 ? { note: { owner: "ada", note: "asked upstream" } } : {}),
       cause: "a fixed length in it: right at another scale",
       mechanism: "absolute-length",
       methods: i % 2 ? [method] : [method, ...methods.slice(8, 10 + (i % 5)).filter((m) => m !== method)],
@@ -375,7 +374,6 @@ export function sample(findings_total = 400) {
       ),
       against: runs.slice(0, 3).map(({ run }) => run),
     },
-    notes_file: "runs/notes.jsonl",
     history: {
       runs: 3,
       groups: findings
