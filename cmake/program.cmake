@@ -42,7 +42,3 @@ target_link_libraries(daylight PRIVATE daylight_cli)
 
 add_executable(compare_builds EXCLUDE_FROM_ALL bench/stability/builds_main.cpp)
 target_link_libraries(compare_builds PRIVATE daylight_bench_stability)
-add_executable(find_errata EXCLUDE_FROM_ALL tools/find_errata_main.cpp)
-target_link_libraries(find_errata PRIVATE daylight_oracles_methods daylight_props_shrink)
-add_executable(find_hardest EXCLUDE_FROM_ALL tools/find_hardest_main.cpp)
-target_link_libraries(find_hardest PRIVATE daylight_oracles_referee)

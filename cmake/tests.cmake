@@ -93,7 +93,6 @@ daylight_script(docs_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/d
 daylight_script(exact_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/exact_test.py)
 daylight_script(vectors_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/vectors_test.py ${program})
 daylight_script(add_gate_test cli 600 ${PROJECT_SOURCE_DIR}/cmake/gate/gate_test.sh ${program})
-daylight_script(workflows_test cli 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/.ci/workflows/workflows_test.py ${program})
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
@@ -110,7 +109,6 @@ daylight_script(mutants_off_change_nothing props 2400 ${PROJECT_SOURCE_DIR}/prop
 daylight_script(make_mutants_test props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants_test.sh
                 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants.py)
 daylight_script(mutations_test props 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/props/mutants/mutations_test.py)
-daylight_script(untaken_branches_test props 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/untaken_branches_test.py)
 daylight_script(mutants_smoke props 2400 daylight-mutants matrix --first --only 103)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some

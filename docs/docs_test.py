@@ -3,8 +3,9 @@
 """README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
 So is the English in the comments of headers and in the descriptions of JSON schemas.
 Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
-command lines that other tests run. README.md's first pair stays wrong when it is moved, and its numbers match the
-output of its command. "docs_test.py PROGRAM write" writes these numbers."""
+command lines that other tests run. The files for CI name commands and options that exist. README.md's first pair stays
+wrong when it is moved, and its numbers match the output of its command. "docs_test.py PROGRAM write" writes these
+numbers."""
 import json
 import math
 import os
@@ -134,6 +135,20 @@ def check_english():
         fail('\n'.join(['these phrases in --help'] + found))
 
 
+def check_ci():
+    """The action, the workflows and the units name only commands and options that --help has."""
+    for path in [ROOT / 'action.yml', *(ROOT / 'docs/ci').iterdir(), *(ROOT / '.github/workflows').iterdir()]:
+        text = re.sub(r'^#.*|\\\n', '', path.read_text(), flags=re.M)
+        lines = re.findall(r'\bdaylight ([a-z]+)\b(.*)', text)
+        if path.name == 'action.yml':
+            lines.append(('gate', text))
+        for command, rest in lines:
+            known = run([command, '--help'], ROOT)
+            for option in re.findall(r'(?<=[ (])--[a-z-]+', rest):
+                if not re.search(rf'^  {option}\b', known, re.M):
+                    fail(f'{path.name}: {command} has no {option}')
+
+
 def commands_of(text):
     """Command lines in code: blocks and what stands between backticks."""
     fenced, block = False, []
@@ -250,6 +265,7 @@ def check_numbers(folder, write):
 
 def main():
     check_english()
+    check_ci()
     commands = set()
     for page in PAGES:
         text = page.read_text()

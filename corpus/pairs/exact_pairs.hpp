@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pairs with exact numbers: small integers, pairs that touch up to less than doubles can show, and the ends
 // of the range of doubles. The last two reach branches of the solver and the referee that no other family
-// reaches (tools/untaken_branches.py).
+// reaches.
 #pragma once
 
 #include <array>

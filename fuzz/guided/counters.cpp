@@ -29,11 +29,8 @@ struct Counters {
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
-// Not static, or a compiler drops them as unused. With DAYLIGHT_FUZZ_PLAIN, the engine does not see them.
-#ifndef DAYLIGHT_FUZZ_PLAIN
-__attribute__((section("__libfuzzer_extra_counters")))
-#endif
-Counters extra_counters;
+// Not static, or a compiler drops them as unused.
+__attribute__((section("__libfuzzer_extra_counters"))) Counters extra_counters;
 
 namespace {
 
