@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The program `daylight`, and what it says of itself.
-foreach(room oracles_methods)
-  target_compile_definitions(daylight_${room} PRIVATE DAYLIGHT_VERSION="${PROJECT_VERSION}"
-                             DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
-endforeach()
+target_compile_definitions(daylight_oracles_methods PRIVATE DAYLIGHT_VERSION="${PROJECT_VERSION}"
+                           DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
 
 # The page goes into the program as it is committed; reports/web/build.mjs makes it.
 set(page_template ${PROJECT_SOURCE_DIR}/reports/web/page_template.html)

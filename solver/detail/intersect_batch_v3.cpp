@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for x86-64-v3: see cmake/kernels.cmake.
+// Compiled for x86-64-v3: see CMakeLists.txt.
 #if defined(__x86_64__)
 #define CYL_KERNEL batch_v3
 #define CYL_DECIDE_KERNEL decide_v3
