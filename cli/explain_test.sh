@@ -53,3 +53,6 @@ expect 2 'a run with findings' "$daylight" campaign --pairs 3000 --seed 3 --case
 id=$(grep -oE 'runs/one:[0-9]+' out | tail -n 1)
 expect 0 'a stored finding names its method' "$daylight" explain "$id"
 holds 'the method' out '^libccd-mpr-tol1e-10 '
+expect 64 'a cause of no run' "$daylight" explain cases.jsonl libccd-mpr/wrong_disjoint
+expect 64 'a run without that cause' "$daylight" explain runs/one nobody/hang
+holds 'what to do' err "runs/one has no cause 'nobody/hang': .daylight triage runs/one. lists its 0 causes"
