@@ -31,7 +31,6 @@
 #include "cli/progress.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
-#include "props/gate/law_search.hpp"
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
 #include "reports/gate/gate_writers.hpp"
@@ -41,7 +40,7 @@ namespace cyl {
 namespace {
 
 struct GateArguments {
-  std::string cap, methods, junit, json, against, keep, reproduce;
+  std::string cap, methods, junit, json, against, keep;
   std::optional<std::string> cases, suppressions;
   std::optional<std::uint64_t> seed, pairs;
   bool github = false, laws = false, first_failure = false;
@@ -75,19 +74,6 @@ std::string case_lines(const JudgedGate& gate) {
     lines += format_case(c) + '\n';
   }
   return lines;
-}
-
-int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
-  const LawFilter all = [](std::size_t, const Law&) { return true; };
-  bool violation = false;
-  for (const LawFailure& c :
-       find_violation_again(methods, all, arguments.reproduce, GateOptions{}.caps).failures) {
-    fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
-               in_words(c.violation.severity), c.violation.what, format_pair(c.shrunk.value_or(c.pair)));
-    violation |= c.violation.severity == Severity::contract;
-  }
-  if (!violation) fmt::print("no law is broken beyond the claim\n");
-  return violation ? exit_findings : exit_pass;
 }
 
 /// Returns the options that make `replay` ask the same methods and check the laws that failed.
@@ -202,7 +188,6 @@ int gate(const GateArguments& arguments) {
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
   const auto places = places_of(arguments.annotate, guests);
-  if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   options.seed = arguments.seed.value_or(options.seed);
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
@@ -295,9 +280,6 @@ void add_gate(Program& program) {
   command.section("Output");
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
-  command.section("Pairs");
-  command.option("--reproduce NAME", arguments->reproduce,
-                 "rerun one random pair, by the name in the \"origin\" line of its failure");
   command.section("Output");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(

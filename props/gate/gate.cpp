@@ -256,9 +256,7 @@ class Gate {
       for (const LawFailure& c : found.failures) {
         GateFailure* first = record(c.method, *c.law, c.violation, c.pair,
                                     c.from + fmt::format(", seed {}", options_.seed + round));
-        if (!first || !c.shrunk) continue;
-        first->simplest = *c.shrunk;
-        first->reproduce = c.reproduce;
+        if (first && c.shrunk) first->simplest = *c.shrunk;
       }
       show_progress(found.pairs, part(++round, due));
     }

@@ -66,7 +66,6 @@ struct GateFailure {
   unsigned reruns = 0,
            failed_again = 0;  ///< of the first pair; if fewer than reruns, the failure is not
                               ///< deterministic
-  std::string reproduce;      ///< RapidCheck's string if RapidCheck found the pair, else empty
 };
 
 /// Independent random pairs of one stratum, and how many were wrong.

@@ -4,7 +4,6 @@
 #include <rapidcheck.h>
 
 #include <array>
-#include <unordered_map>
 #include <utility>
 
 #include "base/usage_error.hpp"
@@ -13,10 +12,8 @@
 namespace cyl {
 namespace {
 
-/// By source. The name of a case states the source from which the case was drawn.
-constexpr std::array property_ids{"laws", "close contacts", "rounded solids"};
+/// By source.
 constexpr std::array generators{pairs_of_one_kind, close_pairs_of_one_kind, rounded_pairs_of_one_kind};
-const char* property_id(PairSource source) { return property_ids[static_cast<std::size_t>(source)]; }
 
 /// The most draws that RapidCheck may try while it shrinks one case. They take some seconds at most.
 /// simplify() does the rest.
@@ -36,8 +33,7 @@ class LawSearch {
     round_.counts.resize(methods.size());
   }
 
-  SearchRound run(const rc::detail::TestParams& params,
-                  const std::unordered_map<std::string, rc::detail::Reproduce>& again = {}) {
+  SearchRound run(const rc::detail::TestParams& params) {
     Silent listener;
     const auto result = rc::detail::checkTestable(
         [this] {
@@ -48,14 +44,9 @@ class LawSearch {
           else
             examine_drawn(drawn);
         },
-        rc::detail::TestMetadata{property_id(source_), property_id(source_)}, params, listener, again);
+        rc::detail::TestMetadata{}, params, listener);
     if (result.is<rc::detail::FailureResult>()) {
-      rc::detail::Configuration name;
-      name.reproduce.emplace(property_id(source_), result.get<rc::detail::FailureResult>().reproduce);
-      const std::string text =
-          rc::detail::configToMinimalString(name);  // and the seed, which does not matter
       LawFailure& last = round_.failures.back();
-      last.reproduce = text.substr(0, text.find(' '));
       if (!last.shrunk) last.shrunk = last.pair;
     } else if (result.is<rc::detail::Error>()) {
       throw UsageError(result.get<rc::detail::Error>().description);
@@ -70,7 +61,7 @@ class LawSearch {
     round_.pairs.insert(round_.pairs.end(), drawn.pairs.begin(), drawn.pairs.end());
     for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
     for (const LawViolation& b : examined.violations) {
-      round_.failures.push_back({b.method, b.law, b.violation, drawn.pairs[b.pair], drawn.from, {}, {}});
+      round_.failures.push_back({b.method, b.law, b.violation, drawn.pairs[b.pair], drawn.from, {}});
       if (b.violation.severity != Severity::contract || !is_news_(round_.failures.back())) continue;
       stopped_ = true;
       RC_FAIL(b.violation.what);
@@ -121,9 +112,8 @@ SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, co
     return method == news->method && law.number == news->law->number;
   };
   const SearchRound again = LawSearch(methods, same, is_worth_shrinking, source, asker).run(params);
-  if (again.failures.empty() || again.failures.back().reproduce.empty()) return round;  // it comes and goes
+  if (again.failures.empty() || !again.failures.back().shrunk) return round;  // it comes and goes
   news->shrunk = again.failures.back().shrunk;
-  news->reproduce = again.failures.back().reproduce;
   return round;
 }
 
@@ -132,22 +122,6 @@ SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, co
                             int draws, const Caps& caps) {
   Asker asker(methods, caps);
   return find_violations(methods, wanted, is_worth_shrinking, source, seed, draws, asker);
-}
-
-SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
-                                 const std::string& reproduce, const Caps& caps) {
-  Asker asker(methods, caps);
-  rc::detail::Configuration named;
-  try {
-    named = rc::detail::configFromString(reproduce);
-  } catch (const std::exception& error) {
-    throw UsageError("'" + reproduce + "' names no case: " + error.what());
-  }
-  const WorthShrinking any = [](const LawFailure&) { return true; };
-  for (const PairSource source : {PairSource::kinds, PairSource::close_contacts, PairSource::rounded})
-    if (named.reproduce.contains(property_id(source)))
-      return LawSearch(methods, wanted, any, source, asker).run({}, named.reproduce);
-  throw UsageError("'" + reproduce + "' names no case");
 }
 
 }  // namespace cyl

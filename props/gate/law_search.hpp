@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches for pairs on which methods break laws, by RapidCheck. It draws pairs of a kind, shrinks a failing
-// pair if possible, and names the case so that it can be reproduced.
+// Searches for pairs on which methods break laws, by RapidCheck. It draws pairs of a kind, and shrinks a
+// failing pair if possible.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,6 @@ struct LawFailure {
   Pair pair;
   std::string from;            ///< the kind of pairs it was drawn from
   std::optional<Pair> shrunk;  ///< as far as RapidCheck could shrink it, if that was wanted
-  std::string reproduce;       ///< RapidCheck's name of the shrunk case, or empty
 };
 
 struct SearchRound {
@@ -60,10 +59,5 @@ SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, co
 SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
                             const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
                             int draws, const Caps& caps);
-
-/// Runs the case that `reproduce` names again. Its source of pairs must not have changed since. Throws
-/// UsageError if the name is not valid.
-SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
-                                 const std::string& reproduce, const Caps& caps);
 
 }  // namespace cyl

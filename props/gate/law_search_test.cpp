@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/pairs/pair_io.hpp"
 #include "props/laws/laws_test.hpp"
 #include "solver/decide.hpp"
 
@@ -19,11 +20,11 @@ const LawFilter everything = [](std::size_t, const Law&) { return true; };
 const WorthShrinking anything = [](const LawFailure&) { return true; };
 constexpr std::uint64_t seed = 20261121;
 
-/// Returns the failure that RapidCheck shrank and named.
-const LawFailure& named(const SearchRound& round) {
+/// Returns the failure that RapidCheck shrank.
+const LawFailure& shrunk(const SearchRound& round) {
   const auto found = std::find_if(round.failures.begin(), round.failures.end(),
-                                  [](const LawFailure& c) { return !c.reproduce.empty(); });
-  if (found == round.failures.end()) throw std::runtime_error("nothing was named");
+                                  [](const LawFailure& c) { return c.shrunk.has_value(); });
+  if (found == round.failures.end()) throw std::runtime_error("nothing was shrunk");
   return *found;
 }
 
@@ -52,26 +53,19 @@ TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
   EXPECT_EQ(round.counts.at(0).asked, drawn);
 }
 
-TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
+TEST(LawSearch, ShrinksWhatItFindsOnTheGrid) {
   const auto methods = one(favours_narrow);
   // Asks for swaps on the grid only, because RapidCheck shrinks no other pairs.
   const LawFilter swap = [](std::size_t, const Law& law) { return law.number == 1; };
   const WorthShrinking on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
   const SearchRound round = find_violations(methods, swap, on_the_grid, PairSource::kinds, seed, 400, {});
-  const LawFailure& first = named(round);
+  const LawFailure& first = shrunk(round);
   EXPECT_EQ(first.from, "grid");
   EXPECT_EQ(first.law->number, 1);
   ASSERT_TRUE(first.shrunk);
   const double wide = std::max(first.shrunk->a.radius, first.shrunk->b.radius);
   EXPECT_GT(wide, 3);
   EXPECT_LT(wide, 3.25) << "as near to the least of the grid as the cap lets it come";
-  ASSERT_TRUE(first.reproduce.starts_with("reproduce=")) << first.reproduce;
-
-  const SearchRound again = find_violation_again(methods, swap, first.reproduce, {});
-  ASSERT_FALSE(again.failures.empty());
-  ASSERT_TRUE(again.failures.back().shrunk);
-  EXPECT_EQ(again.failures.back().shrunk->a.radius, first.shrunk->a.radius);
-  EXPECT_EQ(again.failures.back().shrunk->b.center, first.shrunk->b.center);
 }
 
 TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
@@ -79,7 +73,7 @@ TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
       find_violations(one(favours_narrow), everything, anything, PairSource::kinds, seed, 20, {});
   const SearchRound whole = find_violations(one([](const Pair& p) { return ask_ours("intersect", p); }),
                                             everything, anything, PairSource::kinds, seed, 20, {});
-  EXPECT_FALSE(named(stopped).reproduce.empty());
+  EXPECT_TRUE(shrunk(stopped).shrunk);
   EXPECT_EQ(stopped.drawn, whole.drawn);
   ASSERT_EQ(stopped.pairs.size(), whole.pairs.size());
   for (std::size_t i = 0; i < whole.pairs.size(); ++i) {
@@ -92,8 +86,8 @@ TEST(LawSearch, SameSeedSameFailure) {
   const auto methods = one(favours_narrow);
   const SearchRound first = find_violations(methods, everything, anything, PairSource::kinds, seed, 20, {});
   const SearchRound second = find_violations(methods, everything, anything, PairSource::kinds, seed, 20, {});
-  EXPECT_EQ(named(first).reproduce, named(second).reproduce);
-  EXPECT_EQ(named(first).violation, named(second).violation);
+  EXPECT_EQ(format_pair(*shrunk(first).shrunk), format_pair(*shrunk(second).shrunk));
+  EXPECT_EQ(shrunk(first).violation, shrunk(second).violation);
 }
 
 TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
@@ -110,7 +104,7 @@ TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
       "family flat_disks; family random; family touching_rim_rim; stratum cap-side 1e-05; ");
 }
 
-TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
+TEST(LawSearch, ShrinksWhatItFindsOnCloseContacts) {
   // Wrong for flat solids only, so that some pairs pass.
   const auto methods = one([](const Pair& pair) {
     MethodAnswer answer = ask_ours("intersect", pair);
@@ -126,15 +120,7 @@ TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
   std::string all;
   for (const auto& [kind, pairs] : round.drawn) all += kind + "; ";
   EXPECT_GT(round.drawn.size(), 10u) << all;
-  const SearchRound again = find_violation_again(methods, everything, named(round).reproduce, {});
-  ASSERT_FALSE(again.failures.empty());
-  EXPECT_EQ(again.failures.back().from, named(round).from);
-}
-
-TEST(LawSearch, RefusesANameOfNothing) {
-  const auto methods = own_methods();
-  EXPECT_THROW(find_violation_again(methods, everything, "reproduce=nonsense", {}), std::invalid_argument);
-  EXPECT_THROW(find_violation_again(methods, everything, "", {}), std::invalid_argument);
+  EXPECT_TRUE(round.drawn.contains(shrunk(round).from)) << shrunk(round).from;
 }
 
 }  // namespace

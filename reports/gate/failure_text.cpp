@@ -111,7 +111,6 @@ FailureView view_of(const JudgedFailure& f) {
                    .again = again_in_words(f),
                    .found = format_pair(f.found),
                    .simplest = format_pair(f.simplest),
-                   .reproduce = one_line(f.reproduce),
                    .replay = {},
                    .place = place_of(f)};
   view.replay =

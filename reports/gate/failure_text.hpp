@@ -34,7 +34,6 @@ struct FailureView {
   std::string origin, bucket;
   std::string again;            ///< "fails 10 of 10 times", ..; empty if it was not run again
   std::string found, simplest;  ///< pairs as JSON
-  std::string reproduce;        ///< empty if RapidCheck has no name for it
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law
   /// The place of the case, else of the law. For a guest it is its source, or none, because our files are not
   /// in its tree. The file is valid UTF-8, relative to the current folder if it lies below it.

@@ -95,7 +95,6 @@ inline JudgedGate example_gate() {
                    example_failure("intersect", 2, Severity::contract),
                    example_failure("intersect", 3, Severity::resolution),
                    example_failure(fake.name, 30, Severity::contract)};
-  gate.failures[0].reproduce = "BchAwNXYlR2c";
   gate.failures[1].failed_again = 3;
   JudgedFailure& of_case = gate.failures[3];
   of_case.phase = GatePhase::corpus;

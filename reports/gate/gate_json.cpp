@@ -83,7 +83,6 @@ json failure(const JudgedFailure& f) {
           {"count", f.count},
           {"reruns", f.reruns},
           {"failed_again", f.failed_again},
-          {"reproduce", f.reproduce},
           {"known", f.known},
           {"in_base", f.in_base}};
 }

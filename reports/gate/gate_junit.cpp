@@ -37,7 +37,6 @@ std::string details(const FailureView& f) {
   std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\nbucket: {}\n", f.what,
                                  f.pairs, f.origin, f.found, f.simplest, f.bucket);
   if (!f.again.empty()) text += f.again + '\n';
-  if (!f.reproduce.empty()) text += "RapidCheck: " + f.reproduce + '\n';
   return text + "again: " + f.replay + '\n';
 }
 

@@ -90,7 +90,6 @@ std::string in_full(std::size_t number, const Alike& alike) {
   text += line("found", f.found);
   text += line("simplest", f.simplest == f.found ? "no simpler pair was found" : f.simplest);
   text += line("replay", f.replay);
-  if (!f.reproduce.empty()) text += line("RapidCheck", f.reproduce);
   for (const JudgedFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
     text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), counted(g->count, "pair"), grown(*g)));
     text += line("", format_pair(g->simplest));

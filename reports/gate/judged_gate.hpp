@@ -21,7 +21,7 @@ struct SourceLine {
 
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
-  bool known = false;  ///< excused: the base has it on as many pairs, or it is suppressed
+  bool known = false;                 ///< excused: the base has it on as many pairs, or it is suppressed
   std::uint64_t in_base = 0;          ///< pairs of the base that failed like this, be it within the claim
   std::string options = {};           ///< options that add a guest, else empty
   std::optional<SourceLine> at = {};  ///< for a guest: its source line, if one was given
