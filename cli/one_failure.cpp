@@ -3,24 +3,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stdlib.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
-#include <stdexcept>
-#include <string_view>
-#include <thread>
 #include <vector>
 
 #include "base/json.hpp"
-#include "base/own_command.hpp"
-#include "base/process/child.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -30,50 +22,12 @@
 #include "corpus/store/run_store.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
-#include "reports/export/export.hpp"
 #include "reports/triage/triage.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The time limit for a build and for a program that does not end.
-constexpr std::chrono::minutes build_cap{5};
-
-/// The output of a folder's build.sh, and how it ends.
-struct Ran {
-  std::string printed;
-  int status = 0;
-};
-
-Ran run_build(const fs::path& folder) {
-  const auto deadline = std::chrono::steady_clock::now() + build_cap;
-  Child child({"sh", "-c", "exec sh \"$0\" 2>&1", (folder / "build.sh").string()}, {.own_group = true});
-  while (!child.advance()) {
-    if (std::chrono::steady_clock::now() > deadline) child.kill_now();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return {child.bytes(), child.status()};
-}
-
-/// Returns whether the program, built and run in its own folder, shows the failure. False if it could not be
-/// built. Throws std::runtime_error if it ran without a failure.
-bool shows_failure(const Export& files) {
-  std::string name = (fs::temp_directory_path() / "daylight-export-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + " cannot be made");
-  const std::shared_ptr<void> removed(nullptr, [&](void*) {
-    std::error_code none;
-    fs::remove_all(name, none);
-  });
-  write_export(files, name);
-  const Ran ran = run_build(name);
-  if (!fs::exists(fs::path(name) / "reproduce")) return false;
-  if (!WIFEXITED(ran.status) || WEXITSTATUS(ran.status) != 0) return true;
-  throw std::runtime_error(
-      "the program that would be sent does not show the failure, so nothing is written. It printed:\n" +
-      ran.printed);
-}
 
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = from_word<FindingKind>(word)) return *kind;
@@ -159,25 +113,6 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
     throw UsageError(fmt::format("{} is right on {}: it answers {}, and the solids are {}", name,
                                  target.label, format_method_answer(now.answer()), distance_in_words(now)));
   return {name, now.finding()->kind, target.pair};
-}
-
-int export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder) {
-  const auto guest = std::ranges::find(set.guests, failure.method, &Guest::name);
-  const bool is_guest = guest != set.guests.end();
-  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair,
-                                   is_guest ? &*guest : nullptr, failure.worst);
-  const bool shown = is_guest || shows_failure(files);
-  write_export(files, folder);
-  std::vector<std::string_view> names;
-  for (const auto& [name, text] : files) names.push_back(name);
-  fmt::print("{}, {}: {}/{}\n", failure.method, to_string(failure.kind), folder, fmt::join(names, ", "));
-  if (is_guest)
-    fmt::print("ask it again: {}\n", command_for(own_command(), folder + "/case.jsonl", *guest));
-  else
-    fmt::print("{}\n", shown ? "tested: it was built and run here, and shows the failure"
-                             : "not tested: it could not be built here; sh build.sh in that folder shows the "
-                               "reason");
-  return shown ? exit_pass : exit_undecided;
 }
 
 }  // namespace cyl

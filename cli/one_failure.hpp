@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One method's failure on one pair, which can be explained and sent to the maintainers of the method.
+// One method's failure on one pair, as the command line of `explain` and `export` names it.
 #pragma once
 
 #include <memory>
@@ -31,10 +31,5 @@ void add_failure_options(Command& command, FailureOptions& options);
 /// Missing parts come from the stored finding, else from a new answer. Throws UsageError if it names neither
 /// exactly one pair nor a cause, or if the method is right on the pair.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
-
-/// Writes make_export() into the folder, and prints what it wrote. A program for a packaged library is built
-/// and run first. Returns exit_undecided if it could not be built here. Throws std::runtime_error, and writes
-/// nothing, if it does not show the failure.
-int export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder);
 
 }  // namespace cyl
