@@ -9,6 +9,7 @@
 
 #include "base/source_tree.hpp"
 #include "bench/curves.hpp"
+#include "bench/paths.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
@@ -18,7 +19,6 @@
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
 #include "reports/run/report_data.hpp"
-#include "reports/run/stability.hpp"
 
 namespace cyl {
 namespace {
@@ -35,8 +35,8 @@ void chart(const ChartArguments& arguments) {
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
   if (arguments.stability)
-    write_stability(run, methods_for_targets({}, {arguments.run}).methods,
-                    in_source_tree("bench/stability/builds.jsonl"));
+    set_charts(run,
+               {{"paths", paths_json(path_stability(methods_for_targets({}, {arguments.run}).methods))}});
   write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
@@ -71,7 +71,7 @@ void add_chart(Program& program) {
               "results of daylight bench --curves --json; without it, earlier curves stay")
       .existing_file();
   command.flag("--stability", arguments->stability,
-               "also measure stability along paths, near touching and between builds");
+               "also measure how steady the answers are along paths of pairs");
   command.section("Output");
   command.option("--out DIR", arguments->out,
                  "folder for SVG files, and PNG if rsvg-convert is installed; requires Node.js");

@@ -38,5 +38,3 @@ target_include_directories(daylight_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
 add_executable(daylight cli/daylight_main.cpp)
 target_link_libraries(daylight PRIVATE daylight_cli)
 
-add_executable(compare_builds EXCLUDE_FROM_ALL bench/stability/builds_main.cpp)
-target_link_libraries(compare_builds PRIVATE daylight_bench_stability)

@@ -22,10 +22,10 @@ endfunction()
 
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
-set(process_suites Backward Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
+set(process_suites Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
     Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* KillMatrix Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Worker
-    Worst WorstOfCause WriteStability)
+    Worst WorstOfCause)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
 
@@ -53,7 +53,7 @@ daylight_tests(solver solver solver/literature corpus/pairs)
 daylight_tests(corpus corpus/pairs corpus/store)
 daylight_tests(oracles oracles/trial props/laws corpus/store)
 daylight_tests(props props/laws props/gate props/shrink props/mutants)
-daylight_tests(bench bench bench/stability reports/run)
+daylight_tests(bench bench reports/run)
 daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)

@@ -66,7 +66,7 @@ install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_D
 install(TARGETS daylight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/cases/*.jsonl corpus/scenes/*.* corpus/scenes/meshes/*
      oracles/guests/*.mjs oracles/guests/package.json oracles/guests/.npmrc)
-list(APPEND data oracles/plugin.h props/mutants/kill_matrix.jsonl bench/stability/builds.jsonl reports/web/chart.mjs
+list(APPEND data oracles/plugin.h props/mutants/kill_matrix.jsonl reports/web/chart.mjs
      reports/web/page_template.html)
 foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)

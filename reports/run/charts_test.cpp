@@ -9,6 +9,7 @@
 
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
+#include "bench/paths.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/run/bench_table.hpp"
 
@@ -184,6 +185,17 @@ TEST_F(Charts, ReadWhatABenchWrote) {
     std::ofstream(file) << bad;
     EXPECT_THROW(read_bench(file), InputError) << bad;
   }
+}
+
+TEST_F(Charts, AFieldIsSetAndTheOthersStay) {
+  std::ofstream(folder / "charts.json") << R"({"maps":[3],"paths":[4]})";
+  RunData run = read_run(folder, {});
+  const auto methods = select_methods(own_methods(), "intersect");
+  set_charts(run, {{"paths", paths_json(path_stability(methods))}});
+  EXPECT_EQ(charts()["maps"], parse_json("[3]"));
+  EXPECT_EQ(charts()["paths"].size(), 24u);
+  EXPECT_EQ(charts()["paths"][0]["method"], "intersect");
+  EXPECT_EQ(run.charts, charts());
 }
 
 }  // namespace

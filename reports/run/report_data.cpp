@@ -315,7 +315,7 @@ void add_causes(json& report, const RunData& run) {
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
-  for (const char* section : {"maps", "honesty", "speed", "cost", "paths", "backward", "builds"}) {
+  for (const char* section : {"maps", "honesty", "speed", "cost", "paths"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));

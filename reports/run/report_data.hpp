@@ -8,9 +8,8 @@
 
 namespace cyl {
 
-/// Returns the data of the page: the run, its charts (an object with maps, honesty, speed, cost, paths,
-/// backward, builds), and the causes of triage (causes_json() of triage.hpp). The kill matrix is added if
-/// `kill_matrix` names a file.
+/// Returns the data of the page: the run, its charts (an object with maps, honesty, speed, cost, paths), and
+/// the causes of triage (causes_json() of triage.hpp). The kill matrix is added if `kill_matrix` names a file.
 /// 1. A finding without a pair is only counted.
 /// 2. The result is one line of valid UTF-8.
 /// 3. Distances are enclosed again. Nearest points are the solver's and approximate.

@@ -9,7 +9,7 @@ import { plainDocument } from "./run/plain_document.ts";
 import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
 import { firstOfEach, seriesOf } from "./run/series.ts";
 import { pareto, speedPlot } from "./run/speed_plot.ts";
-import { backwardPlot, tracePlot } from "./run/stability_plots.ts";
+import { tracePlot } from "./run/stability_plots.ts";
 
 export { exact, floorSqrt, prove } from "./parts/prove.ts";
 export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
@@ -152,10 +152,5 @@ export function charts(report: FullReport, document: Document): Map<string, stri
         sure(`path-${path.path}-${path.method}`),
         framed(tracePlot(path, o), `${path.method}, ${path.path}`, []),
       );
-  if (report.backward.length > 0)
-    files.set(
-      "backward",
-      framed(backwardPlot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
-    );
   return files;
 }

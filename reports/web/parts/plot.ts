@@ -72,9 +72,6 @@ export const screen: Theme = {
   series: Array.from({ length: 10 }, (_, i) => `var(--series-${i})`),
 };
 
-/** Pixels for a label of a tick, with the margins of the plot. */
-const tickRoom = 60;
-
 /** Powers of ten that the values span. */
 export function decades(values: number[]): number[] {
   const logs = values.filter((v) => v > 0).map(Math.log10);
@@ -83,14 +80,6 @@ export function decades(values: number[]): number[] {
     high = Math.ceil(Math.max(...logs));
   return Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
 }
-/** A logarithmic axis over some values; `width`: of the plot, if its labels stand side by side. */
-export function logAxis(label: string, values: number[], tickFormat: (v: number) => string, width = Infinity) {
-  const ticks = decades(values),
-    skip = Math.max(1, Math.ceil((ticks.length * tickRoom) / width));
-  const told = (v: number) => (ticks.indexOf(v) % skip === 0 ? tickFormat(v) : "");
-  return { type: "log", label, ticks, tickFormat: told, grid: true, nice: true } as const;
-}
-
 export const power = (d: number) => (d === 0 ? "1" : `1e${d < 0 ? "\u2212" : ""}${Math.abs(d)}`);
 export const logTick = (x: number) => power(Math.round(Math.log10(x)));
 

@@ -195,26 +195,6 @@ export interface PathStability {
   direction_jump_degrees: number | null;
   trace?: { at: number; verdict: Verdict; distance: number | null }[];
 }
-/** How far (in sizes) the input must move for a wrong answer to be right: quantiles over the wrong answers. */
-export interface BackwardError {
-  method: string;
-  wrong: number;
-  p50: number;
-  p99: number;
-  max: number;
-}
-/** Which answers change between builds of the same source. */
-interface BuildDifference {
-  method: string;
-  build: string;
-  against: string;
-  pairs: number;
-  verdicts_changed: number;
-  beyond_claim: number;
-  distances_changed: number;
-  largest_change: number | null;
-}
-
 export interface Report {
   schema: 1;
   run: {
@@ -254,6 +234,4 @@ export interface Report {
   speed_on?: string; // the machine, compiler and date of these times
   cost: CostPoint[];
   paths: PathStability[];
-  backward: BackwardError[];
-  builds: BuildDifference[];
 }

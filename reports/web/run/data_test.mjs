@@ -306,7 +306,6 @@ test("every plot is drawn as a whole SVG", () => {
     "map-scale-offset-intersect",
     "honesty",
     "cost",
-    "backward",
     "path-through_touching-intersect",
   ])
     assert.ok(files.has(name), `${name} among ${[...files.keys()].slice(0, 8)}`);
@@ -314,6 +313,6 @@ test("every plot is drawn as a whole SVG", () => {
     assert.ok(text.startsWith("<?xml") && text.trimEnd().endsWith("</svg>"), name);
     assert.ok(!/NaN|undefined|Infinity|var\(/.test(text), `${name} has a number or colour that is none`);
   }
-  const empty = { ...sample(1), maps: [], honesty: [], speed: [], cost: [], paths: [], backward: [] };
+  const empty = { ...sample(1), maps: [], honesty: [], speed: [], cost: [], paths: [] };
   assert.deepEqual([...charts(expand(empty), plainDocument()).keys()], ["families"]);
 });

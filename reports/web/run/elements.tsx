@@ -72,8 +72,6 @@ const makes = {
     (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
   ],
   paths: ["answers along paths", (run: string) => `./daylight chart ${run} --stability`],
-  backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
-  builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
   kill_matrix: ["kill matrix of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
@@ -84,8 +82,6 @@ const isMissing = {
   speed: (r) => r.speed.length === 0,
   cost: (r) => r.cost.length === 0,
   paths: (r) => r.paths.length === 0,
-  backward: (r) => r.backward.length === 0,
-  builds: (r) => r.builds.length === 0,
   kill_matrix: (r) => r.kill_matrix === null,
 } satisfies Partial<Record<keyof typeof makes, (report: FullReport) => boolean>>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What happens as the margin shrinks: the share of wrong answers, and the time for an answer.
 import * as Plot from "@observablehq/plot";
-import { common, decades, logAxis, logTick, power, tips, type Options } from "../parts/plot.ts";
+import { common, decades, logTick, power, tips, type Options } from "../parts/plot.ts";
 import { groupBy, grouped, inOrder, percent, shareBounds, short, time } from "../parts/words.ts";
 import type { Calibration, CostPoint } from "./data.ts";
 import { seriesOf } from "./series.ts";
@@ -116,11 +116,14 @@ export function costPlot(points: CostPoint[], o: Options): Element {
   return Plot.plot(
     common(o, 330, {
       x: marginAxis(first, last, o.width - 90),
-      y: logAxis(
-        "\u2191 time a pair: line p50, band to p99, dot longest",
-        points.flatMap((p) => [p.p50, p.max]),
-        time,
-      ),
+      y: {
+        type: "log",
+        label: "\u2191 time a pair: line p50, band to p99, dot longest",
+        ticks: decades(points.flatMap((p) => [p.p50, p.max])),
+        tickFormat: time,
+        grid: true,
+        nice: true,
+      },
       marks: [
         ...byMethod.map((ps) =>
           Plot.areaY(ps, {

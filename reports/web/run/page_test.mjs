@@ -271,7 +271,7 @@ async function drawsEveryPlot(page) {
     ["speed", 1],
     ["maps", 1],
     ["calibration", 1],
-    ["stability", 3],
+    ["stability", 2],
   ]) {
     await page.locator(`section#${id}`).scrollIntoViewIfNeeded();
     for (const plot of await page.locator(`section#${id} .plot`).all()) await plot.scrollIntoViewIfNeeded();
@@ -578,7 +578,6 @@ function longReport() {
   return {
     ...report,
     paths: often(report.paths, 60),
-    builds: often(report.builds, 60),
     families: [...report.families, ...more],
     tallies: [...report.tallies, ...more.flatMap(({ name }) =>
       report.methods.map((m) => ({ ...report.tallies[0], method: m.name, family: name })))],
@@ -690,8 +689,6 @@ async function saysWhatIsMissing() {
     speed: [],
     cost: [],
     paths: [],
-    backward: [],
-    builds: [],
     kill_matrix: null,
     history: null,
     alarm: null,
@@ -699,7 +696,7 @@ async function saysWhatIsMissing() {
   const page = await openPage();
   assert.match(await page.locator("#new .missing code").innerText(), /^\.\/daylight triage /);
   const folded = page.locator("#charts .missing");
-  assert.match(await folded.locator("summary").innerText(), /^This run has no failure maps, calibration curves, times, costs [^,]*, answers [^,]*, backward [^,]*, [^,]*builds, kill/);
+  assert.match(await folded.locator("summary").innerText(), /^This run has no failure maps, calibration curves, times, costs [^,]*, answers [^,]*, kill/);
   const commands = await folded.locator("code").allTextContents();
   assert.equal(commands.length, 4);
   assert.ok(

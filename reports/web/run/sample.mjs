@@ -325,27 +325,6 @@ export function sample(findings_total = 400) {
         : {}),
     })),
   );
-  const backward = methods
-    .slice(own)
-    .map((method, m) => ({
-      method,
-      wrong: 30 * (m + 1),
-      p50: 10 ** (-9 + (m % 5)),
-      p99: 10 ** (-7 + (m % 5)),
-      max: 10 ** (-5.5 + (m % 6)),
-    }));
-  const builds = methods
-    .slice(0, 8)
-    .map((method, m) => ({
-      method,
-      build: "clang 14 -O3",
-      against: "gcc 12 -O3",
-      pairs: 100000,
-      verdicts_changed: m < own ? 0 : m * 3,
-      beyond_claim: m === 6 ? 2 : 0,
-      distances_changed: m * 70,
-      largest_change: m < own ? 0 : 1e-12 * m,
-    }));
   return {
     schema: 1,
     run: {
@@ -420,7 +399,5 @@ export function sample(findings_total = 400) {
     speed,
     cost,
     paths,
-    backward,
-    builds,
   };
 }

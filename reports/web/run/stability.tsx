@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Stability under small changes: the cost near touching, the answers along a path, the answers of another build of the
-// same source.
+// Stability under small changes: the cost near touching, and the answers along a path.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
-import { grouped, inOrder, percent, plural, safe, short } from "../parts/words.ts";
+import { grouped, inOrder, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
 import { Heads } from "./elements.tsx";
 import type { FullReport } from "./report.ts";
-import { backwardPlot, tracePlot } from "./stability_plots.ts";
+import { tracePlot } from "./stability_plots.ts";
 
 /** How often the verdict should turn: once where the path goes through touching. */
 const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
 
 const printedRows = 12; // as style.css has it
-
-const FirstRows = ({ of }: { of: number }) =>
-  of > printedRows ? (
-    <p class="only-print soft">
-      Only the first {printedRows} of {grouped(of)} rows are printed.
-    </p>
-  ) : null;
 
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(
@@ -72,7 +64,11 @@ function Paths({ report }: { report: FullReport }) {
               ))}
             </tbody>
           </table>
-          <FirstRows of={paths.length} />
+          {paths.length > printedRows && (
+            <p class="only-print soft">
+              Only the first {printedRows} of {grouped(paths.length)} rows are printed.
+            </p>
+          )}
         </div>
         <div>
           <h3>
@@ -94,74 +90,12 @@ function Paths({ report }: { report: FullReport }) {
   );
 }
 
-function Backward({ report }: { report: FullReport }) {
-  const draw = useCallback((width: number) => backwardPlot(report.backward, { width, theme: screen }), [report]);
-  if (report.backward.length === 0) return null;
-  return (
-    <>
-      <h3>Backward errors of wrong answers</h3>
-      <Figure
-        draw={draw}
-        height={80 + 17 * report.backward.length}
-        label="Backward errors"
-        caption={
-          "A wrong answer is right for a slightly different pair. The backward error is the distance to that pair."
-        }
-      />
-    </>
-  );
-}
-
-const buildHeads = [
-  ...["method", "build", "against", "n:pairs", "n:verdicts changed", "n:beyond the claim", "n:distances changed"],
-  "n:largest change",
-];
-
-function Builds({ report }: { report: FullReport }) {
-  if (report.builds.length === 0) return null;
-  const changed = report.builds.filter((b) => b.verdicts_changed > 0 || b.distances_changed > 0);
-  return (
-    <>
-      <h3>Answers of another build</h3>
-      <p class="lead">
-        {plural(report.builds.length, "comparison")} of the answers of a method in two builds. The table has the{" "}
-        {grouped(changed.length)} with a change.
-      </p>
-      <div class="scroll tall">
-        <table class="plain">
-          <Heads of={buildHeads} />
-          <tbody>
-            {changed.map((b) => (
-              <tr key={`${b.method} ${b.build} ${b.against}`}>
-                <td>{safe(b.method)}</td>
-                <td>{safe(b.build)}</td>
-                <td>{safe(b.against)}</td>
-                <td class="n">{grouped(b.pairs)}</td>
-                <td class="n">
-                  {grouped(b.verdicts_changed)} ({percent(b.verdicts_changed, b.pairs)})
-                </td>
-                <td class={`n ${b.beyond_claim > 0 ? "bad" : ""}`}>{grouped(b.beyond_claim)}</td>
-                <td class="n">{grouped(b.distances_changed)}</td>
-                <td class="n">{short(b.largest_change)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-        <FirstRows of={changed.length} />
-      </div>
-    </>
-  );
-}
-
 export function Stability({ report }: { report: FullReport }) {
-  const { cost, paths, backward, builds } = report;
-  if ([cost, paths, backward, builds].every((of) => of.length === 0)) return null;
+  if (report.cost.length === 0 && report.paths.length === 0) return null;
   return (
     <Section id="stability" title="Stability">
       <Cost report={report} />
       <Paths report={report} />
-      <Backward report={report} />
-      <Builds report={report} />
     </Section>
   );
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The answers of a method along a path, and how far an input must move for a wrong answer to be right.
+// The answers of a method along a path.
 import * as Plot from "@observablehq/plot";
-import { common, logAxis, logTick, tips, type Options } from "../parts/plot.ts";
-import { grouped, inOrder, short } from "../parts/words.ts";
-import type { BackwardError, PathStability } from "./data.ts";
+import { common, tips, type Options } from "../parts/plot.ts";
+import { short } from "../parts/words.ts";
+import type { PathStability } from "./data.ts";
 
 export function tracePlot(path: PathStability, o: Options): Element {
   const trace = path.trace ?? [];
@@ -55,41 +55,6 @@ export function tracePlot(path: PathStability, o: Options): Element {
           : []),
         Plot.dot(trace, { x: "at", y, fill: colour, symbol: shape, r: 2.6, ariaLabel: words }),
         ...tips(trace, o, words, { x: "at", y }),
-      ],
-    }),
-  );
-}
-
-export function backwardPlot(rows: BackwardError[], o: Options): Element {
-  const sorted = inOrder(rows, (x, y) => y.max - x.max);
-  const least = Math.min(...rows.flatMap((r) => [r.p50, r.p99, r.max]).filter((v) => v > 0), 1);
-  const at = (v: number) => Math.min(Math.max(v, least), 10); // beyond: solids far apart that were taken for meeting
-  const words = (r: BackwardError) =>
-    `${r.method}: ${grouped(r.wrong)} wrong answers\nhalf right for an input within ${short(r.p50)} of its size\n` +
-    `99 % within ${short(r.p99)}\nall within ${short(r.max)}`;
-  return Plot.plot(
-    common(o, 40 + rows.length * 17 + 40, {
-      marginLeft: 190,
-      x: logAxis(
-        "backward error, in sizes: dot p50, tick p99, end largest \u2192",
-        rows.flatMap((r) => [at(r.p50), at(r.max)]),
-        logTick,
-        o.width - 160,
-      ),
-      y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
-      marks: [
-        Plot.link(sorted, {
-          x1: (r: BackwardError) => at(r.p50),
-          x2: (r: BackwardError) => at(r.max),
-          y1: "method",
-          y2: "method",
-          stroke: o.theme.soft,
-          strokeWidth: 1.5,
-        }),
-        Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
-        Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),
-        Plot.dot(sorted, { x: (r: BackwardError) => at(r.p50), y: "method", fill: o.theme.fg, r: 3, ariaLabel: words }),
-        ...tips(sorted, o, words, { x: (r: BackwardError) => at(r.p50), y: "method" }),
       ],
     }),
   );

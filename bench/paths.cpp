@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/stability/paths.hpp"
+#include "bench/paths.hpp"
 
 #include <fmt/format.h>
 
