@@ -82,11 +82,6 @@ double quantile(std::vector<double> values, double q) {
   return values[rank];
 }
 
-double least_above(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
-
 double spread_percent(const std::vector<double>& values) {
   return 100 * (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);
 }

@@ -27,9 +27,6 @@ double chance_of_all_in(std::uint64_t count, std::uint64_t part, std::uint64_t a
 /// Returns the value of rank q (count - 1), rounded, or NaN without values.
 double quantile(std::vector<double> values, double q);
 
-/// Returns the least of the values, sorted and not none, that so great a share of them does not exceed.
-double least_above(const std::vector<double>& sorted, double share);
-
 /// Returns the range of the middle half of the values, in % of their median.
 double spread_percent(const std::vector<double>& values);
 

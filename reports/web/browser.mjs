@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A browser without network, for the tests of the pages.
+// A browser without network, for the tests of the page.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

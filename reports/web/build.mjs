@@ -59,7 +59,7 @@ async function page() {
     script = program.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = createHash("sha256").update(script).digest("base64");
-  const policy = `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'; img-src data: blob:`;
+  const policy = `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp)

@@ -16,9 +16,8 @@ export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rows
 export { isOrdinary, sorted, sortedCauses, viewOf, worstFirst } from "./run/filter.ts";
 export { wrongDistance } from "./run/distance.ts";
 export { logGamma, sameRateProbability } from "./run/rates.ts";
-export { csvOf } from "./run/files.ts";
+export { csvCell, csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
-export { csvCell } from "./parts/save.ts";
 export { full, shellQuoted } from "./parts/words.ts";
 export { expand, onlyHere, pareto, plainDocument };
 

@@ -53,7 +53,7 @@ export interface Case {
   note?: string; // where the pair comes from, in words
 }
 
-export type Severity = "contract" | "resolution" | "unresolved";
+type Severity = "contract" | "resolution" | "unresolved";
 /** Its margin is its own: of "distance_outside" |error| / size, of others the pair's. */
 export interface Finding extends Case {
   id: number;

@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: MIT
 // The findings shown, as files: a table for spreadsheets (RFC 4180), and JSON with all that is known of them.
 import type { Cylinder } from "../parts/data.ts";
-import { csvCell, type Cell } from "../parts/save.ts";
 import { wrongDistance } from "./distance.ts";
 import type { Row } from "./filter.ts";
 import type { FullReport } from "./report.ts";
 import { severityLabels } from "./words.ts";
+
+type Cell = string | number | null | undefined;
+
+/** A spreadsheet would take text that begins like a formula for one. */
+const harmless = (text: string) => (/^[=+\-@\t\r]/.test(text) ? `'${text}` : text);
+export function csvCell(cell: Cell): string {
+  if (cell === null || cell === undefined) return "";
+  const number = (x: number) => (Object.is(x, -0) ? "-0" : String(x).replace("Infinity", "inf"));
+  const text = typeof cell === "number" ? number(cell) : harmless(cell);
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+/** Hands a file to whoever reads the page. */
+export function save(name: string, type: string, text: string) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name.replace(/[^A-Za-z0-9_.-]+/g, "_");
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
 
 const lengths = (c: Cylinder): number[] => [...c.center, ...c.axis, c.radius, c.height];
 const namesOf = (solid: string) =>

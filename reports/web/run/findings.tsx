@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The causes, and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
-import { useEffect, useLayoutEffect, useMemo, useState } from "preact/hooks";
+import { useLayoutEffect, useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
-import { save } from "../parts/save.ts";
-import { VirtualTable, type ColumnOf } from "../parts/table.tsx";
-import { grouped, plural, safe, short } from "../parts/words.ts";
+import { grouped, plural } from "../parts/words.ts";
 import { remember, type Address } from "./address.ts";
 import { Causes } from "./causes.tsx";
-import { csvOf, jsonOf } from "./files.ts";
+import { csvOf, jsonOf, save } from "./files.ts";
 import {
   causesOf,
   chipCounts,
-  columns,
   filtered,
   filteredCauses,
   loneCounts,
@@ -21,89 +18,11 @@ import {
   sortedCauses,
   viewOf,
   worstFirst,
-  type Column,
-  type Order,
-  type Row,
   type View,
 } from "./filter.ts";
-import { about } from "./glossary.ts";
+import { FindingsTable } from "./findings_table.tsx";
 import type { FullReport } from "./report.ts";
 import { Search } from "./search.tsx";
-import { kindLabel, severityLabels } from "./words.ts";
-
-const rowHeight = 25,
-  tableRows = 22;
-const titles: Record<Column, string> = {
-  id: "#",
-  severity: "severity",
-  kind: "kind",
-  method: "method",
-  family: "family",
-  margin: "margin",
-  bucket: "cause",
-  standing: "since earlier runs",
-};
-const numeric = new Set<Column>(["id", "margin"]);
-
-const cellOf: Record<Column, (row: Row) => string> = {
-  id: (r) => String(r.f.id),
-  severity: (r) => severityLabels[r.f.severity] ?? r.f.severity,
-  kind: (r) => kindLabel(r.f.kind),
-  method: (r) => r.f.method,
-  family: (r) => kindLabel(r.f.family),
-  margin: (r) => short(r.f.margin?.[0]),
-  bucket: (r) => r.f.bucket ?? "",
-  standing: (r) => r.standing ?? "",
-};
-
-function Table({ rows, order, setOrder }: { rows: Row[]; order: Order; setOrder: (order: Order) => void }) {
-  const [at, move] = useState(-1);
-  useEffect(() => move(-1), [rows]);
-  const shown = columns.filter(
-    (c) =>
-      (c !== "bucket" || rows.some((r) => r.f.bucket !== null)) &&
-      (c !== "standing" || rows.some((r) => r.standing !== null)),
-  );
-  const told = shown.map((c): ColumnOf<Row> => {
-    const hint = about(titles[c]);
-    return {
-      key: c,
-      title: titles[c],
-      numeric: numeric.has(c),
-      ...(hint === undefined ? {} : { about: hint }),
-      bad: (r) => c === "severity" && r.f.severity === "contract",
-      ...(c === "bucket" ? { hint: (r: Row) => safe(cellOf[c](r)) } : {}),
-      cell: (r) =>
-        c === "id" ? (
-          <a href={`#/finding/${r.f.id}`} tabIndex={-1} onClick={(event) => event.stopPropagation()}>
-            {r.f.id}
-          </a>
-        ) : (
-          safe(cellOf[c](r))
-        ),
-    };
-  });
-  const turn = (column: string) =>
-    setOrder({ column: column as Column, down: order.column === column ? !order.down : column === "margin" });
-  return (
-    <VirtualTable
-      rows={rows}
-      columns={told}
-      keyOf={(r) => r.f.id}
-      label="Findings; arrow keys choose one, Enter opens it"
-      order={order}
-      turn={turn}
-      at={at}
-      move={move}
-      open={(r) => {
-        location.hash = `#/finding/${r.f.id}`;
-      }}
-      addressOf={(r) => `#/finding/${r.f.id}`}
-      rowHeight={rowHeight}
-      rowsShown={tableRows}
-    />
-  );
-}
 
 /** The view that the address asks for; what is changed of it here is written there, so that it can be passed on. */
 function useView(address: Address): [View, (view: View) => void] {
@@ -179,7 +98,7 @@ export function Findings({ report, address }: { report: FullReport; address: Add
               JSON
             </button>
           </p>
-          <Table rows={shown} order={order} setOrder={(o) => set({ ...view, order: o })} />
+          <FindingsTable rows={shown} order={order} setOrder={(o) => set({ ...view, order: o })} />
           <p class="only-print soft">Of {said}, only the rows that were on the screen are printed.</p>
         </>
       )}

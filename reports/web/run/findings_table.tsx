@@ -1,55 +1,68 @@
 // SPDX-License-Identifier: MIT
-// A table of many rows of one height, sorted by its heads; only the rows on the screen are elements.
-import type { ComponentChildren } from "preact";
+// The table of findings: many rows of one height, sorted by its heads. Only the rows on the screen are elements.
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { safe, short } from "../parts/words.ts";
+import { columns, type Column, type Order, type Row } from "./filter.ts";
+import { about } from "./glossary.ts";
+import { kindLabel, severityLabels } from "./words.ts";
 
-const spareRows = 8;
+const rowHeight = 25,
+  rowsShown = 22,
+  spareRows = 8;
+const titles: Record<Column, string> = {
+  id: "#",
+  severity: "severity",
+  kind: "kind",
+  method: "method",
+  family: "family",
+  margin: "margin",
+  bucket: "cause",
+  standing: "since earlier runs",
+};
+const numeric = new Set<Column>(["id", "margin"]);
 
-export interface ColumnOf<Row> {
-  key: string;
-  title: string;
-  numeric?: boolean;
-  cell: (row: Row) => ComponentChildren;
-  hint?: (row: Row) => string;
-  bad?: (row: Row) => boolean;
-  about?: string;
-}
-interface TableOf<Row> {
-  rows: Row[];
-  columns: ColumnOf<Row>[];
-  keyOf: (row: Row) => number;
-  label: string;
-  order: { column: string; down: boolean };
-  turn: (column: string) => void;
-  at: number;
-  move: (at: number) => void; // the row that the keys are on; -1: none
-  open: (row: Row) => void;
-  addressOf?: (row: Row) => string; // where that leads, if to a view of its own
-  rowHeight: number;
-  rowsShown: number;
-}
+const cellOf: Record<Column, (row: Row) => string> = {
+  id: (r) => String(r.f.id),
+  severity: (r) => severityLabels[r.f.severity] ?? r.f.severity,
+  kind: (r) => kindLabel(r.f.kind),
+  method: (r) => r.f.method,
+  family: (r) => kindLabel(r.f.family),
+  margin: (r) => short(r.f.margin?.[0]),
+  bucket: (r) => r.f.bucket ?? "",
+  standing: (r) => r.standing ?? "",
+};
 
-export function VirtualTable<Row>({
+const addressOf = (row: Row) => `#/finding/${row.f.id}`;
+const open = (row: Row) => {
+  location.hash = addressOf(row);
+};
+const numberClass = (c: Column) => `c-${c} ${numeric.has(c) ? "n" : ""}`;
+
+export function FindingsTable({
   rows,
-  columns,
-  keyOf,
-  label,
   order,
-  turn,
-  at,
-  move,
-  open,
-  addressOf,
-  rowHeight,
-  rowsShown,
-}: TableOf<Row>) {
+  setOrder,
+}: {
+  rows: Row[];
+  order: Order;
+  setOrder: (order: Order) => void;
+}) {
   const box = useRef<HTMLDivElement>(null);
   const [top, scrolled] = useState(0);
+  const [at, move] = useState(-1); // the row that the keys are on; -1: none
   const wanted = useRef(-1); // the row that is to have the focus once it is an element
   useEffect(() => {
     if (box.current) box.current.scrollTop = 0;
     scrolled(0);
+    move(-1);
   }, [rows]);
+  const shown = columns.filter(
+    (c) =>
+      (c !== "bucket" || rows.some((r) => r.f.bucket !== null)) &&
+      (c !== "standing" || rows.some((r) => r.standing !== null)),
+  );
+  const turn = (column: Column) =>
+    setOrder({ column, down: order.column === column ? !order.down : column === "margin" });
   const first = Math.max(0, Math.floor(top / rowHeight) - spareRows),
     last = Math.min(rows.length, first + rowsShown + 2 * spareRows);
   const stop = at >= first && at < last ? at : Math.min(rows.length - 1, Math.ceil(top / rowHeight));
@@ -118,22 +131,22 @@ export function VirtualTable<Row>({
       ref={box}
       tabIndex={-1}
       role="region"
-      aria-label={label}
+      aria-label="Findings; arrow keys choose one, Enter opens it"
       onKeyDown={press}
       onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
       style={{ maxHeight: `${(rowsShown + 1) * rowHeight}px` }}>
       <table class="plain findings" aria-rowcount={rows.length + 1} style={{ "--row": `${rowHeight}px` }}>
         <thead>
           <tr aria-rowindex={1}>
-            {columns.map((c) => (
+            {shown.map((c) => (
               <th
                 scope="col"
-                class={`c-${c.key} ${c.numeric ? "n" : ""}`}
-                title={c.about}
-                aria-sort={order.column === c.key ? (order.down ? "descending" : "ascending") : "none"}
-                key={c.key}>
-                <button type="button" tabIndex={-1} onClick={() => turn(c.key)}>
-                  {c.title}
+                class={numberClass(c)}
+                title={about(titles[c])}
+                aria-sort={order.column === c ? (order.down ? "descending" : "ascending") : "none"}
+                key={c}>
+                <button type="button" tabIndex={-1} onClick={() => turn(c)}>
+                  {titles[c]}
                 </button>
               </th>
             ))}
@@ -141,29 +154,35 @@ export function VirtualTable<Row>({
         </thead>
         <tbody>
           <tr class="spacer" aria-hidden="true" style={{ height: `${first * rowHeight}px` }}>
-            <td colSpan={columns.length} />
+            <td colSpan={shown.length} />
           </tr>
           {rows.slice(first, last).map((row, i) => (
             <tr
-              key={keyOf(row)}
+              key={row.f.id}
               aria-rowindex={first + i + 2}
               class={first + i === at ? "at" : ""}
               tabIndex={first + i === stop ? 0 : -1}
-              data-leads={addressOf?.(row)}
+              data-leads={addressOf(row)}
               aria-selected={first + i === at}
               onClick={() => open(row)}>
-              {columns.map((c) => (
+              {shown.map((c) => (
                 <td
-                  class={`c-${c.key} ${c.numeric ? "n" : ""} ${c.bad?.(row) ? "bad" : ""}`}
-                  title={c.hint?.(row)}
-                  key={c.key}>
-                  {c.cell(row)}
+                  class={`${numberClass(c)} ${c === "severity" && row.f.severity === "contract" ? "bad" : ""}`}
+                  title={c === "bucket" ? safe(cellOf[c](row)) : undefined}
+                  key={c}>
+                  {c === "id" ? (
+                    <a href={addressOf(row)} tabIndex={-1} onClick={(event) => event.stopPropagation()}>
+                      {row.f.id}
+                    </a>
+                  ) : (
+                    safe(cellOf[c](row))
+                  )}
                 </td>
               ))}
             </tr>
           ))}
           <tr class="spacer" aria-hidden="true" style={{ height: `${(rows.length - last) * rowHeight}px` }}>
-            <td colSpan={columns.length} />
+            <td colSpan={shown.length} />
           </tr>
         </tbody>
       </table>
