@@ -31,22 +31,16 @@
 #include "cli/families.hpp"
 #include "cli/guests.hpp"
 #include "cli/known_guests.hpp"
-#include "cli/mutants.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "cli/targets.hpp"
 #include "fuzz/campaign/climbed.hpp"
-#include "props/mutants/kill_data.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The least run with a self-check. In less, planted faults take a noticeable part of the time.
-constexpr std::chrono::minutes least_self_check_budget{5};
-constexpr std::uint64_t least_self_check_pairs = 3'000'000;  // in five minutes, at 10,000 a second
 
 /// The wall time of a run without a limit of its own.
 constexpr std::chrono::minutes default_budget{1};
@@ -58,7 +52,6 @@ struct CampaignArguments {
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool list = false, create_only = false, table = false;
-  bool self_check = false, no_self_check = false;
   GuestOptions guests;
 };
 
@@ -257,29 +250,6 @@ void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
     fmt::print(stderr, "no time is left: extend it with --for or --stop-at\n");
 }
 
-bool wants_self_check(const CampaignArguments& arguments, const CampaignOptions& options) {
-  if (options.shard != 0 || arguments.no_self_check) return false;  // only the first shard has one
-  if (arguments.self_check) return true;
-  if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
-  return options.budget >= least_self_check_budget || options.pairs >= least_self_check_pairs;
-}
-
-SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const CampaignOptions& options,
-                                 const Selection& selection) {
-  if (!wants_self_check(arguments, options)) return {};
-  SelfCheckOptions check{mutants_executable(), {}};
-  std::string missing;
-  if (const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl"); !kills.empty())
-    for (const KillMatrixRow& row : faults_soon_found(read_kill_matrix(kills), selection.methods))
-      check.faults.push_back({row.mutant, row.what, row.asks});
-  if (check.faults.empty()) missing = "there is no known fault that a campaign of these methods finds";
-  if (check.program.empty()) missing = "daylight-mutants is not beside this executable";
-  if (missing.empty()) return check;
-  if (arguments.self_check) throw std::runtime_error("--self-check: " + missing);
-  fmt::print(stderr, "daylight: this run plants no faults: {}\n", missing);
-  return {};
-}
-
 /// Keeps others from writing to the run while this process lives. Throws UsageError if one writes to it.
 void hold(const std::string& run) {
   const int folder = open(run.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // closed with the process
@@ -312,7 +282,6 @@ int campaign(const CampaignArguments& arguments) {
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
-  options.self_check = plan_self_check(arguments, options, selection);
 
   CampaignSummary summary;
   {
@@ -388,13 +357,6 @@ void add_campaign(Program& program) {
   command.option("--resume DIR", arguments->resume, "continue the run in this folder")
       .not_empty("the folder of a run is expected");
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
-  command.section("Self-check");
-  command.flag(
-      "--self-check,--alarm", arguments->self_check,
-      "plant known faults; fail if one is missed (default: on from a limit of 5 minutes or 3,000,000 "
-      "pairs)");
-  command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
-      .excludes("--self-check");
   command.section("Output");
   command.flag("--table", arguments->table, "also print the counts of each method");
   command.flag("--list", arguments->list, "only list the methods with their claims, and the families");
@@ -402,7 +364,7 @@ void add_campaign(Program& program) {
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
       "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
-      "the run stopped before its limit. Exit code 1 can also mean that it missed a planted fault.");
+      "the run stopped before its limit.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

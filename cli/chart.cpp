@@ -37,7 +37,7 @@ void chart(const ChartArguments& arguments) {
   if (arguments.stability)
     set_charts(run,
                {{"paths", paths_json(path_stability(methods_for_targets({}, {arguments.run}).methods))}});
-  write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(run);
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
   if (arguments.out.empty()) return;

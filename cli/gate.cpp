@@ -26,7 +26,6 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
-#include "cli/mutants.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -49,10 +48,6 @@ struct GateArguments {
 };
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
-
-/// The pairs for which one fault is planted, and the most faults. A fault costs a second or two. So many
-/// pairs take eight seconds.
-constexpr std::uint64_t self_test_interval = 50'000, self_test_cap = 5;
 
 void print_laws() {
   for (const Law& law : all_laws())
@@ -161,23 +156,6 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   });
 }
 
-/// Tests the gate with planted faults while there is time.
-SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_asked) {
-  if (options.stopped()) {
-    not_asked.push_back(fmt::format("self-check with planted faults, {}", why_not(options)));
-    return {.ran = false, .cut = true, .passed = true, .text = {}};
-  }
-  const auto count =
-      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap));
-  std::optional<std::chrono::milliseconds> left;
-  if (options.cap)
-    left = *options.cap - std::chrono::duration_cast<std::chrono::milliseconds>(
-                              std::chrono::steady_clock::now() - options.start);
-  SelfTest test = self_test(count, left);
-  if (test.cut) not_asked.push_back(fmt::format("self-check with planted faults, {}", why_not(options)));
-  return test;
-}
-
 int gate(const GateArguments& arguments) {
   if (arguments.laws) {
     print_laws();
@@ -212,7 +190,6 @@ int gate(const GateArguments& arguments) {
   const StopSignals signals;
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
-  const SelfTest test = test_itself(options, report.not_asked);
   JudgedGate judged = judge(std::move(report), known, methods, guests, cases, places);
   // The failure that stopped the gate may turn out to be known by its cause. Or a known one has grown since.
   if (options.first_failure && std::ranges::none_of(judged.failures, fails_gate) &&
@@ -220,17 +197,11 @@ int gate(const GateArguments& arguments) {
                           [&](const GateFailure& f) { return is_error(f) && !options.known(f); }))
     judged.not_asked.push_back("what follows the first failure, which is known");
   if (arguments.github) fmt::print("{}", gate_github(judged));
-  fmt::print("self-check with planted faults: {}",
-             test.cut   ? "not run\n"
-             : test.ran ? test.text
-                        : "not run, because daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(judged));
   write_files(arguments, judged);
   if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(judged, methods, guests));
-  if (!test.passed)
-    throw std::runtime_error("the self-check failed: the gate did not detect a planted fault");
   return exit_code(judged);
 }
 

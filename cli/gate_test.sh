@@ -15,7 +15,7 @@ lacks 'all was asked' out 'NOT ASKED'
 [[ ! -s ours.jsonl ]] || failed 'cases were kept though nothing failed'
 mkdir -p bin corpus/cases src
 sed -n 70,79p "$source_tree/corpus/cases/hand_made.jsonl" >corpus/cases/few.jsonl
-cp -- "$daylight" "${daylight%/*}/daylight-mutants" bin
+cp -- "$daylight" bin
 daylight=$scratch/bin/daylight
 gate 0 --method intersect,decide --pairs 500 --json ours.json
 

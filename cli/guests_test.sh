@@ -177,7 +177,7 @@ expect 2 'campaign' "$daylight" campaign --pairs 12 --seed 7 --cases '' --method
 triage runs/few --plugin ./endless.so
 holds 'triage' out '^\* bad/'
 
-# Shards, charts, and the alarm beside guests.
+# Shards and charts.
 for shard in 0 1; do
   expect 2 'campaign' "$daylight" campaign --shard $shard/2 --pairs 1200 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out shards/$shard
 done
@@ -186,13 +186,6 @@ cd elsewhere
 expect 2 'replay' "$daylight" replay ../shards/all --methods bad
 expect 0 'chart' "$daylight" chart ../shards/all
 cd ..
-if [[ -x $(dirname -- "$daylight")/daylight-mutants ]]; then
-  expect 2 'campaign' "$daylight" campaign --self-check --pairs 1500 --seed 4 --cases '' --methods intersect,decide,distance,exact,bad "${guests[@]}" --out runs/alarm
-  holds 'campaign' out '^self-check: [1-9][0-9]* planted faults? found'
-else
-  "$source_tree/.ci/skip" 'the alarm: ninja -C build/release daylight-mutants' || [[ $? == 77 ]]
-fi
-
 # What is missing or strange is said.
 expect 64 'check' "$daylight" check --plugin ./nothing.so pair.jsonl
 holds 'check' err 'nothing.so.*cannot open shared object'

@@ -34,7 +34,7 @@ void point_latest_at(const fs::path& run) {
 void show_run(const std::string& folder, bool table) {
   RunData run = read_run(folder, campaign_families());
   write_charts(run, {});
-  write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(run);
   if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   fmt::print("{}", format_summary(run));
   if (const auto worst = worst_finding(run)) {

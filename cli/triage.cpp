@@ -80,7 +80,7 @@ int triage(const TriageArguments& arguments) {
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
-  write_page(read_run(arguments.run, campaign_families()), in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(read_run(arguments.run, campaign_families()));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }

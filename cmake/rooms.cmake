@@ -7,7 +7,7 @@
 #   WITHOUT    sources left out, because a foreign library is not there
 #   COLD       not worth the optimizer's time: what turns results into text
 #   WHOLE      compiled as one source, which takes half the time: what these sources share is compiled once. Not of rooms
-#              that faults are planted in, whose objects are exchanged one by one (cmake/mutants.cmake)
+#              that faults are planted in, whose objects are exchanged one by one (cmake/planted_faults.cmake)
 # Sources that end in _test, _main or _target belong to programs, not to the room.
 set_property(GLOBAL PROPERTY daylight_rooms)
 

@@ -23,8 +23,8 @@ endfunction()
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
 set(process_suites Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
-    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* KillMatrix Kin
-    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Worker
+    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Suppressed Triage Worker
     Worst WorstOfCause)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
@@ -52,7 +52,7 @@ daylight_tests(base base base/process)
 daylight_tests(solver solver solver/literature corpus/pairs)
 daylight_tests(corpus corpus/pairs corpus/store)
 daylight_tests(oracles oracles/trial props/laws corpus/store)
-daylight_tests(props props/laws props/gate props/shrink props/mutants)
+daylight_tests(props props/laws props/gate props/shrink)
 daylight_tests(bench bench reports/run)
 daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
@@ -68,11 +68,6 @@ daylight_deep(fuzz *.KilledAtAnyMoment* DAYLIGHT_KILLED_BATCHES=100)
 daylight_deep(props *FamilyLaws.* DAYLIGHT_LAW_PAIRS=200)
 daylight_deep(oracles EnclosedDistance.*:CloseContact.*:Proofs.* DAYLIGHT_DISTANCE_PAIRS=300 DAYLIGHT_CLOSE_ROUNDS=12
               DAYLIGHT_PROOF_PAIRS=20000)
-
-# The unit tests that may detect a mutant, as one program.
-daylight_test_program(mutant_tests ${test_candidates} $<TARGET_OBJECTS:daylight_mutants>)
-daylight_mutated(mutant_tests)
-target_link_libraries(mutant_tests PRIVATE daylight_fuzz_campaign daylight_props_gate daylight_props_mutants)
 
 # daylight_script(NAME LABEL SECONDS COMMAND..): a test that is a script. Status 77 says what was missing; CI takes none.
 function(daylight_script name label seconds)
@@ -103,13 +98,7 @@ daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE
                 ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 
-# Planted faults: not selected they change nothing; the program as it is survives every detector, a plain fault does not.
-daylight_script(mutants_off_change_nothing props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/mutants_test.sh $<TARGET_FILE:answers>
-                $<TARGET_FILE:mutant_answers> ${program} $<TARGET_FILE:daylight-mutants>)
-daylight_script(make_mutants_test props 2400 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants_test.sh
-                ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants.py)
-daylight_script(mutations_test props 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/props/mutants/mutations_test.py)
-daylight_script(mutants_smoke props 2400 daylight-mutants matrix --first --only 103)
+daylight_script(planted_faults props 600 planted_faults)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some
 # of them: that must be found, and must end nothing.

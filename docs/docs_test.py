@@ -37,7 +37,6 @@ ELSEWHERE = {
     'daylight test': 'the test command itself',
     'daylight fuzz': 'fuzz_test',
     'oracles/guests/': 'engines_test',
-    'mutants matrix': 'mutants_smoke',
     'bench --curves': 'chart_test',
     '--bench bench.json': 'chart_test',
     '--shard': 'campaign_replay_test',

@@ -62,11 +62,11 @@ install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_D
         DESTINATION ${package_folder} COMPONENT solver)
 
 # The program finds these by their names in the source tree (base/source_tree.hpp). Its page is inside it. Not installed: what
-# plants faults and what fuzzes, which are made of the sources and tell so when they are asked for.
+# fuzzes, which is made of the sources and tells so when it is asked for.
 install(TARGETS daylight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/cases/*.jsonl corpus/scenes/*.* corpus/scenes/meshes/*
      oracles/guests/*.mjs oracles/guests/package.json oracles/guests/.npmrc)
-list(APPEND data oracles/plugin.h props/mutants/kill_matrix.jsonl reports/web/chart.mjs
+list(APPEND data oracles/plugin.h reports/web/chart.mjs
      reports/web/page_template.html)
 foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)
@@ -76,11 +76,11 @@ install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/g
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/daylight-gate COMPONENT program)
 
 # The portable archive (ninja portable): the program with the libraries that it needs, except those of the C and C++
-# compilers, which plug-ins share; the gate's self-check; vectors. It runs on any machine with a glibc as new as this one's.
+# compilers, which plug-ins share; vectors. It runs on any machine with a glibc as new as this one's.
 set(bundle ${CMAKE_INSTALL_LIBDIR}/daylight)
 # Libraries look for each other by the path of the program: its RPATH, not its RUNPATH.
-set_target_properties(daylight daylight-mutants PROPERTIES INSTALL_RPATH "$ORIGIN/../${bundle}" LINK_OPTIONS -Wl,--disable-new-dtags)
-install(TARGETS daylight daylight-mutants RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT portable)
+set_target_properties(daylight PROPERTIES INSTALL_RPATH "$ORIGIN/../${bundle}" LINK_OPTIONS -Wl,--disable-new-dtags)
+install(TARGETS daylight RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT portable)
 install(RUNTIME_DEPENDENCY_SET bundled PRE_EXCLUDE_REGEXES "^(ld-linux|libc|libdl|libm|libpthread|librt|libgcc_s|libstdc\\+\\+)[-.]"
         LIBRARY DESTINATION ${bundle} COMPONENT portable)
 install(DIRECTORY vectors DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight COMPONENT portable

@@ -49,10 +49,4 @@ inline constexpr std::uint64_t climb_size = 256;
 /// climb depend on each other.
 std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs);
 
-/// Returns each fault that was not found, in words; empty if all were.
-std::string describe_failed_checks(std::span<const SelfCheckRecord> checks);
-/// Returns "self-check: 7 planted faults found, ..", or the faults that were missed; empty if none was
-/// planted.
-std::string format_self_checks(std::span<const SelfCheckRecord> checks);
-
 }  // namespace cyl

@@ -38,8 +38,6 @@ CREATE VIEW finding AS SELECT id, pair_index, family, family_index, method, kind
   pair, answers, truth, stage, reason FROM wrong_answer JOIN judged_pair USING(pair_index);
 CREATE TABLE cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, methods TEXT NOT NULL,
   PRIMARY KEY(plane, x, y)) WITHOUT ROWID;
-CREATE TABLE self_check(start INTEGER PRIMARY KEY, mutant INTEGER NOT NULL, what TEXT NOT NULL,
-  found INTEGER NOT NULL, pairs INTEGER NOT NULL, milliseconds INTEGER NOT NULL, said TEXT NOT NULL);
 INSERT INTO progress VALUES(0, 0);
 )";
 
@@ -188,10 +186,6 @@ std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
   const auto found = file_->rows<FindingRecord>("SELECT * FROM finding WHERE id=?", id);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
-
-void RunStore::add(const SelfCheckRecord& check) { file_->replace(check); }
-
-std::vector<SelfCheckRecord> RunStore::self_checks() const { return file_->all<SelfCheckRecord>("start"); }
 
 bool holds_run(const std::string& folder) { return std::filesystem::exists(file_of(folder)); }
 

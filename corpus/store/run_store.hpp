@@ -112,23 +112,6 @@ struct GroupRecord : FindingGroup {
   static auto columns(auto& g) { return std::tie(g.method, g.kind, g.severity, g.family, g.count, g.binade); }
 };
 
-/// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
-struct SelfCheckRecord {
-  std::uint64_t start = 0;  ///< the index in the run at which the search for it began
-  int mutant = 0;           ///< its number
-  std::string what;         ///< the fault in words
-  bool found = false;
-  std::uint64_t pairs = 0;         ///< tested until it was found, or all that were tested
-  std::uint64_t milliseconds = 0;  ///< CPU time
-  std::string said;                ///< which finding it was, or how the process ended; may be empty
-
-  bool operator==(const SelfCheckRecord&) const = default;
-  static constexpr const char* table = "self_check";
-  static auto columns(auto& a) {
-    return std::tie(a.start, a.mutant, a.what, a.found, a.pairs, a.milliseconds, a.said);
-  }
-};
-
 /// The result of a range of indices [first, next). For a shard, its own part of the range.
 struct BatchRecord {
   std::uint64_t first = 0, next = 0;
@@ -175,9 +158,6 @@ class RunStore {
   /// By plane, x and y.
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
-
-  void add(const SelfCheckRecord& check);            ///< replaces a check with the same start
-  std::vector<SelfCheckRecord> self_checks() const;  ///< by start
 
  private:
   explicit RunStore(std::unique_ptr<SqliteFile> file);

@@ -94,7 +94,6 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
     config["build"] = options.build;
     config["guests"] = options.guests;
     config["assumed_claims"] = assumed_claims(workload);
-    config["alarm"] = options.self_check.program.empty() ? "" : "on";
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     config.merge(limits(options, {}));
@@ -212,8 +211,7 @@ class Session {
         on_progress_(on_progress),
         shard_{options.shard, options.shards, batch_size_for(workload)},
         stored_to_(store.progress().next),
-        next_(shard_.first_from(stored_to_)),
-        self_checks_(options.self_check, workload, options.seed, store) {
+        next_(shard_.first_from(stored_to_)) {
     CampaignProgress& progress = summary_.progress;
     progress.done = shard_.below(stored_to_);
     progress.goal = shard_.below(options.pairs);
@@ -229,11 +227,6 @@ class Session {
       while (!batches_.empty() && batches_.front().ended())
         if (!store_first()) return summary_;
       if (StopSignals::asked()) break;  // the batches still under way are lost; --resume does them again
-      self_checks_.advance(stored_to_);
-      report();
-    }
-    while (!StopSignals::asked() && !self_checks_.advance(stored_to_)) {
-      wait_for_news({});
       report();
     }
     settle();
@@ -331,8 +324,6 @@ class Session {
     const bool pairs_reached = options_.pairs != 0 && next_ >= options_.pairs && batches_.empty();
     summary_.interrupted = StopSignals::asked() && !pairs_reached && !(budget_is_spent() && batches_.empty());
     store_.set("status", summary_.interrupted ? status_stopped : status_complete);
-    if (const std::string failed = describe_failed_checks(store_.self_checks()); !failed.empty())
-      fail("self-check failed: " + failed);
   }
 
   void fail(const std::string& how) {
@@ -357,7 +348,6 @@ class Session {
   std::uint64_t stored_to_, next_;  ///< all below is stored; the next index to launch
   std::vector<std::unique_ptr<JobProcess>> jobs_;
   std::deque<Batch> batches_;  ///< in the order of their indices
-  SelfChecks self_checks_;
 };
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "corpus/store/run_facts.hpp"
 #include "fuzz/campaign/batch.hpp"
-#include "fuzz/campaign/self_check.hpp"
 
 namespace cyl {
 
@@ -31,8 +30,7 @@ struct CampaignOptions {
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
   bool resume = false;  ///< go on with the run in `out`, which must agree with seed, shard and workload
-  SelfCheckOptions self_check;  ///< whom to plant faults in, and which
-  bool create_only = false;     ///< leave the new run unchanged, for --resume
+  bool create_only = false;  ///< leave the new run unchanged, for --resume
 };
 
 /// Totals of the run so far, sessions before this one included.
@@ -55,8 +53,7 @@ struct CampaignSummary {
   CampaignProgress progress;
   CampaignCost cost;
   bool interrupted = false;  ///< by SIGINT or SIGTERM before a limit: what was complete is stored
-  std::string
-      harness_failure;  ///< empty, or which pair broke the harness and how, or which self-check failed
+  std::string harness_failure;  ///< empty, or which pair broke the harness and how
 };
 
 /// Adds what the rows of a tally count.
@@ -72,7 +69,7 @@ inline constexpr std::chrono::seconds search_cpu_cap{60};
 CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 
-/// 1 the harness failed or a self-check failed, 2 contract findings or failures, 3 none, but undecided truth
+/// 1 the harness failed, 2 contract findings or failures, 3 none, but undecided truth
 /// or interrupted, else 0.
 int exit_code(const CampaignSummary& summary);
 

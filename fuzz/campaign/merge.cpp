@@ -168,8 +168,6 @@ MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string&
   {
     RunStore store = RunStore::create(unfinished, config, parts.front().methods);
     store.commit(all, milliseconds);
-    for (const Part& from : parts)
-      for (const SelfCheckRecord& check : RunStore::open(from.folder).self_checks()) store.add(check);
   }
   fs::create_directories(out);
   for (const char* old : {"/run.sqlite-wal", "/run.sqlite-shm"})

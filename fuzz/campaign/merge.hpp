@@ -24,7 +24,7 @@ struct MergeSummary {
 /// merged.
 MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string& out);
 
-/// 1 the harness failed or a self-check failed in a shard, 2 contract findings or failures, 3 none, but
+/// 1 the harness failed in a shard, 2 contract findings or failures, 3 none, but
 /// undecided truth or incomplete shards, else 0.
 int exit_code(const MergeSummary& summary);
 

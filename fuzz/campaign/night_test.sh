@@ -38,7 +38,6 @@ mkdir cases
 cp -- "$here"/../../corpus/cases/*.jsonl cases/
 jobs=$((($(nproc) + 1) / 2))
 run=(--seed 20261122 --methods=-nlopt --cases cases)
-[[ -x $(dirname -- "$daylight")/daylight-mutants ]] && run+=(--self-check)
 
 # went_well CODE RUN : findings, and truths that nobody can prove, are no failure here.
 went_well() {
@@ -140,8 +139,7 @@ count = lambda run, what: sqlite3.connect(run + '/run.sqlite').execute(f'SELECT 
 print(f"findings {count('alone', '(SELECT count(*) FROM finding)')} kept of "
       f"{count('alone', '(SELECT sum(count) FROM finding_group)')}, in "
       f"{count('alone', '(SELECT count(*) FROM finding_group)')} groups; "
-      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls; {count('alone', '(SELECT count(*) FROM self_check)')} planted "
-      f"faults found: the same in both: {same}")
+      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls: the same in both: {same}")
 check(same == 'yes', 'the two runs differ')
 check(alone.split()[0] == killed.split()[0] == pairs, 'not all pairs were done')
 check(int(kills) > 0, 'it was never killed')

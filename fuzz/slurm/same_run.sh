@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# same_run RUN RUN : whether two runs hold the same findings, groups, counts and self-checks; times and hangs, which are of the
+# same_run RUN RUN : whether two runs hold the same findings, groups and counts; times and hangs, which are of the
 # machine, apart. Prints what differs.
 content() {
   python3 - "$1" <<'PY'
@@ -11,8 +11,7 @@ HANGS = ("(SELECT coalesce(sum(count), 0) FROM finding_group g WHERE kind='hang'
 for query in ("SELECT 'finding', * FROM finding WHERE kind<>'hang' ORDER BY id",
               "SELECT 'group', * FROM finding_group WHERE kind<>'hang' ORDER BY 2, 3, 4, 5",
               f"SELECT 'tally', method, family, asked, declined, failed - {HANGS}, contract, resolution, undecided "
-              "FROM tally t ORDER BY 2, 3",
-              "SELECT 'self_check', start, mutant, found, pairs, said FROM self_check ORDER BY 2"):
+              "FROM tally t ORDER BY 2, 3"):
     for row in db.execute(query):
         print(row[0], *row[2 if row[0] == 'finding' else 1:], sep='|')  # a hang before it takes an id
 PY

@@ -20,7 +20,6 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/stored_answers.hpp"
 #include "oracles/methods/guest.hpp"
-#include "props/mutants/kill_data.hpp"
 #include "reports/run/page_template.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
@@ -311,7 +310,7 @@ void add_causes(json& report, const RunData& run) {
   report["changes"] = std::move(changes);
 }
 
-// Charts, self-checks and the report
+// Charts and the report
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
@@ -321,12 +320,6 @@ void add_charts(json& report, const RunData& run) {
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));
   }
   if (run.charts.contains("speed_on")) report["speed_on"] = run.charts.at("speed_on");
-}
-
-json self_check_json(const std::vector<SelfCheckRecord>& checks) {
-  if (checks.empty()) return nullptr;
-  const std::string failed = describe_failed_checks(checks);
-  return {{"green", failed.empty()}, {"text", failed.empty() ? format_self_checks(checks) : failed}};
 }
 
 /// Turns a list of objects into a list for each key, which compresses better. `sparse` has the keys that
@@ -345,16 +338,14 @@ json columns_of(const json& objects) {
   return {{"full", std::move(full)}, {"sparse", std::move(sparse)}};
 }
 
-json report_of(const RunData& run, const std::string& kill_matrix) {
+json report_of(const RunData& run) {
   const std::vector<MethodTally> tallies = tally_methods(run.tallies);
   json report = {{"schema", 1},
                  {"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
                  {"families", families_json(run, tallies)},
                  {"tallies", tallies_json(tallies)},
-                 {"history", history_json(run.history)},
-                 {"alarm", self_check_json(run.self_checks)},
-                 {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)}};
+                 {"history", history_json(run.history)}};
   add_causes(report, run);
   add_findings(report, run);
   add_charts(report, run);
@@ -365,12 +356,10 @@ std::string dump(const json& report) { return report.dump(-1, ' ', false, json::
 
 }  // namespace
 
-std::string report_json(const RunData& run, const std::string& kill_matrix) {
-  return dump(report_of(run, kill_matrix));
-}
+std::string report_json(const RunData& run) { return dump(report_of(run)); }
 
-void write_page(const RunData& run, const std::string& kill_matrix) {
-  json report = report_of(run, kill_matrix);
+void write_page(const RunData& run) {
+  json report = report_of(run);
   report["findings"] = columns_of(report["findings"]);
   for (json& map : report["maps"]) map["cells"] = columns_of(map["cells"]);
   replace_file(run.folder + "/report.html", fill_template(dump(report)));

@@ -18,7 +18,6 @@
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/method.hpp"
-#include "props/mutants/kill_data.hpp"
 #include "reports/run/page_template.hpp"
 #include "reports/triage/triage_store.hpp"
 
@@ -139,7 +138,6 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
             parse_ordered_json(R"({"method":"fake","family":"random","asked":1002,"declined":11,
     "failed":12,"contract":13,"resolution":14,"undecided":15,"nanoseconds":16032})"));
   EXPECT_EQ(report["history"], nullptr);
-  EXPECT_EQ(report["kill_matrix"], nullptr);
   for (const char* empty : {"buckets", "findings", "maps", "honesty", "speed", "cost", "paths"})
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
@@ -336,30 +334,6 @@ TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}),
             static_cast<std::ptrdiff_t>(2 + fs::exists(folder / "run.sqlite-wal") +
                                         fs::exists(folder / "run.sqlite-shm")));
-}
-
-TEST_F(ReportData, TellsWhatTheKillMatrixHas) {
-  fs::create_directories(folder);
-  put("kills.jsonl",
-      R"({"mutant":0,"file":"","what":"","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
-{"mutant":101,"file":"s.hpp","what":"a < b","like":"","laws":{"fate":"killed","seconds":1.25,"what":"x"},)"
-      R"("gate":{"fate":"survived","seconds":4,"what":""}}
-{"mutant":102,"file":"s.cpp","what":"none","like":"","equivalent":"by law",)"
-      R"("laws":{"fate":"survived","seconds":5,"what":""}}
-{"mutant":601,"file":"r.hpp","what":"missed","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
-)");
-  const json matrix = kill_data(folder / "kills.jsonl");
-  EXPECT_EQ(matrix["mutants"], 3);
-  EXPECT_EQ(matrix["caught"], 1);
-  EXPECT_EQ(matrix["equivalent"], 1);
-  EXPECT_EQ(matrix["rows"][0],
-            parse_ordered_json(R"({"mutant":101,"file":"s.hpp","what":"a < b","caught_by":["laws"]})"));
-  EXPECT_EQ(matrix["rows"][1]["equivalent"], "by law");
-  EXPECT_EQ(kill_data(folder / "none.jsonl"), nullptr);
-  for (const char* other : {"no rows\n", "{}\n", ""}) {
-    put("kills.jsonl", other);
-    EXPECT_THROW(kill_data(folder / "kills.jsonl"), std::runtime_error);
-  }
 }
 
 }  // namespace

@@ -32,7 +32,6 @@ RunData read_run(const std::string& folder, std::span<const Family> families) {
   run.findings = store.findings();
   for (const FindingRecord& finding : run.findings) run.pairs.push_back(found_pair(finding));
   run.cells = store.cells();
-  run.self_checks = store.self_checks();
   run.history = compare_with_earlier(run);
   run.charts = read_charts(folder);
   return run;

@@ -33,7 +33,6 @@ struct RunData {
   std::vector<FindingRecord> findings;
   std::vector<FoundPair> pairs;  ///< of `findings`, one each
   std::vector<CellRecord> cells;
-  std::vector<SelfCheckRecord> self_checks;
   History history;
   nlohmann::json charts;  ///< what RUN/charts.json holds, which may be the work of earlier commands; or {}
 };

@@ -89,7 +89,6 @@ std::string format_summary(const RunData& run) {
   if (misstated > 0) text += fmt::format("cases with a wrong verdict: {}\n", misstated);
   if (own > 0)
     text += fmt::format("our methods: {} of {} wrong beyond the claim or failed\n", own_wrong, own);
-  if (const std::string checks = format_self_checks(run.self_checks); !checks.empty()) text += checks + '\n';
   return text;
 }
 

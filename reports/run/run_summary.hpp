@@ -13,8 +13,7 @@ namespace cyl {
 const FindingRecord* worst_finding(const RunData& run);
 
 /// Returns lines, each with its end. They have the counts of pairs and methods, the changes since earlier
-/// runs, and the methods that are wrong or failed. The results of our methods and of the self-check come
-/// last.
+/// runs, and the methods that are wrong or failed. The results of our methods come last.
 std::string format_summary(const RunData& run);
 
 }  // namespace cyl

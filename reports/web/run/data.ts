@@ -214,14 +214,6 @@ export interface Report {
   history: { runs: number; groups: HistoryGroup[] } | null;
   /** Causes by how they stand against the runs named. */
   changes: ({ [standing in Standing]: number } & { against: string[] }) | null;
-  /** Whether the campaign found the faults planted to test it: green where each was found in its usual time. */
-  alarm: { green: boolean; text: string } | null;
-  kill_matrix: {
-    mutants: number;
-    caught: number;
-    equivalent: number;
-    rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
-  } | null;
   buckets: (Omit<Cause, "worst"> & { worst: Case | null })[];
   findings: PackedFinding[] | Columns;
   findings_total: number;

@@ -72,7 +72,6 @@ const makes = {
     (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
   ],
   paths: ["answers along paths", (run: string) => `./daylight chart ${run} --stability`],
-  kill_matrix: ["kill matrix of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
 /** What the run has no data for. */
@@ -82,7 +81,6 @@ const isMissing = {
   speed: (r) => r.speed.length === 0,
   cost: (r) => r.cost.length === 0,
   paths: (r) => r.paths.length === 0,
-  kill_matrix: (r) => r.kill_matrix === null,
 } satisfies Partial<Record<keyof typeof makes, (report: FullReport) => boolean>>;
 
 /** One line for all sections without data; unfolded, the command that adds each. */

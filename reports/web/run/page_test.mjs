@@ -519,7 +519,7 @@ async function fitsATelephone(report) {
   const page = await openPage({ width: 400 });
   const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
   await settled(page);
-  for (const id of ["new", "findings", "speed", "maps", "calibration", "stability", "methods", "faults", "words"])
+  for (const id of ["new", "findings", "speed", "maps", "calibration", "stability", "methods", "words"])
     await page.locator(`#${id}`).scrollIntoViewIfNeeded();
   await page.evaluate(() => {
     for (const details of document.querySelectorAll("details")) details.open = true;
@@ -689,21 +689,19 @@ async function saysWhatIsMissing() {
     speed: [],
     cost: [],
     paths: [],
-    kill_matrix: null,
     history: null,
-    alarm: null,
   });
   const page = await openPage();
   assert.match(await page.locator("#new .missing code").innerText(), /^\.\/daylight triage /);
   const folded = page.locator("#charts .missing");
-  assert.match(await folded.locator("summary").innerText(), /^This run has no failure maps, calibration curves, times, costs [^,]*, answers [^,]*, kill/);
+  assert.match(await folded.locator("summary").innerText(), /^This run has no failure maps, calibration curves, times, costs [^,]*, answers/);
   const commands = await folded.locator("code").allTextContents();
-  assert.equal(commands.length, 4);
+  assert.equal(commands.length, 3);
   assert.ok(
     commands.every((c) => c.startsWith("./daylight ")),
     commands.join(),
   );
-  for (const id of ["speed", "maps", "calibration", "stability", "faults"])
+  for (const id of ["speed", "maps", "calibration", "stability"])
     assert.equal(await page.locator(`section#${id}`).count(), 0, `${id} without data takes no room`);
   await page.context().close();
 }

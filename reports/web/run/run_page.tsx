@@ -10,7 +10,6 @@ import { FindingView } from "./finding.tsx";
 import { Findings } from "./findings.tsx";
 import { arrive, skip } from "./focus.ts";
 import { glossary } from "./glossary.ts";
-import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
@@ -75,7 +74,6 @@ function Rest({ report, address }: { report: FullReport; address: Address }) {
         <Calibration report={report} />
         <Stability report={report} />
         <Methods report={report} />
-        <Kills report={report} />
         <NotInThisRun report={report} />
       </div>
       <Words />

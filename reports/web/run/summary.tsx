@@ -344,16 +344,6 @@ function Headline({ report }: { report: FullReport }) {
           {grouped(cases.contract)}
         </Fact>
       </dl>
-      {report.alarm && (
-        <p class={`alarm ${report.alarm.green ? "ok" : "bad"}`} role={report.alarm.green ? undefined : "alert"}>
-          <b>
-            {report.alarm.green
-              ? "The self-check passed: the search finds planted faults."
-              : "The self-check failed: the search misses planted faults."}
-          </b>{" "}
-          {safe(report.alarm.text)}
-        </p>
-      )}
       {unexplained > 0 && (
         <p class="warn">
           {plural(unexplained, "finding")} of the store cannot be read and {unexplained === 1 ? "is" : "are"} not on
