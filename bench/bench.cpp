@@ -254,7 +254,7 @@ std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, cons
 std::vector<Family> select_families(std::string_view spec) {
   std::vector<Family> all;
   std::vector<std::string> names;
-  for (const std::span<const Family> some : {families(), rounded_families(), margin_families()}) {
+  for (const std::span<const Family> some : {campaign_families(), margin_families()}) {
     for (const Family& family : some) {
       all.push_back(family);
       names.emplace_back(family.name);

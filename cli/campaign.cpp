@@ -35,7 +35,6 @@
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "cli/targets.hpp"
-#include "fuzz/campaign/climbed.hpp"
 
 namespace cyl {
 namespace {

@@ -15,7 +15,6 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/targets.hpp"
-#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
 #include "reports/run/report_data.hpp"

@@ -14,7 +14,6 @@
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
-#include "fuzz/campaign/climbed.hpp"
 #include "oracles/methods/method.hpp"
 
 namespace cyl {
@@ -33,8 +32,7 @@ void list_families() {
 }
 
 void print_pairs(const FamiliesOptions& options) {
-  const Family* family =
-      options.name == climbed_family().name ? &climbed_family() : find_family(options.name);
+  const Family* family = find_family(options.name);
   if (!family) {
     std::string message = "no family '" + options.name + "'; there are";
     for (const Family& f : campaign_families()) message.append(" ").append(f.name);

@@ -8,7 +8,6 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
-#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/run/run_summary.hpp"

@@ -23,7 +23,6 @@
 #include "cli/targets.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
-#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/report_data.hpp"
 
 namespace cyl {

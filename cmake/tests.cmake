@@ -23,7 +23,7 @@ endfunction()
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
 set(process_suites Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
-    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
+    Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Suppressed Triage Worker
     Worst WorstOfCause)
 list(TRANSFORM process_suites APPEND ".*")

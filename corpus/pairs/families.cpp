@@ -382,17 +382,24 @@ constexpr std::array<Family, some.size()> make_families(std::index_sequence<i...
   return {Family{some[i].name, some[i].summary, generate<some, i>}...};
 }
 
-constexpr auto all_families = make_families<entries>(std::make_index_sequence<entries.size()>());
-constexpr auto all_rounded =
-    make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>());
+// The families of a campaign: first those without rounding.
+constexpr auto drawn = [] {
+  std::array<Family, entries.size() + rounded_entries.size()> all;
+  const auto rounded =
+      std::ranges::copy(make_families<entries>(std::make_index_sequence<entries.size()>()), all.begin()).out;
+  std::ranges::copy(make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>()),
+                    rounded);
+  return all;
+}();
 
 }  // namespace
 
-std::span<const Family> families() { return all_families; }
-std::span<const Family> rounded_families() { return all_rounded; }
+std::span<const Family> families() { return std::span(drawn).first<entries.size()>(); }
+std::span<const Family> rounded_families() { return std::span(drawn).last<rounded_entries.size()>(); }
+std::span<const Family> campaign_families() { return drawn; }
 
 const Family* find_family(std::string_view name) {
-  for (const std::span<const Family> some : {families(), rounded_families(), margin_families()}) {
+  for (const std::span<const Family> some : {campaign_families(), margin_families()}) {
     const auto found =
         std::find_if(some.begin(), some.end(), [&](const Family& f) { return f.name == name; });
     if (found != some.end()) return &*found;

@@ -31,8 +31,4 @@ std::string format_shard(const Shard& shard) {
   return fmt::format("{}/{} of batches of {}", shard.index, shard.count, shard.batch);
 }
 
-std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs) {
-  return family == climbed_name ? (pairs + climb_size - 1) / climb_size : pairs;
-}
-
 }  // namespace cyl

@@ -42,11 +42,5 @@ std::string format_shard(const Shard& shard);
 
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";
-/// The family whose pairs are found by climbing towards the largest error, and the pairs of one climb.
-inline constexpr const char* climbed_name = "climbed";
-inline constexpr std::uint64_t climb_size = 256;
-/// Returns a lower bound on the number of independent draws among `pairs` pairs of a family. The pairs of one
-/// climb depend on each other.
-std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs);
 
 }  // namespace cyl

@@ -29,7 +29,7 @@ struct CampaignOptions {
   std::string guests;                   ///< the guests, for commands that ask them again
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
-  bool resume = false;  ///< go on with the run in `out`, which must agree with seed, shard and workload
+  bool resume = false;       ///< go on with the run in `out`, which must agree with seed, shard and workload
   bool create_only = false;  ///< leave the new run unchanged, for --resume
 };
 
@@ -52,7 +52,7 @@ struct CampaignCost {
 struct CampaignSummary {
   CampaignProgress progress;
   CampaignCost cost;
-  bool interrupted = false;  ///< by SIGINT or SIGTERM before a limit: what was complete is stored
+  bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
   std::string harness_failure;  ///< empty, or which pair broke the harness and how
 };
 

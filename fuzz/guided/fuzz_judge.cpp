@@ -72,7 +72,7 @@ void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answ
   const Enclosure off = error_bound_of(shown, answer);
   count_badness(Objective::error, off.hi / answer.error_bound);
   count_badness(Objective::bound,
-                badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::quick).value);
+                badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::likely).value);
   if (off.hi > answer.error_bound)
     sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
                       "points and direction do not prove the distance within the returned error");

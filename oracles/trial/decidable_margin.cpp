@@ -72,14 +72,6 @@ double estimated_margin(const Pair& pair) {
   return greatest_margin(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
 }
 
-double largest_margin(const Pair& pair) {
-  const double gap = distance(pair.a, pair.b).value;
-  double margin = std::abs(gap);
-  if (gap <= 0)
-    for (const Cylinder* c : {&pair.a, &pair.b}) margin = std::min({margin, c->radius, c->height / 2});
-  return margin / size_of(pair);
-}
-
 double certified_margin(Trial& proved) {
   if (!proved.decided()) return 0;
   if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);

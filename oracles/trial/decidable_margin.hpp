@@ -31,10 +31,6 @@ bool must_decide(DecisionScope promised, Trial& proved);
 /// gap, or the radius of the largest common ball. Returns 0 if nothing is promised.
 double estimated_margin(const Pair& pair);
 
-/// Returns an upper bound of estimated_margin() by one call of the solver: no common ball is larger than the
-/// depth or than a solid.
-double largest_margin(const Pair& pair);
-
 /// Returns a proved lower bound of that margin.
 double certified_margin(Trial& proved);
 

@@ -71,7 +71,7 @@ Badness badness_of(Objective objective, const Claim& claim, const Pair& pair, co
     }
     case Objective::undecided: {
       if (answer.verdict != Verdict::undecided) return {};
-      if (!proved) return {effort == Effort::quick ? largest_margin(pair) : estimated_margin(pair)};
+      if (!proved) return {estimated_margin(pair)};
       Trial trial(pair);
       const double slack = certified_margin(trial);
       return {slack, claim.decides == DecisionScope::above_1e13 && slack >= resolved_margin};

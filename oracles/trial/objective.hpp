@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How bad one answer to one pair is, as a number. `worst` maximises it for one method, the family `climbed`
-// for our own calls, and it guides the fuzzers.
+// How bad one answer to one pair is, as a number. `worst` maximises it for one method, and it guides
+// the fuzzers.
 #pragma once
 
 #include <array>
@@ -27,7 +27,6 @@ constexpr auto words_of(Objective) noexcept {
 
 /// How a score is found. A more costly one is worth more.
 enum class Effort : unsigned char {
-  quick,   ///< one call of the solver, in which an undecided pair may count for more than it is
   likely,  ///< the solver, or for `error` an enclosure of the distance: a few us, up to 0.1 ms for an
            ///< enclosure and more of overlapping rods
   proved   ///< the referee

@@ -46,8 +46,7 @@ Observation observation_of(const FindingGroup& key, const Past& run) {
   const auto asked = run.asked.find({key.method, key.family});
   if (asked == run.asked.end()) return {};
   const auto found = run.found.find(key);
-  return {found == run.found.end() ? 0 : independent_draws(key.family, found->second.count),
-          independent_draws(key.family, asked->second)};
+  return {found == run.found.end() ? 0 : found->second.count, asked->second};
 }
 
 }  // namespace

@@ -68,14 +68,13 @@ Observation observation_of(const Seen& seen, const Places& places) {
     double pairs = 0;
     for (const TallyRecord& t : seen.run->tallies)
       if (t.method == places.method && t.family == family)
-        pairs += static_cast<double>(
-            independent_draws(family, t.counts.asked - std::min(t.counts.asked, t.counts.declined)));
+        pairs += static_cast<double>(t.counts.asked - std::min(t.counts.asked, t.counts.declined));
     was_asked = was_asked || pairs > 0;
     const auto examined = seen.run->examined.find(group);
     if (examined != seen.run->examined.end() && examined->second.found > 0) {
       const ExaminedFindings& e = examined->second;
       const auto n = e.by_cause.find(seen.key);
-      if (n != e.by_cause.end()) sight.count += independent_draws(family, n->second);
+      if (n != e.by_cause.end()) sight.count += n->second;
       pairs *= static_cast<double>(e.looked_at) / static_cast<double>(e.found);
     }
     asked += pairs;

@@ -73,11 +73,9 @@ std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records) {
   for (const FindingRecord& f : records.findings)
     if (cause_of.contains(f.id)) ++kept[f][cause_of[f.id]];
   std::map<std::string, CauseCount> counts;
-  // Counts each family by itself, so that the pairs of one climb count as one.
-  std::map<std::pair<std::string, std::string>, std::map<std::string, std::uint64_t>> in_family;
   const auto add = [&](const std::string& cause, const GroupRecord& of, std::uint64_t n) {
     counts[cause].findings += n;
-    in_family[{cause, of.method}][of.family] += n;
+    counts[cause].by_method[of.method] += n;
   };
   for (const GroupRecord& g : records.groups) {
     const auto found = kept.find(g);
@@ -94,9 +92,6 @@ std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records) {
     std::sort(parts.rbegin(), parts.rend());
     for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g, 1);
   }
-  for (const auto& [of, families] : in_family)
-    for (const auto& [family, n] : families)
-      counts[of.first].by_method[of.second] += independent_draws(family, n);
   return counts;
 }
 

@@ -12,7 +12,7 @@ const families = (
   "needles disks segments far tiny_and_huge lattice coins_edge_to_edge touching_cap_rim touching_cap_side " +
   "touching_cap_cap touching_parallel_sides touching_needles touching_disks axes_perpendicular axes_crossing " +
   "needle_and_disk flat_disks points contained coaxial equal mixed_scale lattice_dust raw_axes close_contacts " +
-  "close_contacts_by_angle close_rods close_rims range_ends whiskers climbed derived"
+  "close_contacts_by_angle close_rods close_rims range_ends whiskers"
 ).split(" ");
 const own = 4;
 
