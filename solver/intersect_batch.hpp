@@ -37,11 +37,6 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
                      std::span<const IndexPair> pairs, Verdict* verdicts,
                      Instructions instructions = best_instructions()) noexcept;
 
-/// answers[i] = decide(a[pairs[i].a], b[pairs[i].b]), to the last bit; otherwise as above. Cost: with AVX-512
-/// two thirds of decide() a pair, if the axes are at an angle.
-void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std::span<const IndexPair> pairs,
-                  Answer* answers, Instructions instructions = best_instructions()) noexcept;
-
 /// verdicts[i * b.size() + j] = intersect(a[i], b[j]), for all i and j; fewer than 2^32 solids a set.
 void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
                    Instructions instructions = best_instructions()) noexcept;

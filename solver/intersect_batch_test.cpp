@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -74,43 +73,6 @@ TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
     std::vector<Verdict> all(first.size() * second.size());
     intersect_all(first, second, all.data(), instructions);
     for (const Verdict said : all) EXPECT_EQ(said, Verdict::disjoint) << static_cast<int>(instructions);
-  }
-}
-
-bool are_the_same(const Answer& x, const Answer& y) {
-  const auto same_bits = [](const Vector3& u, const Vector3& v) {
-    return std::memcmp(u.data(), v.data(), sizeof(double[3])) == 0;
-  };
-  return x.verdict == y.verdict && x.proof == y.proof && same_bits(x.direction, y.direction) &&
-         same_bits(x.point_head, y.point_head) && same_bits(x.point_tail, y.point_tail) &&
-         x.hull_a == y.hull_a && x.hull_b == y.hull_b && x.iterations == y.iterations;
-}
-
-TEST(Batch, GivesTheCertificatesOfDecideOnEveryInstructionSet) {
-  const std::vector<Prepared> a = crowd(211), b = crowd(97);
-  std::vector<IndexPair> pairs;
-  for (std::uint32_t i = 0; i < a.size(); ++i)
-    for (std::uint32_t j = 0; j < b.size(); ++j) pairs.push_back({i, j});
-  for (const Instructions instructions : runnable()) {
-    for (const std::size_t count : {std::size_t{1}, std::size_t{9}, pairs.size()}) {
-      // One more, which must stay as it is; the others are full of what has to go.
-      Answer full;
-      full.direction = full.point_head = full.point_tail = Vector3(1, 2, 3);
-      full.hull_a = full.hull_b = Hull::line;
-      full.iterations = 7;
-      std::vector<Answer> answers(count + 1, full);
-      decide_batch(a, b, {pairs.data(), count}, answers.data(), instructions);
-      int proved[4] = {};
-      for (std::size_t k = 0; k < count; ++k) {
-        ASSERT_TRUE(are_the_same(answers[k], decide(a[pairs[k].a], b[pairs[k].b])))
-            << k << " " << static_cast<int>(instructions);
-        ++proved[static_cast<int>(answers[k].proof)];
-      }
-      EXPECT_TRUE(are_the_same(answers.back(), full));
-      if (count < pairs.size()) continue;
-      EXPECT_GT(proved[static_cast<int>(Proof::direction)], 1000);
-      EXPECT_GT(proved[static_cast<int>(Proof::point)], 500);
-    }
   }
 }
 

@@ -9,7 +9,6 @@
 #include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
-#include "solver/capsule.hpp"
 #include "solver/detail/frame.hpp"
 #include "solver/detail/sections.hpp"
 #include "solver/distance.hpp"
@@ -149,40 +148,6 @@ void touch_exactly(std::uint64_t index) {
   const bool meet = 2 * along <= pair.a.height + pair.b.height && square <= radii * radii;
   check_that((intersect(pair.a, pair.b) == Verdict::intersecting) == meet, "verdicts: of parallel solids",
              pair);
-}
-
-/// The capsules about and in a solid, and distances of segments beside those of cylinders without radius.
-void check_proxies(const Pair& pair) {
-  const double reach = reach_of(pair) + pair.a.center.norm() + pair.b.center.norm();
-  if (!is_legal(pair) || !is_ordinary_range(reach)) return;
-  const auto expect = [&](bool right, const char* what) { check_that(right, what, pair); };
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    const double unit = proxy_error * (c->center.norm() + c->height + c->radius),
-                 width = std::min(c->radius, c->height / 2);
-    const Capsule outer = outer_proxy(*c), inner = inner_proxy(*c);
-    expect(std::fabs(outer.radius - c->radius - unit) <= unit / 2, "proxies: the outer radius");
-    expect(std::fabs(width - inner.radius - unit) <= unit / 2, "proxies: the inner radius");
-    const Vector3 w = c->axis.stableNormalized();
-    const auto is_at = [&](const Vector3& end, double along) {
-      const Vector3 x = end - c->center;
-      return std::fabs(std::fabs(x.dot(w)) - along) <= 2 * unit && x.cross(w).norm() <= 2 * unit;
-    };
-    const auto are_ends = [&](const Capsule& k, double along) {
-      return is_at(k.from, along) && is_at(k.to, along) && ((k.to - k.from).norm() >= 2 * along - 4 * unit);
-    };
-    expect(are_ends(outer, c->height / 2), "proxies: the outer ends");
-    expect(are_ends(inner, c->height / 2 - width), "proxies: the inner ends");
-  }
-  Pair thin = pair;
-  thin.a.radius = thin.b.radius = 0;
-  const Distance apart = distance(thin.a, thin.b);
-  const Capsule p = outer_proxy(thin.a), q = outer_proxy(thin.b);
-  const double value = segment_distance(p.from, p.to, q.from, q.to),
-               error = proxy_distance_error * reach + apart.error;
-  expect(std::fabs(value - std::fmax(0, apart.value)) <= error, "proxies: the distance of segments");
-  const double capsules = capsule_distance(outer_proxy(pair.a), outer_proxy(pair.b));
-  expect(std::fabs(capsules - value + pair.a.radius + pair.b.radius) <= error,
-         "proxies: the distance of capsules");
 }
 
 /// The pair with b moved along the direction of its distance until hardly anything is between them.

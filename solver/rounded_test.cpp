@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
+#include "solver/solver_test.hpp"
 
 namespace cyl {
 namespace {
@@ -36,6 +38,73 @@ TEST(Rounded, CapsulesMeetAtSidesAndEnds) {
   EXPECT_EQ(intersect(lying, capsule({0, 3.99, 0}, {1, 1, 0}, 2, 3.2)), Verdict::intersecting);
   EXPECT_NEAR(distance(lying, capsule({6, 0, 0}, {1, 0, 0}, 2, 0.25)).value, 2.25, 1e-15);
   EXPECT_NEAR(distance(lying, capsule({0, 2, 0}, {1, 0, 0}, 9, 0.5)).value, 1, 1e-15);
+}
+
+Cylinder segment(const Vector3& from, const Vector3& to) {
+  const Vector3 along = to - from;
+  return {(from + to) / 2, along.isZero(0) ? Vector3(0, 0, 1) : along, 0, along.norm()};
+}
+
+TEST(Rounded, SegmentsAreMeasured) {
+  const Vector3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto expect = [](const Cylinder& a, const Cylinder& b, double real) {
+    EXPECT_NEAR(distance(a, b).value, real, 2e-15) << format_pair({a, b});
+  };
+  expect(segment(-x, x), segment(z - y, z + y), 1);                       // crossing at a height
+  expect(segment(-x, x), segment(-y, y), 0);                              // crossing
+  expect(segment(o, x), segment(2 * x, 3 * x), 1);                        // in one line
+  expect(segment(o, 2 * x), segment(x, 3 * x), 0);                        // in one line, overlapping
+  expect(segment(o, x), segment(y, x + y), 1);                            // parallel
+  expect(segment(o, x), segment(y + 4 * x, y + 5 * x), std::sqrt(10.0));  // parallel, apart
+  expect(segment(o, x), segment(3 * x + y, 3 * x - y), 2);                // an end and an inside
+  expect(segment(o, x), segment(4 * x + 4 * y, 5 * x + 9 * y), 5);        // two ends
+  expect(segment(o, o), segment(3 * x + 4 * y, 3 * x + 4 * y), 5);        // two points
+  expect(segment(o, o), segment(2 * y - x, 2 * y + x), 2);                // a point and a segment
+  for (const double angle : {1e-4, 1e-8, 1e-12, 1e-15}) {                 // nearly parallel, crossing
+    const Vector3 p(1, 2, 3), d(1, 1, 1), e(1 + angle, 1 - angle, 1), off = Vector3(1, 1, -2) * 1e-3;
+    EXPECT_NEAR(distance(segment(p - d, p + 2 * d), segment(p - 2 * e, p + e)).value, 0, 1e-14) << angle;
+    EXPECT_NEAR(distance(segment(p - d, p + 2 * d), segment(p - 2 * e + off, p + e + off)).value,
+                1e-3 * std::sqrt(6.0), 1e-14)
+        << angle;
+  }
+}
+
+using Long3 = Eigen::Matrix<long double, 3, 1>;
+
+long double long_distance_to_segment(const Long3& x, const Long3& p0, const Long3& p1) {
+  const Long3 d = p1 - p0;
+  const long double t = std::clamp((x - p0).dot(d) / d.squaredNorm(), 0.0L, 1.0L);
+  return (x - p0 - t * d).norm();
+}
+
+// Eleven bits more than a double has, so that its own error does not count.
+long double long_distance(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  const Long3 p0 = a.cast<long double>(), p1 = b.cast<long double>(), q0 = c.cast<long double>(),
+              q1 = d.cast<long double>();
+  const Long3 n = (p1 - p0).cross(q1 - q0);
+  long double least = std::min({long_distance_to_segment(p0, q0, q1), long_distance_to_segment(p1, q0, q1),
+                                long_distance_to_segment(q0, p0, p1), long_distance_to_segment(q1, p0, p1)});
+  const long double s = (q0 - p0).cross(q1 - q0).dot(n) / n.squaredNorm();
+  if (s > 0 && s < 1) least = std::min(least, long_distance_to_segment(p0 + s * (p1 - p0), q0, q1));
+  return least;
+}
+
+// At all angles and distances, across one another and beside one another, near the origin and far from it.
+TEST(Rounded, SegmentsAreMeasuredWithinTheReturnedError) {
+  if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "no wider type to measure with";
+  Numbers n(20261122);
+  for (int i = 0; i < 4 * 3600; ++i) {
+    const double angle = std::ldexp(1.0, -(i % 60)), far = std::ldexp(1.0, -(i / 60 % 60));
+    const Vector3 at = (i & 1) != 0 ? n.vector() : Vector3(0, 0, 0), d = n.vector();
+    const Vector3 e = (i & 2) != 0 ? Vector3(d + angle * n.vector()) : Vector3(angle * n.vector());
+    const Vector3 other = at + far * d.cross(e) / std::max(d.cross(e).norm(), 0x1p-200);
+    const Vector3 p0 = at - n.unit() * d, p1 = p0 + d, q0 = other - n.unit() * e, q1 = q0 + e;
+    const Distance said = distance(segment(p0, p1), segment(q0, q1));
+    // Middles, lengths and axes are rounded.
+    const double rounded = 0x1p-50 * (p0.norm() + p1.norm() + q0.norm() + q1.norm());
+    ASSERT_NEAR(said.value, static_cast<double>(long_distance(p0, p1, q0, q1)), said.error + rounded) << i;
+    ASSERT_LE(said.error, 1e-13 * (d.norm() + e.norm() + (q0 - p0).norm())) << i;
+  }
 }
 
 // The distance from a rim is not the distance from a wall or a cap.

@@ -83,13 +83,6 @@ class Decide final : public Method {
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
   }
-  BatchCall prepare_batch(std::span<const Pair> pairs) override {
-    return [of = PreparedPairs(pairs),
-            answers = std::vector<Answer>(pairs.size())](std::span<Verdict> verdicts) mutable {
-      decide_batch(of.a, of.b, of.indices, answers.data());
-      for (std::size_t i = 0; i < answers.size(); ++i) verdicts[i] = answers[i].verdict;
-    };
-  }
 };
 
 /// The error that `distance` may have, relative to the size and the distance of the centres.

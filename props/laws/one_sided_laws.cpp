@@ -9,8 +9,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "props/laws/law_groups.hpp"
-#include "solver/capsule.hpp"
-#include "solver/decide.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -56,24 +55,29 @@ std::optional<Violation> break_growing(const LawCase& c) {
   });
 }
 
+/// By how much a capsule is too wide or too narrow, so that rounding does not undo the containment.
+double slack(const Cylinder& c) { return 0x1p-50 * (c.center.norm() + c.height + c.radius + c.rounding); }
+
 /// A proxy thinner than this, times the solid's largest number, is lost in the rounding of its centre.
 constexpr double thinnest_proxy = 0x1p-40;
 
 /// Returns b scaled to half of the width of a's inner proxy and put around `point` on its axis. None of it
 /// is outside a.
-Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder& b) {
+Cylinder shrunk_into(const Cylinder& proxy, const Vector3& point, const Cylinder& b) {
   const double extent = b.radius + b.height / 2 + b.rounding;
-  const double factor = extent > 0 ? proxy.radius / 2 / extent : 0;
+  const double factor = extent > 0 ? proxy.rounding / 2 / extent : 0;
   return {point, b.axis, b.radius * factor, b.height * factor, b.rounding * factor};
 }
 
 std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_in_range(pair) || !is_legal(pair)) return {};
   const Cylinder& a = pair.a;
-  const Capsule proxy = inner_proxy(a);
+  const Cylinder proxy = capsule_inside(a);
   const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height, a.rounding});
-  if (!(proxy.radius > thinnest_proxy * most)) return {};
-  return {{{a, shrunk_into(proxy, proxy.from, pair.b)}}, {{shrunk_into(proxy, proxy.to, pair.b), a}}};
+  if (!(proxy.rounding > thinnest_proxy * most)) return {};
+  const Vector3 to_end = proxy.height / 2 * prepare(a).unit_axis;
+  return {{{a, shrunk_into(proxy, a.center - to_end, pair.b)}},
+          {{shrunk_into(proxy, a.center + to_end, pair.b), a}}};
 }
 
 std::optional<Violation> break_inside(const LawCase& c) {
@@ -84,22 +88,29 @@ std::optional<Violation> break_inside(const LawCase& c) {
   });
 }
 
+/// More than the rounding errors of the distances of spheres and of the ends of capsules, times the size and
+/// the distances of both centres from the origin.
+constexpr double proxy_error = 0x1p-45;
+
 double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
 std::optional<Violation> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
   const Cylinder &a = c.pair.a, &b = c.pair.b;
-  const double lost = proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
+  const double lost = proxy_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
   if (says_meet(c.first)) {
     const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
-    const double capsules = capsule_distance(outer_proxy(a), outer_proxy(b));
+    const Distance around = distance(capsule_around(a), capsule_around(b));
+    const double capsules = around.value - around.error;
     if (std::max(spheres, capsules) <= lost) return {};
     const char* which = spheres > lost ? "spheres around" : "capsules around";
     return Violation{verdict_text(c.first) + ", but the " + which + " the solids are apart",
                      severity_on(c, c.pair)};
   }
-  const Capsule in_a = inner_proxy(a), in_b = inner_proxy(b);
-  if (in_a.radius < 0 || in_b.radius < 0 || capsule_distance(in_a, in_b) >= -lost) return {};
+  const Cylinder in_a = capsule_inside(a), in_b = capsule_inside(b);
+  if (in_a.rounding < 0 || in_b.rounding < 0) return {};
+  const Distance within = distance(in_a, in_b);
+  if (within.value + within.error >= -lost) return {};
   return Violation{verdict_text(c.first) + ", but the capsules inside the solids meet",
                    severity_on(c, c.pair)};
 }
@@ -171,6 +182,15 @@ std::optional<Violation> break_sweep(const LawCase& c) {
 }
 
 }  // namespace
+
+Cylinder capsule_around(const Cylinder& c) {
+  return {c.center, c.axis, 0, c.height, c.radius + c.rounding + slack(c)};
+}
+
+Cylinder capsule_inside(const Cylinder& c) {
+  const double width = std::min(c.radius, c.height / 2);
+  return {c.center, c.axis, 0, c.height - 2 * width, width + c.rounding - slack(c)};
+}
 
 std::vector<Law> one_sided_laws() {
   return {

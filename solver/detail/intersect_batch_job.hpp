@@ -19,36 +19,12 @@ struct BatchJob {
 };
 inline constexpr unsigned batch_undecided = 3;  ///< at the work cap
 
-/// An Answer (intersect_batch.cpp checks it).
-struct AnswerRecord {
-  unsigned char verdict, proof;
-  double direction[3], point_head[3], point_tail[3];
-  unsigned char hull_a, hull_b;
-  int iterations;
-};
-inline constexpr unsigned char proof_direction = 1, proof_point = 2;
-
-struct DecideJob {
-  const unsigned char *a, *b;  ///< as in BatchJob
-  const unsigned* pairs;
-  unsigned count;
-  AnswerRecord* answers;
-  double filter_error, point_error, least_det;  ///< of decide(), which shares no header with the kernels
-};
-
 /// Each answers what it can and returns how many it cannot (solids out of the ordinary), their places in
 /// `rest`, which has room for all.
 unsigned batch_baseline(const BatchJob& job, unsigned* rest);
 #if defined(__x86_64__)
 unsigned batch_v3(const BatchJob& job, unsigned* rest);
 unsigned batch_v4(const BatchJob& job, unsigned* rest);
-#endif
-
-/// The same of certificates; what is left may be anything.
-unsigned decide_baseline(const DecideJob& job, unsigned* rest);
-#if defined(__x86_64__)
-unsigned decide_v3(const DecideJob& job, unsigned* rest);
-unsigned decide_v4(const DecideJob& job, unsigned* rest);
 #endif
 
 }  // namespace cyl

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The batch kernel, in lanes. One translation unit for each instruction set includes it by
-// decide_batch_kernel.hpp, and defines CYL_KERNEL and CYL_DECIDE_KERNEL (its entries) and CYL_LANES.
-// Everything else has internal linkage and no header but the intrinsics' comes in, so that no code for one
-// instruction set can be linked in for another.
+// The batch kernel, in lanes. One translation unit for each instruction set includes it, and defines
+// CYL_KERNEL (its entry) and CYL_LANES. Everything else has internal linkage and no header but the
+// intrinsics' comes in, so that no code for one instruction set can be linked in for another.
 #pragma once
 
 #if defined(__SSE2__)

@@ -2,7 +2,6 @@
 // Compiled for x86-64-v4: see CMakeLists.txt.
 #if defined(__x86_64__)
 #define CYL_KERNEL batch_v4
-#define CYL_DECIDE_KERNEL decide_v4
 #define CYL_LANES 8
-#include "solver/detail/decide_batch_kernel.hpp"
+#include "solver/detail/intersect_batch_kernel.hpp"
 #endif
