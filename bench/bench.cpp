@@ -11,7 +11,6 @@
 #include "base/statistics.hpp"
 #include "bench/bench_call.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/intersect_batch.hpp"
 
 namespace cyl {
 namespace {
@@ -30,10 +29,6 @@ JudgedPair prove(const Pair& pair) {
   static const auto solver = certifying_method();
   const MethodAnswer offered[] = {solver->ask(pair)};
   return JudgedPair(pair, offered);
-}
-
-JudgedPair prove(const Family& family, std::uint64_t seed, std::size_t index) {
-  return prove(family.generate(seed, index));
 }
 
 const Enclosure& distance_of(JudgedPair& p) {
@@ -150,7 +145,7 @@ std::vector<BenchRow> bench_family(const Family& family, std::span<const Candida
                                    const BenchOptions& options, const BenchProgress& progress) {
   progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
   std::vector<JudgedPair> proved;
-  for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family, options.seed, i));
+  for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family.generate(options.seed, i)));
   std::vector<Run> runs;
   for (const Candidate& candidate : candidates) {
     progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
@@ -174,79 +169,6 @@ std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
   std::vector<BenchRow> rows;
   for (const Family& family : families) {
     for (BenchRow& row : bench_family(family, candidates, options, progress)) rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-// Proofs of a million pairs would not fit into memory beside the pairs, so pairs are proved one by one.
-std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
-                                    std::size_t largest, const BenchOptions& options,
-                                    const BenchProgress& progress) {
-  std::vector<Candidate> candidates;
-  for (const Candidate& c : candidates_of(methods)) {
-    if (c.query == "batch") candidates.push_back(c);
-  }
-  std::vector<BenchRow> rows;
-  if (candidates.empty()) return rows;
-  for (std::size_t count = 100; count <= largest; count *= 10) {
-    progress(fmt::format("{}: verifying batches of {}", family.name, count));
-    std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < count; ++i) pairs.push_back(family.generate(options.seed, i));
-    std::vector<Run> runs;
-    for (const Candidate& candidate : candidates) {
-      Run run{candidate, make_row(candidate, family), {}, {}};
-      run.row.pairs = count;
-      const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
-      for (std::size_t i = 0; i < count; ++i) {
-        JudgedPair proved = prove(family, options.seed, i);
-        count_faults(proved, answers[i], candidate.method->claim(), run.row);
-      }
-      if (run.row.failed == 0) run.timed = pairs;
-      runs.push_back(std::move(run));
-    }
-    time(runs, family, options, progress);
-    for (Run& run : runs) rows.push_back(std::move(run.row));
-  }
-  return rows;
-}
-
-// The first solids of a family's pairs, all against all.
-std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
-                                 const BenchProgress& progress) {
-  constexpr std::size_t verified_pairs = 10'000;  // evenly spread
-  std::vector<BenchRow> rows;
-  for (const std::size_t count : {10u, 32u, 100u, 316u, 1000u, 3162u}) {
-    if (count > largest) break;
-    progress(fmt::format("{}: all pairs of {} solids", family.name, count));
-    std::vector<Cylinder> solids;
-    std::vector<Prepared> prepared;
-    for (std::size_t i = 0; i < count; ++i) {
-      solids.push_back(family.generate(options.seed, i).a);
-      prepared.push_back(prepare(solids[i]));
-    }
-    std::vector<Verdict> verdicts(count * count);
-    intersect_all(prepared, prepared, verdicts.data());
-    BenchRow row;
-    row.method = "intersect";
-    row.family = family.name;
-    row.query = "all pairs";
-    row.pairs = verdicts.size();
-    for (std::size_t k = 0; k < verdicts.size(); k += 1 + verdicts.size() / verified_pairs) {
-      JudgedPair proved = prove(Pair{solids[k / count], solids[k % count]});
-      MethodAnswer answer;
-      answer.status = Status::answered;
-      answer.verdict = verdicts[k];
-      count_faults(proved, answer, Claim{.relative = right_from(family.name), .source = {}}, row);
-    }
-    const std::chrono::duration<double> round(options.min_time / options.passes);
-    std::vector<double> rounds;
-    for (int pass = 0; pass < options.passes; ++pass) {
-      const auto all = [&](auto) { intersect_all(prepared, prepared, verdicts.data()); };
-      rounds.push_back(series_cost(all, verdicts.size(), round).ns);
-    }
-    row.median_ns = quantile(rounds, 0.5);
-    row.spread_percent = spread_percent(rounds);
-    rows.push_back(row);
   }
   return rows;
 }

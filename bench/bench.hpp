@@ -71,16 +71,6 @@ std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
                             std::span<const Family> families, const BenchOptions& options,
                             const BenchProgress& progress);
 
-/// Times the batches of these methods alone, 10^2, 10^3, .. pairs of one family up to `largest`.
-std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
-                                    std::size_t largest, const BenchOptions& options,
-                                    const BenchProgress& progress);
-
-/// Times all pairs of n solids of one family, n up to `largest`, in steps of about sqrt(10); query "all
-/// pairs".
-std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
-                                 const BenchProgress& progress);
-
 /// Returns the families that `spec` names by the rule of select_names; "all" is those of campaigns and the
 /// margins.
 std::vector<Family> select_families(std::string_view spec);

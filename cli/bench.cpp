@@ -14,7 +14,6 @@
 #include "base/times.hpp"
 #include "bench/bench_summary.hpp"
 #include "bench/curves.hpp"
-#include "bench/lower_bounds.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -30,19 +29,18 @@ struct BenchArguments {
   BenchOptions bench;
   std::string methods = "all";
   std::string families = "random,margin_1e-06,margin_1e-09";
-  bool growth = false;
   bool curves = false;
   std::string json;
   GuestOptions guests;
 };
 
 void write_json(const std::string& file, const std::vector<BenchRow>& rows,
-                const std::vector<QueryComparisons>& queries, const LowerBounds& lower_bounds) {
+                const std::vector<QueryComparisons>& queries) {
   const BuildInfo info = build_info();
   std::ofstream out(file);
   out << fmt::format("{{\"commit\":{},\"date\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
                      quote_json(info.commit), quote_json(today()), quote_json(info.compiler),
-                     quote_json(info.flags), quote_json(info.cpu), bench_json(rows, queries, lower_bounds));
+                     quote_json(info.flags), quote_json(info.cpu), bench_json(rows, queries));
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
@@ -85,38 +83,16 @@ void run(const BenchArguments& options) {
              build_info().cpu);
   std::fflush(stdout);
 
-  std::vector<BenchRow> rows;
+  const std::vector<BenchRow> rows = bench(methods, families, options.bench, progress);
   std::vector<QueryComparisons> queries;
-  if (options.growth) {
-    rows = bench(methods, margin_families(), options.bench, progress);
-    fmt::print(
-        "ns a pair as the margin shrinks ('!': wrong, undecided or failed on more than 0.1 % of the "
-        "pairs)\n{}",
-        format_growth(rows));
-    const auto batches = bench_batches(methods, *find_family("random"), large_batch, options.bench, progress);
-    fmt::print("\nns a pair of a batch, by its pairs{}\n{}",
-               batches.empty() ? ": no method here has one" : "", format_growth(batches));
-    constexpr std::size_t largest_set = 3162;
-    const auto sets = bench_sets(*find_family("random"), largest_set, options.bench, progress);
-    fmt::print("\nns a pair of a set against itself, by its pairs\n{}", format_growth(sets));
-    rows.insert(rows.end(), batches.begin(), batches.end());
-    rows.insert(rows.end(), sets.begin(), sets.end());
-  } else if (options.curves) {
-    rows = bench(methods, families, options.bench, progress);
+  if (options.curves) {
     fmt::print("{}", format_curves(speed_points(rows)));
   } else {
-    rows = bench(methods, families, options.bench, progress);
     queries = summarise(rows);
     fmt::print("{}{}", format_bench_table(rows), format_comparisons(queries));
   }
   fmt::print("{}", pipes);
-  LowerBounds lower_bounds;
-  if (!options.curves) {
-    progress("floors");
-    lower_bounds = measure_lower_bounds(options.bench);
-    fmt::print("{}", format_lower_bounds(lower_bounds, rows));
-  }
-  if (!options.json.empty()) write_json(options.json, rows, queries, lower_bounds);
+  if (!options.json.empty()) write_json(options.json, rows, queries);
 }
 
 }  // namespace
@@ -147,15 +123,12 @@ void add_bench(Program& program) {
   command.section("Pairs");
   command.number("--seed N", options->bench.seed, "seed; the same seed gives the same pairs");
   command.section("What to measure");
-  command.flag("--growth", options->growth,
-               "time how cost grows with smaller margins, larger batches and larger sets");
   command.flag("--curves", options->curves,
                "time each method at more settings, for the chart of speed against accuracy");
   command.section("Output");
   command.option("--json FILE", options->json, "also write the results as JSON").writable();
   command.examples(
       "  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
-      "  daylight bench --growth --methods intersect,fcl-libccd\n"
       "  daylight bench --curves --json bench.json",
       "The exit codes 2 and 3 do not occur for bench.");
   command.run([options, command] {

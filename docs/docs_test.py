@@ -46,7 +46,6 @@ ELSEWHERE = {
     'near --generate': 'scene_command_test',
     '--stop-at': 'campaign_replay_test',
     'daylight COMMAND': 'no command but a pattern',
-    'bench --growth': 'a minute of its own; its rows are in bench_tests',
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }
 

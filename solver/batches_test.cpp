@@ -96,18 +96,6 @@ void count_left(const Batch& batch, Instructions wanted) {
   check_that(left == odd, "batches: left to single questions:", left, "that should be", odd, "of", count);
 }
 
-void ask_all_of_two_sets(const Batch& batch, std::size_t rows, std::size_t columns, Instructions wanted) {
-  const auto a = std::span(batch.a).first(std::min(rows, batch.a.size()));
-  const auto b = std::span(batch.b).first(std::min(columns, batch.b.size()));
-  std::vector<Verdict> verdicts(a.size() * b.size() + room, untouched);
-  intersect_all(a, b, verdicts.data(), wanted);
-  bool right = verdicts[a.size() * b.size()] == untouched;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      right = right && verdicts[i * b.size() + j] == intersect(a[i], b[j]);
-  check_that(right, "batches: all of two sets,", rows, columns);
-}
-
 TEST(SolverBatches, AnswerAsSinglePairs) {
   std::vector<Pair> drawn;
   for (const PairsOfKind& kind : draw_pairs(drawing_seed))
@@ -123,7 +111,6 @@ TEST(SolverBatches, AnswerAsSinglePairs) {
       if (wanted > best_instructions()) continue;
       ask_in_batch(batch, wanted);
       count_left(batch, wanted);
-      if (i < std::size(sizes)) ask_all_of_two_sets(batch, 33, 1 + size / 50, wanted);
     }
   }
 }

@@ -71,22 +71,4 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
         verdicts + start);
 }
 
-// not covered within: the gate asks for pairs, not for all of two sets, and intersect_batch_test does
-void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
-                   Instructions instructions) noexcept {
-  const Kernel kernel = kernel_of(instructions);
-  IndexPair pairs[batch_chunk];
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < a.size(); ++i) {
-    for (std::uint32_t j = 0; j < b.size(); ++j) {
-      pairs[count++] = {i, j};
-      if (count < batch_chunk) continue;
-      run(kernel, a, b, pairs, verdicts);
-      verdicts += count;
-      count = 0;
-    }
-  }
-  if (count > 0) run(kernel, a, b, {pairs, count}, verdicts);
-}
-
 }  // namespace cyl

@@ -37,8 +37,4 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
                      std::span<const IndexPair> pairs, Verdict* verdicts,
                      Instructions instructions = best_instructions()) noexcept;
 
-/// verdicts[i * b.size() + j] = intersect(a[i], b[j]), for all i and j; fewer than 2^32 solids a set.
-void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
-                   Instructions instructions = best_instructions()) noexcept;
-
 }  // namespace cyl

@@ -45,11 +45,21 @@ std::vector<Prepared> crowd(int count) {
   return solids;
 }
 
+/// Every solid of `a` with each one of `b`.
+std::vector<Verdict> ask_all(const std::vector<Prepared>& a, const std::vector<Prepared>& b,
+                             Instructions instructions) {
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = 0; j < b.size(); ++j) pairs.push_back({i, j});
+  std::vector<Verdict> verdicts(pairs.size());
+  intersect_batch(a, b, pairs, verdicts.data(), instructions);
+  return verdicts;
+}
+
 TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
   const std::vector<Prepared> a = crowd(211), b = crowd(97);
   for (const Instructions instructions : runnable()) {
-    std::vector<Verdict> all(a.size() * b.size());
-    intersect_all(a, b, all.data(), instructions);
+    const std::vector<Verdict> all = ask_all(a, b, instructions);
     int seen[5] = {};
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < b.size(); ++j) {
@@ -69,11 +79,9 @@ TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
   const Cylinder a{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2};
   const Cylinder b{Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2};
   const std::vector<Prepared> first(16, prepare(a)), second(16, prepare(b));
-  for (const Instructions instructions : runnable()) {
-    std::vector<Verdict> all(first.size() * second.size());
-    intersect_all(first, second, all.data(), instructions);
-    for (const Verdict said : all) EXPECT_EQ(said, Verdict::disjoint) << static_cast<int>(instructions);
-  }
+  for (const Instructions instructions : runnable())
+    for (const Verdict said : ask_all(first, second, instructions))
+      EXPECT_EQ(said, Verdict::disjoint) << static_cast<int>(instructions);
 }
 
 }  // namespace

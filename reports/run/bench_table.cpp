@@ -23,15 +23,6 @@ std::string number_text(double x) { return std::isfinite(x) ? format_double(x) :
 
 std::string join(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ",")); }
 
-bool is_our_path(const BenchRow& row) {
-  return !row.foreign && row.method != "exact" && std::isfinite(row.median_ns);
-}
-
-/// Returns the time of a memory pass over a batch of similar size.
-double memory_pass_ns(const LowerBounds& lower_bounds, const BenchRow& row) {
-  return row.pairs < large_batch ? lower_bounds.memory_pass_ns : lower_bounds.large_memory_pass_ns;
-}
-
 std::string competitor_json(const Competitor& competitor) {
   if (competitor.method.empty()) return "null";
   return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})",
@@ -75,21 +66,6 @@ std::string comparisons_json(std::span<const QueryComparisons> queries) {
         ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(comparisons)));
   }
   return fmt::format("{{{}}}", join(objects));
-}
-
-std::string lower_bounds_json(const LowerBounds& lower_bounds, std::span<const BenchRow> rows) {
-  std::vector<std::string> paths;
-  for (const BenchRow& row : rows) {
-    if (!is_our_path(row)) continue;
-    paths.push_back(fmt::format(
-        R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
-        quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
-        number_text(row.median_ns / lower_bounds.equation_6_ns),
-        number_text(row.median_ns / memory_pass_ns(lower_bounds, row))));
-  }
-  return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
-                     number_text(lower_bounds.equation_6_ns), number_text(lower_bounds.memory_pass_ns),
-                     number_text(lower_bounds.large_memory_pass_ns), join(paths));
 }
 
 }  // namespace
@@ -158,64 +134,10 @@ std::string format_comparisons(std::span<const QueryComparisons> queries) {
   return text;
 }
 
-std::string format_lower_bounds(const LowerBounds& lower_bounds, std::span<const BenchRow> rows) {
-  std::string text = fmt::format(
-      "\nfloors, ns a pair: {} one evaluation of f (Equation 6); {} one pass over the solids of a batch, {} "
-      "of 10^6 "
-      "pairs\n",
-      number(lower_bounds.equation_6_ns, 2), number(lower_bounds.memory_pass_ns, 2),
-      number(lower_bounds.large_memory_pass_ns, 2));
-  if (rows.empty()) return text;
-  const bool random =
-      std::any_of(rows.begin(), rows.end(), [](const BenchRow& r) { return r.family == "random"; });
-  const std::string family = random ? "random" : rows[0].family;
-  for (const BenchRow& row : rows) {
-    if (row.family != family || !is_our_path(row)) continue;
-    text += fmt::format("  {:<30}{:<12}{:>8} pairs{:>8} evaluations{:>8} passes\n", row.method, row.query,
-                        row.pairs, number(row.median_ns / lower_bounds.equation_6_ns),
-                        number(row.median_ns / memory_pass_ns(lower_bounds, row)));
-  }
-  return text;
-}
-
-std::string format_growth(std::span<const BenchRow> rows) {
-  if (rows.empty()) return "";
-  const bool one_family =
-      std::all_of(rows.begin(), rows.end(), [&](const BenchRow& r) { return r.family == rows[0].family; });
-  const auto remember = [](auto& seen, auto value) {
-    if (std::find(seen.begin(), seen.end(), value) == seen.end()) seen.push_back(value);
-  };
-  using Line = std::pair<std::string, std::string>;
-  std::vector<Line> lines;
-  std::vector<std::string> columns;
-  std::map<std::pair<Line, std::string>, std::string> cells;
-  for (const BenchRow& row : rows) {
-    const Line line{row.method, row.query};
-    const std::string column = one_family ? std::to_string(row.pairs) : row.family;
-    remember(lines, line);
-    remember(columns, column);
-    cells[{line, column}] = number(row.median_ns) + (is_right(row) ? "" : "!");
-  }
-  std::string text = fmt::format("{:<30}{:<12}", "method", "query");
-  for (const std::string& column : columns) text += fmt::format("{:>14}", column);
-  text += '\n';
-  for (const Line& line : lines) {
-    text += fmt::format("{:<30}{:<12}", line.first, line.second);
-    for (const std::string& column : columns) {
-      const auto cell = cells.find({line, column});
-      text += fmt::format("{:>14}", cell == cells.end() ? "-" : cell->second);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries,
-                       const LowerBounds& lower_bounds) {
+std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries) {
   std::vector<std::string> results;
   for (const BenchRow& row : rows) results.push_back('\n' + row_json(row));
-  return fmt::format("\"results\":[{}\n],\n\"summary\":{},\n\"floors\":{}", join(results),
-                     comparisons_json(queries), lower_bounds_json(lower_bounds, rows));
+  return fmt::format("\"results\":[{}\n],\n\"summary\":{}", join(results), comparisons_json(queries));
 }
 
 }  // namespace cyl
