@@ -115,7 +115,7 @@ set(CPACK_STRIP_FILES ON)
 include(CPack)
 # Builds what the portable archive holds, and nothing else.
 add_custom_target(portable COMMAND ${CMAKE_CPACK_COMMAND} -B ${PROJECT_SOURCE_DIR}/build USES_TERMINAL)
-add_dependencies(portable daylight daylight-mutants installed_solver)
+add_dependencies(portable daylight installed_solver)
 
 # Installs into a clean prefix and builds the example of docs/library-use.md against it. Not of libraries with sanitizers
 # in them, which want a program that has them too.
