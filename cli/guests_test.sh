@@ -186,6 +186,7 @@ cd elsewhere
 expect 2 'replay' "$daylight" replay ../shards/all --methods bad
 expect 0 'chart' "$daylight" chart ../shards/all
 cd ..
+
 # What is missing or strange is said.
 expect 64 'check' "$daylight" check --plugin ./nothing.so pair.jsonl
 holds 'check' err 'nothing.so.*cannot open shared object'

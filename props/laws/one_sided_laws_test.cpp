@@ -9,6 +9,7 @@
 #include "oracles/referee/referee.hpp"
 #include "props/laws/law_groups.hpp"
 #include "props/laws/laws_test.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
