@@ -27,9 +27,9 @@ struct FailureOptions {
 };
 void add_failure_options(Command& command, FailureOptions& options);
 
-/// Returns the failure that the command line names. Of a cause it is the simplest one, or one of --method.
-/// Missing parts come from the stored finding, else from a new answer. Throws UsageError if it names neither
-/// exactly one pair nor a cause, or if the method is right on the pair.
+/// Returns the failure that the command line names. A cause stands for its simplest failure, or for one of
+/// --method. Missing parts come from the stored finding, else from a new answer. Throws UsageError if the
+/// command line names neither exactly one pair nor a cause, or if the method is right on the pair.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes a finding for the maintainers of a library: a proof that needs only Python, the text of an issue,
-// and either a program that needs only their library, or the case for a guest.
+// Writes a finding for the maintainers of a library. It has a proof that needs only Python, and the text of
+// an issue. A packaged library also gets a program that needs only this library, and a guest gets the case.
 #pragma once
 
 #include <map>
@@ -15,9 +15,8 @@
 
 namespace cyl {
 
-/// The texts of the folder, by the names of their files: exact.py and issue.md. Those of a packaged library
-/// also have reproduce.cpp, and build.sh, which builds the program beside itself and runs it. Those of a
-/// guest have case.jsonl.
+/// The texts of the folder, by the names of their files: exact.py and issue.md. A packaged library also has
+/// reproduce.cpp, and build.sh, which builds the program beside itself and runs it. A guest has case.jsonl.
 using Export = std::map<std::string, std::string>;
 
 /// Returns the command that asks the guest again about the case in the file. `daylight` is how the program is
