@@ -171,7 +171,6 @@ TEST(SolverPromises, HoldInAsManyStepsAsMeasured) {
     const PairsOfKind& kind = drawn[k];
     Work w;
     for (const Pair& pair : kind.pairs) work_on(pair, w);
-    for (const Pair& pair : kind.pairs) check_proxies(pair);
     const Bounds& most = bounds[k];
     const auto expect = [&](double is, double may_be, const char* what) {
       check_that(is <= may_be * step_tolerance, what, "of", kind.name, is, "that may be", may_be);
