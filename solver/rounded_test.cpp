@@ -73,7 +73,8 @@ using Long3 = Eigen::Matrix<long double, 3, 1>;
 
 long double long_distance_to_segment(const Long3& x, const Long3& p0, const Long3& p1) {
   const Long3 d = p1 - p0;
-  const long double t = std::clamp((x - p0).dot(d) / d.squaredNorm(), 0.0L, 1.0L);
+  const long double square = d.squaredNorm();
+  const long double t = square > 0 ? std::clamp((x - p0).dot(d) / square, 0.0L, 1.0L) : 0;
   return (x - p0 - t * d).norm();
 }
 
