@@ -49,6 +49,8 @@ ELSEWHERE = {
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }
 
+ALIEN = ['--quick', '--target', '--branches']  # options of other programs, and of the launcher
+
 
 def fail(what):
     sys.exit(f'FAILED: {what}')
@@ -262,7 +264,7 @@ def check_numbers(folder, write):
 
 
 def main():
-    check_english()
+    check_elsewhere(check_english())
     check_ci()
     commands = set()
     for page in PAGES:
