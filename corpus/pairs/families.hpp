@@ -26,7 +26,7 @@ std::span<const Family> families();
 inline constexpr std::size_t first_close_family = 30;
 /// The pairs of a sphere, a capsule, a cylinder and a rounded cylinder, but for two cylinders.
 std::span<const Family> rounded_families();
-/// What a campaign draws from: first families(), then rounded_families().
+/// The families of a campaign: first families(), then rounded_families().
 std::span<const Family> campaign_families();
 /// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15". Pairs have that margin as a gap
 /// (even index) or a penetration (odd index; at 1e-01 only gaps). They have the features of solids in general
