@@ -40,7 +40,11 @@ struct DaylightMethod {
 
   /* Returns a verdict, as above. `more` is all NaN before the call. You may set the signed distance in more[0]
    * (negative: the depth), and the normal of a separating plane in more[1..3]. You may set a common point in
-   * more[4..6], which is ignored if a solid is rounded. Called from one thread at a time. */
+   * more[4..6], which is ignored if a solid is rounded. Called from one thread at a time.
+   *
+   * A normal or point that you set must be right within the claim, like a verdict. The point may lie outside a solid
+   * by the length t of the claim. The normal may be off by the angle 2 t / gap, which errors of t in both nearest
+   * points explain. It may have any length but 0. */
   int (*ask)(const double* a, const double* b, double more[7]);
 
   /* For timing; may be 0. `count` pairs of 16 doubles each (18 with rounding), one verdict each. */

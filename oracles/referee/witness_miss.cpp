@@ -48,15 +48,17 @@ std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer)
   if (!plain || !finite(answer.head) || !finite(answer.tail)) return {};
   const PrecisionScope precision(miss_bits);
   const MpFloat contact_distance = MpFloat(pair.a.rounding) + MpFloat(pair.b.rounding);
-  const MpFloat size = MpFloat(pair.a.radius) + MpFloat(pair.a.height) + MpFloat(pair.b.radius) +
-                       MpFloat(pair.b.height) + contact_distance;
-  if (!(size > MpFloat(0))) return {};
   const Vec given = lifted(answer.head) + lifted(answer.tail);
   if (answer.witness == CertificateKind::point)
-    return (std::max(beyond(pair.a, given), beyond(pair.b, given)) / size).to_double();
+    return std::max(beyond(pair.a, given), beyond(pair.b, given)).to_double();
+  if (answer.witness == CertificateKind::points && finite(answer.other_head) && finite(answer.other_tail)) {
+    const Vec other = lifted(answer.other_head) + lifted(answer.other_tail);
+    return std::max({beyond(pair.a, given), beyond(pair.b, other), length(given - other) - contact_distance})
+        .to_double();
+  }
   if (answer.witness != CertificateKind::direction || !(length(given) > MpFloat(0))) return {};
   const Vec d = given / length(given), between = lifted(pair.b.center) - lifted(pair.a.center);
-  return ((half_width(pair.a, d) + half_width(pair.b, d) + contact_distance - abs(dot(d, between))) / size)
+  return (half_width(pair.a, d) + half_width(pair.b, d) + contact_distance - abs(dot(d, between)))
       .to_double();
 }
 

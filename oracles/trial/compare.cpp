@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/witness_miss.hpp"
 #include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/trial.hpp"
 
@@ -136,6 +137,36 @@ bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& ans
   return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
 }
 
+/// The largest distance of two points of a solid.
+double diameter_of(const Cylinder& c) { return std::hypot(2 * c.radius, c.height) + 2 * c.rounding; }
+
+// What a claim of the length t explains of a witness that proves nothing.
+//
+// A point may lie outside a solid by t.
+//
+// A direction is the difference of two nearest points. Errors of t in both move that difference, whose length
+// is the gap g, by at most 2t. So they turn it by an angle with a sine of at most s = 2t/g, or by any angle
+// if 2t >= g. Let n be the true unit direction, and D = n cos(angle) + m sin(angle) with a unit vector m
+// square to n. f(D) is the greatest D.z over the differences z = x - y of a point x of a and a point y of b.
+// All of them have n.z <= -g, and -g n is one of them. So z = -g n + w, with |w| at most the sum W of both
+// diameters, and
+//     D.z = n.z cos + m.w sin <= -g cos + W sin <= W s - g sqrt(1 - s^2).
+// So a D with a larger f(D) is farther off than the claim explains. A claim of 0 explains nothing.
+bool explains(const Claim& claim, Trial& trial, const MethodAnswer& answer) {
+  const Pair& pair = trial.pair;
+  const double allowed = reach(claim, size_of(pair));
+  const std::optional<double> miss = witness_miss(pair, answer);
+  if (!miss || allowed == 0) return false;
+  if (answer.witness != CertificateKind::direction) return *miss <= allowed * (1 + rounding_error);
+  if (answer.verdict != Verdict::disjoint) return false;
+  const double gap = magnitude_against(2 * allowed, trial).lo;
+  if (gap <= 2 * allowed) return true;
+  const double sine = 2 * allowed / gap, width = diameter_of(pair.a) + diameter_of(pair.b);
+  const double bound = width * sine - gap * std::sqrt((1 - sine) * (1 + sine));
+  // The terms are rounded some ten times.
+  return *miss <= bound + (width * sine + gap) * 16 * rounding_error;
+}
+
 }  // namespace
 
 FindingKind finding_of(Failure failure) {
@@ -194,10 +225,8 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   if (answer.has_distance)
     if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
   if (witness_holds(trial.pair, trial.truth, answer)) return {};
-  // Only a method that claims to be always right promises a proof. If nearest points are right within a
-  // tolerance, their difference need not separate.
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
-  if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
+  wrong.severity = explains(claim, trial, answer) ? Severity::resolution : Severity::contract;
   return wrong;
 }
 

@@ -272,8 +272,7 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->kind, FindingKind::bad_witness);
   EXPECT_EQ(finding->severity, Severity::contract);
-  // A claim with a tolerance, however small, promises no proof.
-  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::resolution);
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::contract);
   direction.has_distance = true;
   direction.distance = 3;
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->kind, FindingKind::distance_outside);
@@ -288,6 +287,41 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
   // A verdict with the other kind of witness proves nothing either.
   point.verdict = Verdict::disjoint;
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, point)->kind, FindingKind::bad_witness);
+}
+
+// upright(): the diameters are hypot(2, 3) each, so W = 7.21. The true direction is x.
+TEST(Compare, AClaimExplainsADirectionThatIsOffByTwiceTheClaimOverTheGap) {
+  const auto severity = [](double gap, double claim, double x, double y, double z) {
+    MethodAnswer answer = said(Verdict::disjoint);
+    answer.set_direction({x, y, z});
+    const auto finding = judged(Verdict::disjoint, gap, {0, claim, ""}, answer);
+    EXPECT_TRUE(finding && finding->kind == FindingKind::bad_witness);
+    return finding ? finding->severity : Severity::contract;
+  };
+  // The gap is less than twice the claim: any direction may come of it, but not none.
+  EXPECT_EQ(severity(0.01, 0.006, 0, 0, 1), Severity::resolution);
+  EXPECT_EQ(severity(0.01, 0.006, 0, 0, 0), Severity::contract);
+  // At a gap of 0.01, a tilt of 0.01 towards z gives f = 0.01 * 3 - 0.01 > 0. The claim explains a sine of
+  // 2e-4, then of 0.016.
+  EXPECT_EQ(severity(0.01, 1e-6, 1, 0, 0.01), Severity::contract);
+  EXPECT_EQ(severity(0.01, 8e-5, 1, 0, 0.01), Severity::resolution);
+  // Far above the claim nothing goes.
+  EXPECT_EQ(severity(0.5, 1e-12, 0, 1, 0), Severity::contract);
+  EXPECT_EQ(severity(0.5, 1e-6, 0, 0, 1), Severity::contract);
+}
+
+TEST(Compare, AClaimExplainsAPointThatIsOutsideByTheClaim) {
+  const auto severity = [](double y, double claim) {
+    MethodAnswer answer = said(Verdict::intersecting);
+    answer.witness = CertificateKind::point;
+    answer.head[0] = 1 - 0.25;
+    answer.head[1] = y;
+    return judged(Verdict::intersecting, -0.5, {0, claim, ""}, answer)->severity;
+  };
+  // The walls meet at y = sqrt(1 - 0.75^2) = 0.6614.
+  EXPECT_EQ(severity(0.6615, 1e-3), Severity::resolution);
+  EXPECT_EQ(severity(0.6615, 1e-6), Severity::contract);
+  EXPECT_EQ(severity(100, 1e-12), Severity::contract);
 }
 
 TEST(Compare, OfTwoPointsTheMarginIsZeroOrInfinite) {

@@ -90,13 +90,13 @@ std::string describe_finding(const Finding& finding) {
 
 std::string miss_in_words(const Pair& pair, const MethodAnswer& answer) {
   const std::optional<double> miss = witness_miss(pair, answer);
-  if (!miss) return {};
-  const bool point = answer.witness == CertificateKind::point;
-  if (point && *miss > 0) return fmt::format("the point lies {:.3g} of the size outside", *miss);
-  if (!point && *miss == 0) return "the direction gives f(D) = 0 exactly, which separates nothing";
-  if (!point && *miss > 0)
-    return fmt::format("the direction gives f(D) = {:.3g} of the size, not below 0", *miss);
-  return {};
+  const double size = size_of(pair);
+  if (!miss || size == 0) return {};
+  if (answer.witness != CertificateKind::direction)
+    return *miss > 0 ? fmt::format("the point lies {:.3g} of the size outside", *miss / size) : "";
+  if (*miss == 0) return "the direction gives f(D) = 0 exactly, which separates nothing";
+  if (*miss < 0) return {};
+  return fmt::format("the direction gives f(D) = {:.3g} of the size, not below 0", *miss / size);
 }
 
 std::string in_words(const Certificate& certificate) {
