@@ -71,6 +71,7 @@ class CommandMethod final : public Method {
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return hello_.version; }
+  std::string_view library() const override { return guest_.name; }
   Claim claim() const override {
     if (guest_.claim) return {*guest_.claim, 0, "--claim"};
     return {hello_.relative, hello_.absolute, hello_.claim_source};

@@ -49,6 +49,8 @@ class Method {
   virtual ~Method() = default;
   virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
+  /// The library that it belongs to: "fcl" of "fcl-libccd-tol1e-10". A guest is a library of its own.
+  virtual std::string_view library() const { return name().substr(0, name().find('-')); }
   virtual Claim claim() const = 0;
   virtual bool foreign() const { return true; }   ///< code of another project
   virtual bool guest() const { return false; }    ///< loaded by --plugin or started by --command

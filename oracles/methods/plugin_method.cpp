@@ -208,16 +208,37 @@ std::string words_or(const char* told, const char* otherwise) {
   return told && *told ? text_of(told, sizeof MethodAnswer::reason) : otherwise;
 }
 
+/// Returns the part of all labels that is alike up to a '-': "mine" of "mine" and "mine-verdict".
+std::string common_name(const std::vector<Label>& labels) {
+  std::string common = labels[0].name;
+  for (const Label& label : labels)
+    while (label.name != common && !label.name.starts_with(common + '-'))
+      if (const std::size_t part = common.rfind('-'); part != common.npos)
+        common.resize(part);
+      else
+        return labels[0].name;
+  return common;
+}
+
+/// Returns the name of the library of a method: the name that the user gave it, else its own.
+std::string library_of(const Guest& guest, const std::vector<Label>& labels) {
+  if (labels.size() == 1) return guest.name;
+  if (guest.name == guest.method) return common_name(labels);
+  const std::string ending = '-' + guest.method;
+  return guest.name.ends_with(ending) ? guest.name.substr(0, guest.name.size() - ending.size()) : guest.name;
+}
+
 class Plugin final : public Method {
  public:
-  Plugin(const Guest& guest, std::size_t place, Label label)
-      : guest_(guest), place_(place), label_(std::move(label)) {
+  Plugin(const Guest& guest, std::size_t place, const std::vector<Label>& labels)
+      : guest_(guest), library_(library_of(guest, labels)), place_(place), label_(labels[place]) {
     version_ = label_.version + (label_.version.empty() ? "(" : " (") + fingerprint({&guest.what, 1}) + ')';
     if (label_.source.empty()) label_.source = "oracles/plugin.h's claim fields";
   }
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return version_; }
+  std::string_view library() const override { return library_; }
   Claim claim() const override {
     if (guest_.claim) return {*guest_.claim, 0, "--claim"};
     return {label_.relative, label_.absolute, label_.source};
@@ -348,6 +369,7 @@ class Plugin final : public Method {
   }
 
   Guest guest_;
+  std::string library_;
   std::size_t place_;  ///< among the methods of its library
   Label label_;
   std::string version_;
@@ -370,7 +392,7 @@ std::vector<OpenedGuest> open_plugins(const Guest& guest) {
     else if (labels.size() > 1 && guest.method.empty())
       each.name += '-' + labels[i].name;
     if (labels.size() > 1) each.method = labels[i].name;
-    auto method = std::make_unique<Plugin>(each, i, labels[i]);
+    auto method = std::make_unique<Plugin>(each, i, labels);
     opened.push_back({std::move(each), std::move(method)});
   }
   if (opened.empty()) throw std::runtime_error("it has no method " + guest.method + " any more");

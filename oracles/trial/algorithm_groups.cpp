@@ -60,11 +60,11 @@ bool extends(std::string_view name, std::string_view by) {
 
 }  // namespace
 
-std::string_view library_of(std::string_view method) { return method.substr(0, method.find('-')); }
-
-bool differ_in_setting(std::string_view x, std::string_view y) {
-  if (extends(x, y) || extends(y, x)) return true;
-  return x != y && library_and_way(x) == library_and_way(y);
+bool differ_in_setting(const Method& x, const Method& y) {
+  if (x.guest() != y.guest() || x.library() != y.library()) return false;
+  const std::string_view first = x.name(), second = y.name();
+  if (extends(first, second) || extends(second, first)) return true;
+  return first != second && library_and_way(first) == library_and_way(second);
 }
 
 std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods) {
@@ -89,8 +89,8 @@ std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t n = 0; n < m; ++n) {
       if (first[m] == first[n]) continue;
-      const std::string_view x = methods[m]->name(), y = methods[n]->name();
-      if (!differ_in_setting(x, y) && !err_alike(of(m), of(n), library_of(x) == library_of(y))) continue;
+      const Method &x = *methods[m], &y = *methods[n];
+      if (!differ_in_setting(x, y) && !err_alike(of(m), of(n), x.library() == y.library())) continue;
       const std::size_t kept = std::min(first[m], first[n]), joined = std::max(first[m], first[n]);
       std::replace(first.begin(), first.end(), joined, kept);
     }

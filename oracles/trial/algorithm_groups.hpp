@@ -7,19 +7,16 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "oracles/methods/method.hpp"
 
 namespace cyl {
 
-/// Returns "fcl" of "fcl-libccd-tol1e-10".
-std::string_view library_of(std::string_view method);
-
-/// Returns whether two names differ in a setting alone, by the rule <library>[-<way>][-<setting>]. They do if
-/// one is the other with '-' and more, or if both have the same library and way.
-bool differ_in_setting(std::string_view x, std::string_view y);
+/// Returns whether two methods differ in a setting alone, by the rule <library>[-<way>][-<setting>] of names.
+/// They do if one name is the other with '-' and more, or if both have the same library and way. A guest has
+/// no settings but those of its own library.
+bool differ_in_setting(const Method& x, const Method& y);
 
 /// Returns for each method the first method of its shared-algorithm group. A group holds
 /// 1. methods that differ in a setting,

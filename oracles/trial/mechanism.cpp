@@ -204,7 +204,7 @@ void ask_changed(Candidate& c, Round& round, std::span<const std::unique_ptr<Met
   c.larger = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, true));
   c.smaller = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, false));
   for (std::size_t m = 0; m < methods.size(); ++m)
-    if (differ_in_setting(methods[m]->name(), methods[c.now.method]->name()))
+    if (differ_in_setting(*methods[m], *methods[c.now.method]))
       c.siblings.emplace_back(m, round.ask(m, c.now.pair));
 }
 
@@ -261,12 +261,25 @@ std::string scaled_in_words(const Trial& trial, int k) {
                      distance_in_words(other));
 }
 
+bool of_one_library(const Method& x, const Method& y) {
+  return x.guest() == y.guest() && x.library() == y.library();
+}
+
 /// Returns the first method of the same library that shares the method's algorithm.
 std::size_t group_representative(const GroupedMethods& of, std::size_t method) {
   std::size_t m = of.groups[method];
-  const std::string_view library = library_of(of.methods[method]->name());
-  while (of.groups[m] != of.groups[method] || library_of(of.methods[m]->name()) != library) ++m;
+  while (of.groups[m] != of.groups[method] || !of_one_library(*of.methods[m], *of.methods[method])) ++m;
   return m;
+}
+
+/// Returns the library's name in keys of causes. A guest may have the name of a packaged library.
+std::string library_in_keys(const GroupedMethods& of, const Method& method) {
+  if (!method.foreign()) return "own";
+  const std::string library(method.library());
+  const bool is_packaged = method.guest() && std::ranges::any_of(of.methods, [&](const auto& other) {
+                             return !other->guest() && other->library() == library;
+                           });
+  return is_packaged ? library + "-guest" : library;
 }
 
 }  // namespace
@@ -353,8 +366,7 @@ Classification classify_closely(std::span<const std::unique_ptr<Method>> methods
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method) {
   std::vector<std::size_t> sharers;
   for (std::size_t m = 0; m < of.methods.size(); ++m)
-    if (of.groups[m] == of.groups[method] &&
-        library_of(of.methods[m]->name()) != library_of(of.methods[method]->name()))
+    if (of.groups[m] == of.groups[method] && !of_one_library(*of.methods[m], *of.methods[method]))
       sharers.push_back(m);
   return sharers;
 }
@@ -362,7 +374,7 @@ std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
                       Mechanism mechanism, std::string_view reason) {
   const Method& m = *of.methods[method];
-  const std::string library(m.foreign() ? library_of(m.name()) : "own");
+  const std::string library = library_in_keys(of, m);
   const std::string first(of.methods[group_representative(of, method)]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
   if (kind == FindingKind::hang) return first + '/' + to_string(kind);

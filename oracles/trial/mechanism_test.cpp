@@ -203,11 +203,40 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
               std::string("lib/reported/") + slug);
 }
 
+TEST(Kin, ASettingIsAMethodOfTheSameLibraryAndWay) {
+  const auto named = [](const char* name, bool guest = false) {
+    return fake_method(name, [](const Pair&) { return answered(Verdict::disjoint); }, {.guest = guest});
+  };
+  const auto differ = [&](const char* x, const char* y) { return differ_in_setting(*named(x), *named(y)); };
+  EXPECT_TRUE(differ("fcl-libccd", "fcl-libccd-tol1e-10"));
+  EXPECT_TRUE(differ("fcl-libccd-tol1e-10", "fcl-libccd"));
+  EXPECT_TRUE(differ("bullet-hull-16", "bullet-hull-64"));
+  EXPECT_TRUE(differ("ode", "ode-unrefined"));
+  EXPECT_TRUE(differ("nlopt-direct-600", "nlopt-direct-6000"));
+  EXPECT_FALSE(differ("fcl-libccd", "fcl-libccd"));
+  EXPECT_FALSE(differ("fcl-libccd", "fcl-indep"));
+  EXPECT_FALSE(differ("fcl-libccd", "fcl-libccdx"));
+  EXPECT_FALSE(differ("nlopt-direct-600", "nlopt-sign-600"));
+  // A guest with the name of a packaged library is another library.
+  EXPECT_FALSE(differ_in_setting(*named("mujoco"), *named("mujoco-js", true)));
+  EXPECT_TRUE(differ_in_setting(*named("mine", true), *named("mine-fast", true)));
+}
+
+TEST(Kin, KeysNameAGuestApartFromThePackagedLibrary) {
+  Methods methods;
+  for (const bool guest : {false, true})
+    methods.push_back(fake_method(guest ? "mujoco-js" : "mujoco",
+                                  [](const Pair&) { return answered(Verdict::disjoint); }, {.guest = guest}));
+  const std::vector<std::size_t> groups{0, 1};
+  const auto key = [&](std::size_t method) {
+    return cause_key({methods, groups}, method, FindingKind::wrong_disjoint, Severity::resolution,
+                     Mechanism::unclassified, "");
+  };
+  EXPECT_EQ(key(0), "mujoco/within-claim");
+  EXPECT_EQ(key(1), "mujoco-guest/within-claim");
+}
+
 TEST(Kin, IsTheSettingOrTheSameErrors) {
-  EXPECT_TRUE(differ_in_setting("fcl-libccd", "fcl-libccd-tol1e-10"));
-  EXPECT_TRUE(differ_in_setting("bullet-hull-16", "bullet-hull-64"));
-  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-indep"));
-  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-libccdx"));
   // The side on which b lies decides. The first two are wrong alike, and the third on the other half.
   const auto up = [](const Pair& p) { return p.b.center.z() > 0; };
   const auto down = [](const Pair& p) { return p.b.center.z() <= 0; };

@@ -161,17 +161,6 @@ TEST(CalibrationCurve, StepsAtTheTolerance) {
   EXPECT_GT(trials, 15 * drawn_per_decade / 3);
 }
 
-TEST(Cures, OnesOfTheSameWay) {
-  EXPECT_TRUE(differ_in_setting("fcl-libccd", "fcl-libccd-tol1e-10"));
-  EXPECT_TRUE(differ_in_setting("fcl-libccd-tol1e-10", "fcl-libccd"));
-  EXPECT_TRUE(differ_in_setting("bullet-hull-16", "bullet-hull-64"));
-  EXPECT_TRUE(differ_in_setting("ode", "ode-unrefined"));
-  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-libccd"));
-  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-indep"));
-  EXPECT_FALSE(differ_in_setting("nlopt-direct-600", "nlopt-sign-600"));
-  EXPECT_TRUE(differ_in_setting("nlopt-direct-600", "nlopt-direct-6000"));
-}
-
 WorkaroundOutcome outcome(const std::vector<Workaround>& tried, Transformation transformation) {
   for (const Workaround& w : tried)
     if (w.transformation == transformation) return w.outcome;

@@ -57,7 +57,7 @@ std::vector<Workaround> try_workarounds(std::span<const std::unique_ptr<Method>>
                                         const std::unique_ptr<Method>& method, const Trial& failing) {
   std::vector<Workaround> tried;
   for (const auto& other : methods) {
-    if (!differ_in_setting(method->name(), other->name())) continue;
+    if (!differ_in_setting(*method, *other)) continue;
     Trial after = try_method(other, failing.pair);
     const WorkaroundOutcome outcome = outcome_of(failing, after);
     tried.push_back({Transformation::setting, std::string(other->name()), outcome, std::move(after)});
