@@ -117,14 +117,16 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
   return places;
 }
 
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
-JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> methods,
+/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone` holds the
+/// methods of this build and the guests: the key of a cause does not depend on which of them the gate tests. It may be
+/// empty if nothing is suppressed.
+JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> everyone,
                  std::span<const Guest> guests, std::span<const Case> cases,
                  const std::map<std::string, SourceLine>& places) {
   JudgedGate gate = judged(std::move(report));
   mark_known(gate, known.base);
   note_gaps(gate, known.base);
-  mark_suppressed(gate, methods, known.suppressions, today());
+  mark_suppressed(gate, everyone, known.suppressions, today());
   for (const Guest& guest : guests)
     for (JudgedFailure& failure : gate.failures) {
       if (failure.method != guest.name) continue;
@@ -132,7 +134,7 @@ JudgedGate judge(GateReport report, const Known& known, std::span<const std::uni
       if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
     }
   if (known.suppressions.empty()) return gate;
-  std::set<std::string> stored = causes_of(all_methods(), cases);
+  std::set<std::string> stored = causes_of(everyone, cases);
   for (const JudgedFailure& f : gate.failures)
     if (is_from_case(f)) stored.insert(f.bucket);
   for (GateRemark& remark : suppression_remarks(known.suppressions, today(), stored))
@@ -190,7 +192,9 @@ int gate(const GateArguments& arguments) {
   const StopSignals signals;
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
-  JudgedGate judged = judge(std::move(report), known, methods, guests, cases, places);
+  std::vector<std::unique_ptr<Method>> everyone;
+  if (!known.suppressions.empty()) everyone = with_guests(arguments.guests).methods;
+  JudgedGate judged = judge(std::move(report), known, everyone, guests, cases, places);
   // The failure that stopped the gate may turn out to be known by its cause. Or a known one has grown since.
   if (options.first_failure && std::ranges::none_of(judged.failures, fails_gate) &&
       std::ranges::any_of(judged.report.failures,

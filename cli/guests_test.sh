@@ -98,6 +98,17 @@ assert method['rounded']['pairs'] >= 2900 and method['counts']['declined'] == 0,
 END
 expect 0 'campaign of spheres' "$daylight" campaign --plugin ./libballs.so --methods balls --pairs 300 --seed 1 --cases '' --table --out runs/of_balls
 holds 'campaign of spheres' out '^balls +300 '
+# A suppression of a guest's cause holds while a stored case shows the cause.
+sed 's/  more\[0\] = /  if (a[0] == b[0] \&\& a[1] == b[1] \&\& a[2] == b[2]) return DAYLIGHT_DISJOINT;\n&/' balls.c >centred.c
+cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 centred.c -lm -o libcentred.so
+mkdir -p centred none
+ball='{"center":[1,2,3],"axis":[0,0,1],"radius":0,"height":0,"rounding":2}'
+printf '{"id":"concentric","a":%s,"b":%s}\n' "$ball" "$ball" >centred/cases.jsonl
+printf '{"bucket":"balls/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >known.jsonl
+expect 2 'a fault' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred
+expect 0 'a fault, suppressed and stored' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred --suppressions known.jsonl
+expect 2 'a suppression, the case gone' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases none --suppressions known.jsonl
+holds 'a suppression, the case gone' out 'balls/wrong_disjoint \(line 1\) matches no stored case'
 expect 2 'interface 2' "$daylight" gate --plugin ./libballs2.so --pairs 100 --cases ''
 holds 'interface 2' out 'crash'
 expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100
