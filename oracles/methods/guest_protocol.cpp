@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/methods/guest_protocol.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "base/enum_words.hpp"
@@ -44,6 +46,13 @@ Verdict verdict_of(const std::string& word) {
   throw std::invalid_argument("the verdict is " + shown(word));
 }
 
+/// Throws if the object has another key than these: a misspelt key would be a promise that nobody keeps.
+void refuse_other_keys(const json& object, const char* what, std::initializer_list<std::string_view> known) {
+  for (const auto& [key, value] : object.items())
+    if (std::ranges::find(known, key) == known.end())
+      throw std::invalid_argument(std::string(what) + " has the unknown key " + shown(key));
+}
+
 GuestAnswer answer_of(const json& line) {
   GuestAnswer answer;
   answer.verdict = verdict_of(text_of(line, "verdict"));
@@ -67,6 +76,7 @@ GuestAnswer answer_of(const json& line) {
 
 SizeRange sizes_of(const json& sizes) {
   if (!sizes.is_object()) throw std::invalid_argument("sizes is not an object");
+  refuse_other_keys(sizes, "sizes", {"least", "greatest", "aspect", "zero"});
   SizeRange range;
   for (const auto& [key, limit] : {std::pair("least", &range.least), std::pair("greatest", &range.greatest),
                                    std::pair("aspect", &range.aspect)}) {
@@ -82,6 +92,7 @@ SizeRange sizes_of(const json& sizes) {
 }
 
 GuestHello hello_of(const json& line) {
+  refuse_other_keys(line, "the hello", {"name", "version", "claim", "takes", "sizes", "rounded_rims"});
   GuestHello hello;
   hello.name = text_of(line, "name");
   hello.version = text_of(line, "version");
@@ -100,6 +111,7 @@ GuestHello hello_of(const json& line) {
   const auto claim = line.find("claim");
   if (claim == line.end()) return hello;
   if (!claim->is_object()) throw std::invalid_argument("claim is no object");
+  refuse_other_keys(*claim, "claim", {"relative", "absolute", "source"});
   for (const auto& [key, value] :
        {std::pair("relative", &hello.relative), std::pair("absolute", &hello.absolute)}) {
     if (const auto found = claim->find(key); found != claim->end()) *value = number(*found, key);

@@ -93,8 +93,12 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
     const bool touching = trial.truth.verdict == Verdict::touching;
     const Enclosure real = touching ? Enclosure{0, 0} : trial.distance_at(width);
     const Enclosure off = error_of(said, real);
-    if (off.lo > most)
-      return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
+    if (off.lo > most) {
+      // Some libraries return the largest double, or its negative, if they found no distance.
+      const bool is_number = std::abs(said) < std::numeric_limits<double>::max();
+      return Finding{is_number ? FindingKind::distance_outside : FindingKind::non_finite, Severity::contract,
+                     is_number ? relative_to(size, off) : margin_of(trial)};
+    }
     const bool as_narrow_as_it_gets = real.hi - real.lo > 4 * width * size;
     if (off.hi <= most || as_narrow_as_it_gets) break;
   }

@@ -256,6 +256,16 @@ TEST(Compare, UndecidedIsAFaultWhereAVerdictIsPromised) {
   }
 }
 
+TEST(Compare, TheLargestDoubleIsNoDistance) {
+  for (const double said : {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()}) {
+    const Verdict verdict = said > 0 ? Verdict::disjoint : Verdict::intersecting;
+    const auto finding = judged(verdict, said > 0 ? 0.5 : -0.5, {0, 1e-6, ""}, said_distance(verdict, said));
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->kind, FindingKind::non_finite);
+    EXPECT_EQ(finding->severity, Severity::contract);
+  }
+}
+
 TEST(Compare, TheVerdictComesBeforeTheDistance) {
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
             FindingKind::wrong_intersecting);

@@ -371,8 +371,9 @@ std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std
   return sharers;
 }
 
-std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
+std::string cause_key(const GroupedMethods& of, const Failing& failing, Severity severity,
                       Mechanism mechanism, std::string_view reason) {
+  const auto& [method, kind, pair] = failing;
   const Method& m = *of.methods[method];
   const std::string library = library_in_keys(of, m);
   const std::string first(of.methods[group_representative(of, method)]->name());
@@ -387,7 +388,7 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
       return first + "/not-again";
     case Mechanism::setting:
     case Mechanism::unclassified:
-      return first + '/' + to_string(kind);
+      return first + '/' + to_string(kind) + (is_ordinary(pair) ? "" : "/extreme");
     default:
       return first + '/' + to_string(mechanism);
   }
@@ -396,7 +397,7 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
                        std::string_view reason, Asker& asker) {
   const Mechanism mechanism = classify(of.methods, {&failing, 1}, asker)[0].mechanism;
-  return cause_key(of, failing.method, failing.kind, severity, mechanism, reason);
+  return cause_key(of, failing, severity, mechanism, reason);
 }
 
 }  // namespace cyl

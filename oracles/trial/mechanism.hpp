@@ -110,11 +110,12 @@ std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std
 ///                                  stands for all of them.
 ///   "fcl-libccd/overflow"          Products of lengths leave the doubles.
 ///   "fcl-libccd/wrong_disjoint"    Only the kind is known, or another setting is right.
+///   "fcl-libccd/wrong_disjoint/extreme"   The same for pairs that are not ordinary: is_ordinary().
 ///   "fcl-libccd/hang"              The call does not end.
 ///   "ode/crash/..."                A failure of a library, by its own words without numbers.
 ///   "fcl/within-claim"             Answers of a library that its claims cover. Our own methods: "own".
 ///   "fcl-libccd/not-again"         The answer was not wrong when the method was asked again.
-std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
+std::string cause_key(const GroupedMethods& of, const Failing& failing, Severity severity,
                       Mechanism mechanism, std::string_view reason);
 
 /// Returns the key of the cause of one failure, which it classifies first. A caller with many failures keeps

@@ -175,9 +175,10 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
   methods.push_back(erring("lib-way-fine", [](const Pair&) { return true; }));
   methods.push_back(erring("other-way", [](const Pair&) { return true; }));
   const std::vector<std::size_t> groups{0, 0, 0};
+  Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 1}, {{0, 0, 2}, {0, 0, 1}, 1, 1}};
   const auto key = [&](std::size_t m, FindingKind kind, Severity severity, Mechanism mechanism,
                        std::string_view reason = {}) {
-    return cause_key({methods, groups}, m, kind, severity, mechanism, reason);
+    return cause_key({methods, groups}, {m, kind, pair}, severity, mechanism, reason);
   };
   const auto contract = Severity::contract;
   EXPECT_EQ(key(1, FindingKind::wrong_disjoint, contract, Mechanism::absolute_length),
@@ -201,6 +202,10 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
                                      {"at 0.5, 31 steps", "at-steps"}})
     EXPECT_EQ(key(0, FindingKind::reported, contract, Mechanism::unclassified, reason),
               std::string("lib/reported/") + slug);
+  // One fault of ordinary solids and another of huge ones do not share a key.
+  pair.a.radius = 1e76;
+  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, contract, Mechanism::unclassified),
+            "lib-way/wrong_disjoint/extreme");
 }
 
 TEST(Kin, ASettingIsAMethodOfTheSameLibraryAndWay) {
@@ -229,7 +234,7 @@ TEST(Kin, KeysNameAGuestApartFromThePackagedLibrary) {
                                   [](const Pair&) { return answered(Verdict::disjoint); }, {.guest = guest}));
   const std::vector<std::size_t> groups{0, 1};
   const auto key = [&](std::size_t method) {
-    return cause_key({methods, groups}, method, FindingKind::wrong_disjoint, Severity::resolution,
+    return cause_key({methods, groups}, {method, FindingKind::wrong_disjoint, {}}, Severity::resolution,
                      Mechanism::unclassified, "");
   };
   EXPECT_EQ(key(0), "mujoco/within-claim");

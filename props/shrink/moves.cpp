@@ -277,13 +277,7 @@ Pairs scales(const Pair& p) {
   Pairs out;
   const auto add = [&](double by) {
     if (by == 0 || !std::isfinite(by)) return;
-    out.push_back(with(p, [&](Pair& q) {
-      for (Cylinder* c : {&q.a, &q.b}) {
-        c->center /= by;
-        c->radius /= by;
-        c->height /= by;
-      }
-    }));
+    out.push_back(with(p, [&](Pair& q) { for_each_length(q, [&](double& x) { x /= by; }); }));
   };
   Pair copy = p;
   double most = 0;

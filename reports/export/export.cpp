@@ -76,7 +76,7 @@ std::string what_happened(const Recipient& to, const Trial& p) {
       return fmt::format("{} gives a distance of {} for {} that are {}", what, said_distance(p), solids,
                          distance_in_words(p));
     case FindingKind::non_finite:
-      return fmt::format("{} returns numbers that are not finite for {}", what, solids);
+      return fmt::format("{} returns no usable number for {}", what, solids);
     case FindingKind::bad_witness:
       return fmt::format("{} returns a vector for {} that does not prove its answer", what, solids);
     case FindingKind::wrong_touching:
@@ -119,7 +119,8 @@ std::string returned_text(const Trial& p, const Method& method) {
     case FindingKind::distance_outside:
       return fmt::format("A signed distance of {}.", format_double(a.distance));
     case FindingKind::non_finite:
-      return fmt::format("Numbers that are not finite: {}.", one_line(a.reason));
+      return a.status == Status::failed ? fmt::format("Numbers that are not finite: {}.", one_line(a.reason))
+                                        : fmt::format("A signed distance of {}.", format_double(a.distance));
     case FindingKind::bad_witness:
       return fmt::format(
           "{}{}, which is not {}{}.",

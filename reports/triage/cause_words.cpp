@@ -26,7 +26,7 @@ const char* kind_in_words(FindingKind kind) {
                              "answers invalid for valid pairs",
                              "returns a witness that proves nothing",
                              "returns a wrong distance",
-                             "returns a number that is not finite",
+                             "returns no usable number: infinite, not a number, or the largest double",
                              "throws an exception",
                              "crashes",
                              "hangs",
@@ -50,7 +50,7 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism,
   for (const auto& [kind, reason] : reasons) {
     said += said.empty() ? "" : "; ";
     said += kind_in_words(kind);
-    if (within && kind == FindingKind::bad_witness) said += ", which a claim with a tolerance allows";
+    if (within && kind == FindingKind::bad_witness) said += ", by no more than the claim explains";
     const bool thrown = kind == FindingKind::exception;
     if (!reason.empty()) said += (thrown ? ", with the message: " : ": ") + escaped_controls(reason);
   }

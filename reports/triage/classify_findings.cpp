@@ -43,7 +43,7 @@ void put_in_turns(std::vector<const Subject*>& subjects) {
 std::string key_of(const Subject& s, const GroupedMethods& methods, Mechanism mechanism) {
   if (!is_method_row(s.record->method)) return s.record->method + '/' + to_string(s.kind());
   if (!s.method) return s.record->method + "/not-in-this-build";
-  return cause_key(methods, *s.method, s.kind(), s.severity(), mechanism, s.record->reason);
+  return cause_key(methods, {*s.method, s.kind(), s.pair}, s.severity(), mechanism, s.record->reason);
 }
 
 std::string mechanism_labels(const Classification& found, std::span<const std::unique_ptr<Method>> methods) {

@@ -44,27 +44,37 @@ void put_in_order(std::vector<Waiting>& cause) {
                    [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
 }
 
-/// Whether the trial fails as the finding does: in the same way, with the same cause and feature.
+/// What a simpler pair has in common with the finding, besides the way to fail and the cause.
+struct Likeness {
+  std::optional<ContactFeature> feature;
+  std::optional<bool> too_far;  ///< of a wrong distance: it is greater than the true one
+};
+
+std::optional<bool> is_too_far(const Trial& trial, const MethodAnswer& said) {
+  return said.has_distance && said.distance > trial.distance.hi;
+}
+
+/// Whether the trial fails as the finding does: in the same way, with the same cause and likeness.
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
-                 std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said, Asker& asker) {
+                 const Likeness& like, Trial trial, const MethodAnswer& said, Asker& asker) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
   if (!found || found->kind != s.kind() || found->severity != s.severity()) return false;
-  if (contact_feature(trial.pair, trial.truth) != feature) return false;
+  if (like.too_far && is_too_far(trial, said) != like.too_far) return false;
+  if (contact_feature(trial.pair, trial.truth) != like.feature) return false;
   if (!s.can_be_classified()) return true;
   return find_cause(methods, {*s.method, s.kind(), trial.pair}, s.severity(), said.reason, asker) == cause;
 }
 
 /// Marks the first pair that fails alike, because the others are not examined.
 std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
-                             std::optional<ContactFeature> feature, std::span<const Pair> pairs,
-                             Asker& asker) {
+                             const Likeness& like, std::span<const Pair> pairs, Asker& asker) {
   std::vector<Question> questions;
   for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({*s.method, p});
   const auto said = asker.ask(pairs, questions);
   std::vector<bool> fails(pairs.size(), false);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const MethodAnswer& answer = said[p].answer;
-    fails[p] = fails_alike(methods, s, cause, feature, Trial(pairs[p], {&answer, 1}), answer, asker);
+    fails[p] = fails_alike(methods, s, cause, like, Trial(pairs[p], {&answer, 1}), answer, asker);
     if (fails[p]) break;
   }
   return fails;
@@ -72,13 +82,19 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
                         const SimpleRecord& earlier, double part) {
-  const auto feature = contact_feature(s.pair);
   Asker asker(context.methods, s.kind() == FindingKind::hang ? hang_caps : triage_caps);
+  Likeness like{contact_feature(s.pair), {}};
+  if (s.kind() == FindingKind::distance_outside) {
+    const Question question{*s.method, 0};
+    const MethodAnswer said = asker.ask({&s.pair, 1}, {&question, 1})[0].answer;
+    Trial trial(s.pair, {&said, 1});
+    if (compare(trial, context.methods[*s.method]->claim(), said)) like.too_far = is_too_far(trial, said);
+  }
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
     cut = cut || context.out_of_time(part);
     return cut ? std::vector<bool>(pairs.size())
-               : fail_alike(context.grouped(), s, cause, feature, pairs, asker);
+               : fail_alike(context.grouped(), s, cause, like, pairs, asker);
   };
   const CaseLine begun = parse_case(earlier.pair, 1);
   const std::size_t cap = s.kind() == FindingKind::hang ? simplify_hang_cap : simplify_cap;

@@ -41,8 +41,8 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
       }
     const std::vector<Classification> classified = classify(methods, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
-      causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
-                              classified[i].mechanism, found[i].second));
+      causes.insert(
+          cause_key(grouped, failing[i], found[i].first, classified[i].mechanism, found[i].second));
   }
   return causes;
 }
@@ -62,7 +62,7 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
     const Failing failing{*method, *kind, f.simplest};
     const GroupedMethods grouped{methods, groups};
     const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
-    excuse(cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason));
+    excuse(cause_key(grouped, failing, f.severity, mechanism, f.reason));
   }
 }
 
