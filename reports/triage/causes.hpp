@@ -89,7 +89,7 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
 
 /// The causes of a triaged run, for the comparison of runs.
 struct TriagedRun {
-  std::string id, started;
+  std::string folder, id, started;
   std::vector<MethodRecord> methods;  ///< those that are here
   std::vector<TallyRecord> tallies;
   std::vector<Cause> causes;
@@ -118,11 +118,12 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
 using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 
 /// Sets status, chance, nights, first and last seen of the run's causes, compared with `earlier` triaged
-/// runs, the earliest first. Adds the causes of the last one that the run does not have: known if a stored
-/// pair fails now, gone if all are right. Methods that the run did not ask lose nothing. New causes come
-/// first, then those that are back, then the others in their order, and last those that are gone.
+/// runs, the earliest first. A cause in `certainly_new` is new, whatever its rate. Adds the causes of the
+/// last one that the run does not have: known if a stored pair fails now, gone if all are right. Methods that
+/// the run did not ask lose nothing. New causes come first, then those that are back, then the others in
+/// their order, and last those that are gone.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
-                          const FailsToday& fails_today);
+                          const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 
 /// Marks what is suppressed, by its key.
 void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,

@@ -167,7 +167,7 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
 }
 
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
-                          const FailsToday& fails_today) {
+                          const FailsToday& fails_today, const std::set<std::string>& certainly_new) {
   std::vector<const Cause*> absent;
   if (!earlier.empty())
     for (const Cause& b : earlier.back().causes)
@@ -176,7 +176,12 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
   std::vector<Cause> not_met;
   for (const Cause* b : absent)
     if (auto now = missed(*b, run, earlier, compared, fails_today)) not_met.push_back(std::move(*now));
-  for (Cause& b : run.causes) compare(b, run, earlier, compared);
+  for (Cause& b : run.causes) {
+    compare(b, run, earlier, compared);
+    if (b.status != Recurrence::rare || !certainly_new.contains(b.key)) continue;
+    b.status = Recurrence::fresh;
+    b.chance.reset();
+  }
   for (Cause& b : not_met) run.causes.push_back(std::move(b));
   std::stable_sort(run.causes.begin(), run.causes.end(),
                    [](const Cause& x, const Cause& y) { return place_of(x) < place_of(y); });
@@ -191,7 +196,8 @@ std::string what_changed(const std::vector<Cause>& causes) {
     const auto n =
         std::count_if(causes.begin(), causes.end(), [&](const Cause& b) { return b.status == status; });
     if (n == 0 && status != Recurrence::fresh) continue;
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", n, to_string(status),
+    const std::string word = status == Recurrence::rare ? "too rare to tell" : to_string(status);
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", n, word,
                         !text.empty() ? ""
                         : n == 1      ? " cause"
                                       : " causes");

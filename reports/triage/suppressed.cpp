@@ -41,8 +41,7 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
       }
     const std::vector<Classification> classified = classify(methods, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
-      causes.insert(
-          cause_key(grouped, failing[i], found[i].first, classified[i].mechanism, found[i].second));
+      causes.insert(cause_key(grouped, failing[i], found[i].first, classified[i].mechanism, found[i].second));
   }
   return causes;
 }

@@ -17,6 +17,7 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
+#include "reports/triage/changed_guests.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 #include "reports/triage/suppressed.hpp"
@@ -28,13 +29,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which each step ends: the classification, then the simplification, then the
-/// search for worse pairs. The rest is for questions about the shown pairs.
-constexpr double classify_part = 0.35, simplify_part = 0.45, search_part = 0.55;
+/// Parts of the budget after which each step ends: the classification, the questions about pairs of earlier
+/// runs, the simplification, then the search for worse pairs. The rest is for questions about the shown
+/// pairs.
+constexpr double classify_part = 0.35, again_part = 0.4, simplify_part = 0.5, search_part = 0.6;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
-  TriagedRun run{fs::canonical(folder).filename().string(),
+  TriagedRun run{folder,
+                 fs::canonical(folder).filename().string(),
                  value_of(store.config(), "started"),
                  store.methods(),
                  store.tallies(),
@@ -103,6 +106,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   for (const TriagedRun& past : earlier)
     for (const Cause& b : past.causes) known.insert(b.key);
   classify_findings(context, classify_part);
+  const std::vector<ChangedGuest> changed = ask_earlier_pairs(context, earlier, again_part);
   simplify_findings(context, known, simplify_part);
   search_worst(context, search_part);
   simplify_findings(context, known, search_part);
@@ -123,7 +127,13 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
                             context.simples(), context.store().worsts()},
                            context.grouped(), out_of_time);
-  compare_with_earlier(run, earlier, [&](const Cause& b) { return fails_today(b, methods); });
+  std::set<std::string> certainly_new;
+  for (const ChangedGuest& guest : changed) {
+    for (const auto& [key, n] : guest.newly_wrong) certainly_new.insert(key);
+    if (!guest.newly_wrong.empty()) triage.remarks.push_back(in_words(guest));
+  }
+  compare_with_earlier(
+      run, earlier, [&](const Cause& b) { return fails_today(b, methods); }, certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
   suppress(triage.causes, options.suppressions, options.today);

@@ -190,7 +190,7 @@ TEST(Causes, NameTheAngleWhereItAloneMatters) {
 /// A run with one cause, on which one method is wrong for so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
   const std::string key = std::string("x/") + to_string(kind);
-  TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
+  TriagedRun run{id, id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
   if (pairs == 0) return run;
   Cause b;
   b.key = key;
@@ -271,7 +271,7 @@ TEST(Causes, NewComesFirstAndIsNoChance) {
   EXPECT_LT(run.causes[0].chance, 1e-9);
   EXPECT_EQ(run.causes[1].first_version, "1");
   EXPECT_EQ(run.causes[2].status, Recurrence::rare);
-  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 rare");
+  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 too rare to tell");
   EXPECT_EQ(what_changed({Cause{}, Cause{}}), "2 causes");
 }
 

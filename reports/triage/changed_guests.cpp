@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/changed_guests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <utility>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/store/run_facts.hpp"
+#include "oracles/trial/mechanism.hpp"
+#include "oracles/trial/trial.hpp"
+#include "reports/triage/causes.hpp"
+#include "reports/triage/triage_context.hpp"
+
+namespace cyl {
+namespace {
+
+/// Pairs of one method that are drawn again, in all families together, and pairs that are asked at once.
+constexpr std::uint64_t redrawn_cap = 100'000, together_cap = 256;
+constexpr Caps again_caps = attended_caps(1);
+
+std::string version_in(const std::vector<MethodRecord>& methods, const std::string& name) {
+  for (const MethodRecord& m : methods)
+    if (m.name == name) return m.version;
+  return {};
+}
+
+std::optional<std::uint64_t> seed_of(const RunStore& run) {
+  const std::string text = value_of(run.config(), "seed");
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(seed)
+                                                                                   : std::nullopt;
+}
+
+/// The pairs on which the earlier version was right, as far as the run tells.
+std::vector<Pair> pairs_it_had_right(const RunStore& run, const std::string& method) {
+  const auto seed = seed_of(run);
+  if (!seed) return {};
+  std::map<std::string, std::uint64_t> found, kept;
+  std::map<std::string, std::set<std::uint64_t>> wrong;
+  for (const GroupRecord& g : run.groups())
+    if (g.method == method) found[g.family] += g.count;
+  for (const FindingRecord& f : run.findings())
+    if (f.method == method) ++kept[f.family], wrong[f.family].insert(f.family_index);
+  std::vector<std::pair<const Family*, std::uint64_t>> drawn;
+  std::uint64_t all = 0;
+  for (const TallyRecord& t : run.tallies()) {
+    const Family* const family = t.method == method ? find_family(t.family) : nullptr;
+    if (family == nullptr || found[t.family] > kept[t.family]) continue;
+    drawn.emplace_back(family, t.counts.asked);
+    all += t.counts.asked;
+  }
+  const double part = all > redrawn_cap ? static_cast<double>(redrawn_cap) / static_cast<double>(all) : 1;
+  std::vector<Pair> pairs;
+  for (const auto& [family, asked] : drawn) {
+    const std::set<std::uint64_t>& known = wrong[std::string(family->name)];
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(part * static_cast<double>(asked)); ++i)
+      if (!known.contains(i)) pairs.push_back(family->generate(*seed, i));
+  }
+  return pairs;
+}
+
+void ask(const TriageContext& context, std::size_t method, const std::vector<Pair>& pairs, double part,
+         ChangedGuest& guest) {
+  Asker asker(context.methods, again_caps);
+  const Claim claim = context.methods[method]->claim();
+  for (std::size_t first = 0; first < pairs.size() && !context.out_of_time(part); first += together_cap) {
+    const std::span<const Pair> some =
+        std::span(pairs).subspan(first, std::min<std::size_t>(together_cap, pairs.size() - first));
+    std::vector<Question> questions;
+    for (std::size_t p = 0; p < some.size(); ++p) questions.push_back({method, p});
+    const std::vector<ContainedAnswer> answers = asker.ask(some, questions);
+    for (std::size_t p = 0; p < some.size(); ++p) {
+      const MethodAnswer& said = answers[p].answer;
+      if (said.status == Status::declined) continue;
+      ++guest.asked;
+      Trial trial(some[p], {&said, 1});
+      const auto wrong = compare(trial, claim, said);
+      if (!wrong || wrong->severity != Severity::contract) continue;
+      ++guest.newly_wrong[find_cause(context.grouped(), {method, wrong->kind, some[p]}, wrong->severity,
+                                     said.reason, asker)];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
+                                            const std::vector<TriagedRun>& earlier, double part) {
+  const std::vector<MethodRecord> now = RunStore::open(context.options.folder).methods();
+  std::vector<ChangedGuest> changed;
+  for (std::size_t m = 0; m < context.methods.size(); ++m) {
+    const std::string name(context.methods[m]->name());
+    if (!context.methods[m]->guest() || std::ranges::count(context.asked, name) == 0) continue;
+    const auto past = std::find_if(earlier.rbegin(), earlier.rend(), [&](const TriagedRun& run) {
+      return !version_in(run.methods, name).empty();
+    });
+    const std::string version = version_in(now, name);
+    // What is here must be what the run asked.
+    if (past == earlier.rend() || version != context.methods[m]->version()) continue;
+    ChangedGuest guest{name, version, version_in(past->methods, name), past->id, 0, {}};
+    if (guest.earlier_version == version) continue;
+    ask(context, m, pairs_it_had_right(RunStore::open(past->folder), name), part, guest);
+    changed.push_back(std::move(guest));
+  }
+  return changed;
+}
+
+std::string in_words(const ChangedGuest& guest) {
+  std::uint64_t wrong = 0;
+  for (const auto& [key, n] : guest.newly_wrong) wrong += n;
+  return fmt::format("{} {} is wrong beyond its claim on {} of {} pairs of {}, on which version {} was right",
+                     guest.method, guest.version, wrong, guest.asked, guest.earlier_run,
+                     guest.earlier_version);
+}
+
+}  // namespace cyl

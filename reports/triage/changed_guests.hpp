@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Faults that a new version of a guest has and the version of an earlier run had not. No chance is left: both
+// versions were asked about the same pairs.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cyl {
+
+struct TriageContext;
+struct TriagedRun;
+
+/// A method of a guest that changed, and what it gets wrong beyond its claim on pairs that it had right.
+struct ChangedGuest {
+  std::string method, version, earlier_version, earlier_run;
+  std::uint64_t asked = 0;                           ///< pairs of the earlier run
+  std::map<std::string, std::uint64_t> newly_wrong;  ///< pairs by the key of the cause
+};
+
+/// Compares each guest of the run with the last earlier run that asked another version of it. Asks about the
+/// pairs that the earlier run drew for it, again from seed and index, and leaves out the families in which
+/// that version was wrong on pairs that were not kept. Stops when that part of the budget is used up.
+std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
+                                            const std::vector<TriagedRun>& earlier, double part);
+
+/// "mine 1.1 is wrong on 7 of 20,000 pairs of night-1, on which mine 1.0 was right".
+std::string in_words(const ChangedGuest& guest);
+
+}  // namespace cyl
