@@ -10,15 +10,17 @@ within the rounding of the cylinder proper, its core. Floats are taken exactly. 
 be a list of floats (their exact sum) or a string "n/d". A direction proves that two solids are apart if planes square
 to it show a gap. A point proves that they meet if it lies in both cores; two `points`, if one lies in each core and
 they are no farther apart than both roundings together. `hulls` names with a point the subspaces that it is to be
-taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. `near` proves
-touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. Of an
-interval of the distance, the order and the sign are checked.
+taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. They touch if they
+meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
+proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. Of an
+interval of the distance, the order, the sign and what the direction shows are checked. A pair that is not valid has no
+other answer than `invalid`.
 """
 import json
 import sys
 from collections import Counter
 from fractions import Fraction
-from math import isqrt
+from math import isfinite, isqrt
 
 CLAIMS = []
 
@@ -133,6 +135,70 @@ def come_near(pair, points, hulls=SPACE, extra=0):
     return in_core(pair['a'], x) and in_core(pair['b'], y) and reach >= 0 and dot(between, between) <= reach**2
 
 
+def normals(solid, x):
+    """Of the outward normals of the core at its point x: vectors that span their cone, and the plane in which these lie,
+    by its normal, or None. Inner points have none."""
+    w, out = vector(solid['axis']), minus(x, vector(solid['center']))
+    along, height, radius = dot(out, w), exact(solid['height']), exact(solid['radius'])
+    across = minus(out, [along / dot(w, w) * c for c in w])
+    on_cap, on_wall = along**2 == (height / 2)**2 * dot(w, w), dot(across, across) == radius**2
+    ends = [[sign * c for c in w] for sign in (1, -1) if height == 0 or sign * along > 0] if on_cap else []
+    if not on_wall:
+        return ends, None
+    if radius > 0:
+        return [*ends, across], cross(w, across) if ends else None
+    units = ([Fraction(i == j) for j in range(3)] for i in range(3))
+    sides = [n for n in (cross(w, unit) for unit in units) if any(n)]
+    return [*ends, *sides, *([-c for c in n] for n in sides)], w
+
+
+def supports(solid, x, n):
+    """Whether no point of the core lies farther along n than its point x."""
+    w, out = vector(solid['axis']), minus(x, vector(solid['center']))
+    across = minus(n, [dot(n, w) / dot(w, w) * c for c in w])
+    along, beside = dot(n, w) * dot(out, w), dot(across, out)
+    return (along >= 0 and along**2 == dot(n, w)**2 * (exact(solid['height']) / 2)**2 * dot(w, w)
+            and beside >= 0 and beside**2 == dot(across, across) * exact(solid['radius'])**2)
+
+
+def touch_at(pair, x, y):
+    """Whether the solids, which meet, share no inner point: x and y, points of the cores, are nearest to each other and
+    as far apart as both roundings, or are one point in which the cores have opposite normals."""
+    between = minus(y, x)
+    if any(between) or room(pair) > 0:
+        return (dot(between, between) == room(pair)**2 and supports(pair['a'], x, between)
+                and supports(pair['b'], y, minus(x, y)))
+    (spans_a, plane_a), (spans_b, plane_b) = normals(pair['a'], x), normals(pair['b'], x)
+    tried = spans_a + [[-c for c in n] for n in spans_b]
+    if plane_a and plane_b:
+        tried += [cross(plane_a, plane_b), cross(plane_b, plane_a)]
+    return any(any(n) and supports(pair['a'], x, n) and supports(pair['b'], x, [-c for c in n]) for n in tried)
+
+
+def defect(pair):
+    """Why a pair is not valid, in words; None where it is."""
+    for side in 'ab':
+        solid = pair.get(side)
+        if not isinstance(solid, dict):
+            return f'{side} is missing'
+        for key in ('center', 'axis'):
+            value = solid.get(key)
+            if not isinstance(value, (list, tuple)) or len(value) != 3 or not all(map(is_number, value)):
+                return f'{side}.{key} is not three numbers'
+        if not any(solid['axis']):
+            return f'{side}.axis is zero'
+        for key in ('radius', 'height', 'rounding'):
+            value = solid.get(key, 0 if key == 'rounding' else None)
+            if not is_number(value) or value < 0:
+                return f'{side}.{key} is not a length'
+    return None
+
+
+def is_number(value):
+    """Whether the value is a number that a double holds."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(float(value))
+
+
 def nearly_touch(pair, near):
     slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + room(pair)) / 2**200
 
@@ -151,28 +217,46 @@ def nearly_touch(pair, near):
 
 def fault(pair, answer):
     """What is wrong with an answer and its certificate, in words; None where nothing is."""
-    if 'clearance' in answer:
-        wider = float(pair['a'].get('rounding', 0)) + float(answer['clearance'])
-        pair = dict(pair, a=dict(pair['a'], rounding=wider))
-    verdict = answer.get('verdict')
+    verdict, why = answer.get('verdict'), defect(pair)
     if verdict == 'invalid':
-        return None if answer.get('error') else 'invalid without an error'
+        return 'the pair is valid' if not why else None if answer.get('error') else 'invalid without an error'
+    if why:
+        return f'the pair is not valid: {why}'
     if verdict not in ('disjoint', 'intersecting', 'touching', 'undecided'):
         return f'no verdict: {verdict!r}'
+    if 'clearance' in answer:
+        if not is_number(answer['clearance']) or answer['clearance'] < 0:
+            return 'the clearance is not a length'
+        pair = dict(pair, a=dict(pair['a'], rounding=exact(pair['a'].get('rounding', 0)) + exact(answer['clearance'])))
+    hulls = answer.get('hulls', SPACE)
     if verdict == 'disjoint' and not separates(pair, answer['direction']):
         return 'the direction does not separate'
     if verdict == 'touching' and 'near' in answer:
         if not nearly_touch(pair, answer['near']):
             return 'not within 2^-200 of touching'
     elif 'points' in answer and verdict in ('intersecting', 'touching'):
-        if not come_near(pair, answer['points'], answer.get('hulls', SPACE)):
+        if not come_near(pair, answer['points'], hulls):
             return 'the points are not in the cores, or farther apart than the roundings'
-    elif verdict in ('intersecting', 'touching') and not in_both(pair, answer['point'], answer.get('hulls', SPACE)):
-        return 'the point is not in both solids'
-    if 'distance' in answer:
-        low, high = map(exact, answer['distance'])
-        if low > high or verdict == 'disjoint' and high <= 0 or verdict == 'intersecting' and low > 0:
-            return 'the distance contradicts the verdict'
+        ends = [nearest(vector(p), equations(pair[k], hull)) for k, p, hull in zip('ab', answer['points'], hulls)]
+        if verdict == 'touching' and not touch_at(pair, *ends):
+            return 'they overlap at these points'
+    elif verdict in ('intersecting', 'touching'):
+        if not in_both(pair, answer['point'], hulls):
+            return 'the point is not in both solids'
+        meant = nearest(vector(answer['point']), equations(pair['a'], hulls[0]) + equations(pair['b'], hulls[1]))
+        if verdict == 'touching' and not touch_at(pair, meant, meant):
+            return 'they overlap at this point'
+    return wrong_interval(pair, answer) if 'distance' in answer else None
+
+
+def wrong_interval(pair, answer):
+    """What is wrong with an interval of the distance; None where nothing is shown to be."""
+    low, high = map(exact, answer['distance'])
+    signs = {'disjoint': high > 0, 'intersecting': low <= 0, 'touching': low <= 0 <= high}
+    if low > high or not signs.get(answer['verdict'], True):
+        return 'the distance contradicts the verdict'
+    if answer['verdict'] == 'disjoint' and gap(pair, answer['direction'], DIGITS[0]) > high:
+        return 'the distance is less than the gap that the direction shows'
     return None
 
 

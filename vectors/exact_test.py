@@ -74,8 +74,73 @@ class Exact(unittest.TestCase):
                             ({'verdict': 'disjoint', 'direction': (1, 0, 0), 'clearance': 1}, 'separate'),
                             ({'verdict': 'intersecting', 'points': [(3, 0, 0), (4, 0, 0)], 'clearance': 1}, None),
                             ({'verdict': 'intersecting', 'point': (3, 0, 0)}, 'not in both'),
-                            ({'verdict': 'invalid'}, 'without'), ({'verdict': 'far'}, 'no verdict')):
+                            ({'verdict': 'invalid', 'error': 'b is odd'}, 'valid'), ({'verdict': 'far'}, 'no verdict')):
             self.assertIn(why or 'None', str(exact.fault(apart, answer)))
+
+    def test_touching(self):
+        """Parts of two solids in contact, and the same pairs a little deeper."""
+        coin = {'center': [0, 0, 0], 'axis': [0, 0, 1], 'radius': 2, 'height': 0}
+        rod = {'center': [0, 0, 5], 'axis': [0, 0, 1], 'radius': 0, 'height': 4}
+        contacts = [({'a': UP, 'b': dict(UP, center=[6, 0, z])}, (3, 0, z / 2)) for z in (0, 1, 8)]  # side, side and rim
+        contacts += [({'a': UP, 'b': dict(UP, center=[x, 0, 8])}, (x / 2, 0, 4)) for x in (0, 1, 6)]  # caps, rims
+        contacts += [({'a': UP, 'b': dict(UP, center=[6, 0, 0], axis=[0, 1, 0])}, (3, 0, 0)),  # crossed sides
+                     ({'a': UP, 'b': dict(UP, center=[7, 0, 0], axis=[1, 0, 0])}, (3, 0, 0)),  # cap on a side
+                     ({'a': UP, 'b': dict(UP, center=[0, 0, 7], axis=[1, 0, 0])}, (0, 0, 4)),  # side on a cap
+                     ({'a': UP, 'b': dict(rod, center=[3, 0, 0])}, (3, 0, 1)), ({'a': UP, 'b': dict(rod, center=[0, 0, 6])}, (0, 0, 4)),
+                     ({'a': coin, 'b': rod | {'center': [1, 0, 2]}}, (1, 0, 0)),
+                     ({'a': coin, 'b': dict(coin, center=[4, 0, 0], axis=[0, 1, 1])}, (2, 0, 0)),
+                     (pair(UP, [3, 0, 4]), (3, 0, 4)), (pair(coin, [1, 1, 0]), (1, 1, 0))]
+        for asked, point in contacts:
+            answer = {'verdict': 'touching', 'point': list(point), 'distance': [0, 0]}
+            self.assertIsNone(exact.fault(asked, answer), (asked, point))
+            self.assertIsNotNone(exact.fault(asked, dict(answer, distance=[1, 2])))
+            self.assertIsNotNone(exact.fault(asked, dict(answer, distance=[-2, -1])))
+            deeper = dict(asked, a=dict(asked['a'], rounding=JUST))
+            self.assertIsNotNone(exact.fault(deeper, answer), (asked, point))
+        for x in (6, 6 - JUST):
+            asked = {'a': dict(UP, rounding=1), 'b': dict(UP, center=[x + 1, 0, 0])}
+            answer = {'verdict': 'touching', 'points': [[3, 0, 0], [x - 2, 0, 0]]}
+            self.assertEqual(exact.fault(asked, answer) is None, x == 6)
+
+    def test_forgeries(self):
+        """Thirty statements of each verdict that are false, or that the certificate does not prove."""
+        apart, deep, touch = ({'a': UP, 'b': dict(UP, center=[x, 0, 0])} for x in (7, 5, 6))
+        broken = [dict(apart, a=dict(UP, **change)) for change in
+                  ({'radius': -1}, {'height': -1}, {'rounding': -1}, {'axis': [0, 0, 0]}, {'axis': [0, 1]},
+                   {'center': [0, 0, float('nan')]}, {'center': [0, 0, float('inf')]}, {'radius': '3'},
+                   {'height': None}, {'radius': True})] + [{'a': UP}]
+        gap = {'verdict': 'disjoint', 'direction': [1, 0, 0]}
+        meet = {'verdict': 'intersecting', 'point': [2.5, 0, 0]}
+        contact = {'verdict': 'touching', 'point': [3, 0, 0]}
+        forged = [(p, dict(gap, direction=d)) for p in (deep, touch) for d in
+                  ([1, 0, 0], [-1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 0], [1, JUST, 0], [0, 0, 1])]
+        forged += [(apart, dict(gap, **change)) for change in
+                   ({'direction': [0, 0, 1]}, {'direction': [0, 0, 0]}, {'clearance': -100}, {'clearance': 1},
+                    {'clearance': 'x'}, {'distance': [-1, 0]}, {'distance': [2, 1]}, {'distance': [0.25, 0.5]})]
+        forged += [(p, gap) for p in broken[:8]]
+        forged += [(apart, dict(meet, point=p)) for p in
+                   ([2.5, 0, 0], [3, 0, 0], [3.5, 0, 0], [4, 0, 0], [0, 0, 0], [7, 0, 0], ['7/2', 0, 0], [[3, 0.5], 0, 0])]
+        forged += [(deep, dict(meet, **change)) for change in
+                   ({'distance': [1, 2]}, {'distance': [JUST, 1]}, {'distance': [0, -1]}, {'clearance': -1},
+                    {'point': [0, 0, 0]}, {'point': [2.5, 0, 4.5]}, {'point': [2.5, 3, 0]}, {'point': [1.5, 0, 0]},
+                    {'points': [[2.5, 0, 0], [2.75, 0, 0]]}, {'points': [[9, 0, 0], [9, 0, 0]]},
+                    {'point': [2.5, 0, JUST + 4]})]
+        forged += [(p, meet) for p in broken]
+        forged += [(p, dict(contact, point=q)) for p in (deep, apart) for q in
+                   ([2.5, 0, 0], [3, 0, 0], [2, 0, 0], [3.5, 0, 0], [4, 0, 0], [2.5, 0, 4], [3, 0, 4], [2.5, 1, 0])]
+        forged += [(deep, dict(contact, point=[2.5, 0, 0], **change)) for change in
+                   ({'distance': [0, 0]}, {'distance': [-1, 0]}, {'distance': [7, 8]}, {'points': [[2, 0, 0], [2, 0, 0]]})]
+        forged += [(touch, dict(contact, **change)) for change in
+                   ({'distance': [JUST, 1]}, {'distance': [-1, -JUST]}, {'point': [3, JUST, 0]}, {'point': [0, 0, 0]},
+                    {'clearance': 1}, {'near': {'point': [2.5, 0, 0], 'direction': [1, 0, 0]}})]
+        forged += [(p, contact) for p in broken[:5]]
+        forged += [(p, {'verdict': 'invalid', 'error': e}) for p in (apart, deep, touch) for e in
+                   ('a.radius is negative', 'line 1', 'x', 'no', 'a', 'b', 'c', 'd', 'e', 'f')]
+        counts = {}
+        for asked, answer in forged:
+            self.assertIsNotNone(exact.fault(asked, answer), (asked, answer))
+            counts[answer['verdict']] = counts.get(answer['verdict'], 0) + 1
+        self.assertTrue(all(counts[v] >= 30 for v in ('disjoint', 'intersecting', 'touching', 'invalid')), counts)
 
     def test_what_was_said(self):
         apart = pair(UP, (4, 0, 0))
