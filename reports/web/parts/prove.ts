@@ -57,6 +57,7 @@ const abs = (x: Rational) => (x.n < 0n ? neg(x) : x);
 const less = (x: Rational, y: Rational) => x.n * y.d < y.n * x.d;
 const square = (x: Rational) => mul(x, x);
 const dot = (u: Vector, v: Vector) => add(add(mul(u[0], v[0]), mul(u[1], v[1])), mul(u[2], v[2]));
+const isZero = (d: Vector) => d.every((x) => x.n === 0n);
 const minus = (u: Vector, v: Vector): Vector => [sub(u[0], v[0]), sub(u[1], v[1]), sub(u[2], v[2])];
 const cross = (u: Vector, v: Vector): Vector => [
   sub(mul(u[1], v[2]), mul(u[2], v[1])),
@@ -94,13 +95,18 @@ function vector(v: Coordinate[] | undefined, what: string): Vector {
   return [coordinate(v[0]!), coordinate(v[1]!), coordinate(v[2]!)];
 }
 
-const solid = (c: Cylinder): Solid => ({
-  center: vector(c.center, "a centre"),
-  axis: vector(c.axis, "an axis"),
-  radius: exact(c.radius),
-  height: exact(c.height),
-  rounding: exact(c.rounding ?? 0),
-});
+function solid(c: Cylinder): Solid {
+  const read = {
+    center: vector(c.center, "a centre"),
+    axis: vector(c.axis, "an axis"),
+    radius: exact(c.radius),
+    height: exact(c.height),
+    rounding: exact(c.rounding ?? 0),
+  };
+  if (isZero(read.axis)) throw new Error("an axis is zero");
+  if ([read.radius, read.height, read.rounding].some((x) => x.n < 0n)) throw new Error("a length is negative");
+  return read;
+}
 
 /** The largest whole number whose square is at most n. */
 export function floorSqrt(n: bigint): bigint {
@@ -296,8 +302,6 @@ function grown(s: Solid, by: Rational): Solid {
   };
 }
 
-const isZero = (d: Vector) => d.every((x) => x.n === 0n);
-
 function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
   if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
   const { sign, bits, steps } = signOfF(a, b, d);
@@ -308,16 +312,78 @@ function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
 
-function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean, hulls?: [Hull, Hull]): Proof {
-  const { inside, steps } = inBoth(a, b, hulls ? inHulls(x, [a, b], hulls) : x);
+const equal = (x: Rational, y: Rational) => !less(x, y) && !less(y, x);
+const turned = (v: Vector): Vector => [neg(v[0]), neg(v[1]), neg(v[2])];
+const half = (x: Rational) => div(x, rational(2n));
+
+/** A point of a core as seen from its centre, and the part of it that is square to the axis. */
+function seen(s: Solid, x: Vector) {
+  const out = minus(x, s.center),
+    along = dot(out, s.axis),
+    ww = dot(s.axis, s.axis);
+  return { out, along, ww, across: moved(out, neg(div(along, ww)), s.axis) };
+}
+
+/** Vectors that span the cone of the outward normals of a core at its point x, and the normal of the plane in which they
+ *  lie, if they lie in one. Inner points have none. */
+function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null } {
+  const { along, ww, across } = seen(s, x),
+    onCap = equal(square(along), mul(square(half(s.height)), ww)),
+    onWall = equal(dot(across, across), square(s.radius)),
+    flat = s.height.n === 0n,
+    up = flat || along.n > 0n ? [s.axis] : [],
+    down = flat || along.n < 0n ? [turned(s.axis)] : [],
+    ends = onCap ? [...up, ...down] : [];
+  if (!onWall) return { spans: ends, plane: null };
+  if (s.radius.n > 0n) return { spans: [...ends, across], plane: ends.length > 0 ? cross(s.axis, across) : null };
+  const other: Vector = s.axis[1].n === 0n && s.axis[2].n === 0n ? [zero, one, zero] : [one, zero, zero],
+    beside = cross(s.axis, other),
+    sides = [beside, cross(s.axis, beside)];
+  return { spans: [...ends, ...sides, ...sides.map(turned)], plane: s.axis };
+}
+
+/** Whether no point of the core lies farther along n than its point x. */
+function supports(s: Solid, x: Vector, n: Vector): boolean {
+  const { out, ww, along } = seen(s, x),
+    nw = dot(n, s.axis),
+    across = moved(n, neg(div(nw, ww)), s.axis),
+    beside = dot(across, out),
+    axial = mul(nw, along);
+  return (
+    axial.n >= 0n &&
+    equal(square(axial), mul(square(mul(nw, half(s.height))), ww)) &&
+    beside.n >= 0n &&
+    equal(square(beside), mul(dot(across, across), square(s.radius)))
+  );
+}
+
+/** Whether solids that meet share no inner point: x and y, points of the cores, are nearest to each other and as far apart
+ *  as both roundings, or are one point in which the cores have opposite normals. */
+function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
+  const between = minus(y, x),
+    room = add(a.rounding, b.rounding);
+  if (!isZero(between) || room.n !== 0n)
+    return (
+      equal(dot(between, between), square(room)) && supports(a, x, between) && supports(b, y, turned(between))
+    );
+  const of = [normals(a, x), normals(b, x)] as const,
+    shared = of[0].plane && of[1].plane ? cross(of[0].plane, of[1].plane) : null,
+    tried = [...of[0].spans, ...of[1].spans.map(turned), ...(shared ? [shared, turned(shared)] : [])];
+  return tried.some((n) => !isZero(n) && supports(a, x, n) && supports(b, x, turned(n)));
+}
+
+/** The proof of solids that meet at x and y, points of the cores. */
+function proveTouch(a: Solid, b: Solid, x: Vector, y: Vector, steps: string[]): Proof {
+  return touchAt(a, b, x, y)
+    ? { holds: true, steps, text: "Proved: they meet there, and a plane through the point has one solid on each side." }
+    : { holds: false, steps, text: "Refuted: they meet there, but no plane through the point separates their insides." };
+}
+
+function provePoint(a: Solid, b: Solid, point: Vector, touching: boolean, hulls?: [Hull, Hull]): Proof {
+  const x = hulls ? inHulls(point, [a, b], hulls) : point,
+    { inside, steps } = inBoth(a, b, x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
-  return {
-    holds: true,
-    steps,
-    text:
-      "Proved: the point lies in both solids." +
-      (touching ? " (This does not prove that they share no inner point.)" : ""),
-  };
+  return touching ? proveTouch(a, b, x, x, steps) : { holds: true, steps, text: "Proved: the point lies in both solids." };
 }
 
 function two(points: Truth["points"], what: string): [Vector, Vector] {
@@ -331,12 +397,11 @@ function provePoints(a: Solid, b: Solid, { points, hulls }: Truth, touching: boo
   const { inside, steps } = comeNear(a, b, p, q);
   if (!inside)
     return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };
+  if (touching) return proveTouch(a, b, p, q, steps);
   return {
     holds: true,
     steps,
-    text:
-      "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together." +
-      (touching ? " (This does not prove that the solids share no inner point.)" : ""),
+    text: "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together.",
   };
 }
 
@@ -379,7 +444,7 @@ export function prove(pair: Pair, truth: Truth): Proof {
           : provePoint(a, b, vector(truth.point, "the point"), false, truth.hulls);
       case "touching":
         if (truth.points) return provePoints(a, b, truth, true);
-        return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true);
+        return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true, truth.hulls);
       default:
         return { holds: null, text: "No truth is proved for this pair.", steps: [] };
     }

@@ -109,6 +109,35 @@ test("a point lies in both or not", () => {
   );
 });
 
+test("touching solids share no inner point", () => {
+  const up = cylinder([0, 0, 0], [0, 0, 2], 3, 8),
+    touch = (b, ...at) => holds({ a: up, b }, { verdict: "touching", point: at }),
+    at = (center, axis = [0, 0, 1]) => cylinder(center, axis, 3, 8);
+  assert.equal(touch(at([6, 0, 1]), 3, 0, 0.5), true, "side and side");
+  assert.equal(touch(at([6, 0, 0], [0, 1, 0]), 3, 0, 0), true, "crossed sides");
+  assert.equal(touch(at([7, 0, 0], [1, 0, 0]), 3, 0, 0), true, "a cap on a side");
+  assert.equal(touch(at([6, 0, 8]), 3, 0, 4), true, "rim and rim");
+  assert.equal(touch(cylinder([1, 0, 6], [0, 0, 1], 0, 4), 1, 0, 4), true, "the end of a segment on a cap");
+  assert.equal(touch(cylinder([0, 3, 0], [1, 0, 0], 0, 4), 0, 3, 0), true, "a segment along a side");
+  for (const x of [0, 1, 2, 3, 4, 5, 5.75])
+    for (const z of [0, 1, 4]) {
+      assert.equal(touch(at([x, 0, z]), x / 2, 0, z / 2), false, "inner points are shared");
+      assert.equal(touch(at([x, 0, z]), 3, 0, 4), false, "at a point of the rim");
+    }
+  const ball = (x) => ({ ...cylinder([x, 0, 0], [0, 0, 1], 0, 0), rounding: 1 }),
+    balls = (x, p, q) => holds({ a: ball(0), b: ball(x) }, { verdict: "touching", points: [p, q] });
+  assert.equal(balls(2, [0, 0, 0], [2, 0, 0]), true);
+  assert.equal(balls(1.75, [0, 0, 0], [1.75, 0, 0]), false);
+  assert.equal(balls(0, [0, 0, 0], [0, 0, 0]), false);
+});
+
+test("nothing is proved of pairs that are not valid", () => {
+  for (const change of [{ radius: -1 }, { height: -1 }, { rounding: -1 }, { axis: [0, 0, 0] }, { center: [NaN, 0, 0] }])
+    for (const truth of [direction(1, 0, 0), point(1, 0, 0), { verdict: "touching", point: [1, 0, 0] }])
+      for (const side of ["a", "b"])
+        assert.equal(holds({ ...apart, [side]: { ...apart[side], ...change } }, truth), false, JSON.stringify(change));
+});
+
 test("touching within 2^-200 of the size", () => {
   const near = (x, d) => ({ verdict: "touching", near: { point: x, direction: d } });
   assert.equal(holds(huge, near([-0.0000028746500148266185, 1e150, 0], [0, 1, 0])), true);
