@@ -21,6 +21,7 @@ void visit_plain(B& b, Visit visit) {
   visit("key", b.key);
   visit("method", b.method);
   visit("methods", b.methods);
+  visit("methods_of_kind", b.methods_of_kind);
   visit("count", b.count);
   visit("pairs", b.pairs);
   visit("families", b.families);

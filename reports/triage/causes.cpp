@@ -45,9 +45,22 @@ constexpr std::size_t tried_cap = 4;
 /// The most keys listed with a cause.
 constexpr std::size_t merged_cap = 200;
 
-/// Puts simplified candidates before candidates as found, and then the simplest first.
-bool is_shown_before(const ShownCandidate& x, const ShownCandidate& y) {
-  return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
+/// Puts candidates of that kind first, then simplified ones before candidates as found, and then the
+/// simplest.
+auto shown_first(FindingKind kind) {
+  return [kind](const ShownCandidate& x, const ShownCandidate& y) {
+    if ((x.of->kind == kind) != (y.of->kind == kind)) return x.of->kind == kind;
+    return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
+  };
+}
+
+/// A cause states one kind, so the worst finding is of the kind of the simplest.
+void choose_worst(CauseFindings& group) {
+  const FindingKind kind = group.first().kind;
+  if (group.worst->kind == kind) return;
+  group.worst = nullptr;
+  for (const FindingRecord* f : group.findings)
+    if (f->kind == kind && (group.worst == nullptr || is_worse(*f, *group.worst))) group.worst = f;
 }
 
 std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
@@ -60,7 +73,7 @@ std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
 /// first finding as it was found.
 void choose_simplest(CauseFindings& group, std::span<const std::unique_ptr<Method>> methods,
                      const std::function<bool()>& out_of_time) {
-  std::stable_sort(group.candidates.begin(), group.candidates.end(), is_shown_before);
+  std::stable_sort(group.candidates.begin(), group.candidates.end(), shown_first(group.worst->kind));
   const auto fallback = std::find_if(group.candidates.begin(), group.candidates.end(),
                                      [](const ShownCandidate& c) { return c.as_found; });
   if (fallback != group.candidates.end()) group.simplest = *fallback;
@@ -84,7 +97,8 @@ bool surpasses(const CauseFindings& group, const Trial& now,
   if (!m) return false;
   const std::optional<Finding>& wrong = now.findings[*m];
   if (!wrong || !wrong->margin || wrong->kind != group.found->kind) return false;
-  return wrong->severity == Severity::contract && wrong->margin->lo > least_margin(*group.worst);
+  return wrong->kind == group.first().kind && wrong->severity == Severity::contract &&
+         wrong->margin->lo > least_margin(*group.worst);
 }
 
 std::optional<CaseDistance> distance_of(const Trial& trial) {
@@ -238,11 +252,12 @@ Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCoun
   std::map<FindingKind, std::string> reasons;
   for (const FindingRecord* f : group.findings) {
     b.methods.insert(f->method);
+    if (f->kind == b.kind) b.methods_of_kind.insert(f->method);
     b.families.insert(f->family);
     b.findings.push_back(f->id);
     if (std::string& reason = reasons[f->kind]; reason.empty()) reason = f->reason;
     if (rank_of(f->severity) < rank_of(b.severity)) b.severity = f->severity;
-    if (!f->margin) continue;
+    if (f->kind != b.kind || !f->margin) continue;
     if (!b.margin) b.margin = Enclosure{f->margin->lo, f->margin->lo};
     b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
@@ -275,6 +290,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
   for (auto& [key, group] : groups) {
     choose_simplest(group, of.methods, out_of_time);
     if (!group.simplest) continue;  // none of its pairs can be read
+    choose_worst(group);
     const auto counted = counts.find(key);
     const CauseCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
     Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept);

@@ -51,11 +51,12 @@ struct Cause {
   std::string method;                              ///< of the finding that the simplest pair comes from
   FindingKind kind = FindingKind::wrong_disjoint;  ///< likewise
   std::set<std::string> methods, families;
+  std::set<std::string> methods_of_kind;  ///< those that fail in the way of `kind`
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
   std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
   std::vector<std::int64_t> findings;  ///< ids of the stored findings
-  std::optional<Enclosure> margin;     ///< the least and the greatest lower bound
+  std::optional<Enclosure> margin;     ///< the least and the greatest lower bound, of findings of that kind
   std::vector<std::string> merged;     ///< keys of the simplified pairs
   ShownCase simplest;
   std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs

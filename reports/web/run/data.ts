@@ -109,6 +109,7 @@ export interface Cause {
   findings: number[]; // ids of those kept
   cause: string; // in words
   methods: string[]; // all that it makes wrong; `method` is one of them
+  methods_of_kind: string[]; // those that fail in the way that `kind` names
   chance: number | null; // probability that it is new or gone by chance, corrected for the number of causes
   nights: Night[]; // oldest first, this run last
   pairs: number; // on which one of its methods was wrong in this run

@@ -6,18 +6,15 @@ import { kindLabel, library } from "./words.ts";
 
 /** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
  *  other libraries: the amount may be of any. */
-function whoOf({ method, methods }: Cause): [string, boolean] {
+function whoOf({ method, methods_of_kind: methods }: Cause): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   const libraries = new Set(methods.map(library)).size;
   if (libraries === 1) return [`${library(methods[0]!)} (${methods.length} methods)`, false];
   return [`${methods.length} methods of ${libraries} libraries`, true];
 }
 
-/** The largest margin that is proved of a finding of the cause. */
-function largestOf({ kind, margin, worst }: Cause) {
-  const pair = kind === "distance_outside" ? 0 : (worst.margin?.[0] ?? 0);
-  return Math.max(margin?.[1] ?? 0, pair);
-}
+/** The largest margin that is proved of a finding of the cause, and of its kind. */
+export const largestOf = ({ margin }: Cause) => margin?.[1] ?? 0;
 
 export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
