@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/witness_miss.hpp"
 
 namespace cyl {
