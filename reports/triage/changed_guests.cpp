@@ -19,7 +19,7 @@ namespace cyl {
 namespace {
 
 /// Pairs of one method that are drawn again, in all families together, and pairs that are asked at once.
-constexpr std::uint64_t redrawn_cap = 100'000, together_cap = 256;
+constexpr std::uint64_t redrawn_cap = 100'000, redraw_batch = 256;
 constexpr Caps again_caps = attended_caps(1);
 
 std::string version_in(const std::vector<MethodRecord>& methods, const std::string& name) {
@@ -68,9 +68,9 @@ void ask(const TriageContext& context, std::size_t method, const std::vector<Pai
          ChangedGuest& guest) {
   Asker asker(context.methods, again_caps);
   const Claim claim = context.methods[method]->claim();
-  for (std::size_t first = 0; first < pairs.size() && !context.out_of_time(part); first += together_cap) {
+  for (std::size_t first = 0; first < pairs.size() && !context.out_of_time(part); first += redraw_batch) {
     const std::span<const Pair> some =
-        std::span(pairs).subspan(first, std::min<std::size_t>(together_cap, pairs.size() - first));
+        std::span(pairs).subspan(first, std::min<std::size_t>(redraw_batch, pairs.size() - first));
     std::vector<Question> questions;
     for (std::size_t p = 0; p < some.size(); ++p) questions.push_back({method, p});
     const std::vector<ContainedAnswer> answers = asker.ask(some, questions);
