@@ -95,7 +95,7 @@ void add_triage(Program& program) {
   command.option("--against DIR", arguments->against, "triaged runs to compare with")
       .default_text("the runs in the same folder");
   command.section("Limits");
-  command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("5m");
+  command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("30s");
   command.section("Methods");
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);

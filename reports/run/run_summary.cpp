@@ -48,12 +48,15 @@ Ranked failures_of(const RunData& run) {
 }  // namespace
 
 const FindingRecord* worst_finding(const RunData& run) {
+  std::set<std::string, std::less<>> of_texts;
+  for (const auto& methods : {literature_2008_methods, literature_2017_methods})
+    for (const auto& m : methods()) of_texts.emplace(m->name());
   const FindingRecord* worst = nullptr;
-  const auto key = [](const FindingRecord& f) {
+  const auto key = [&](const FindingRecord& f) {
     const CaseLine line = parse_case(f.pair, 1);
     return std::tuple(f.severity == Severity::contract, f.severity == Severity::resolution,
-                      line.value && is_ordinary(line.value->pair), is_refuted_verdict(f.kind),
-                      f.margin ? f.margin->lo : 0.0);
+                      line.value && is_ordinary(line.value->pair), !of_texts.contains(f.method),
+                      is_refuted_verdict(f.kind), f.margin ? f.margin->lo : 0.0);
   };
   decltype(key(*worst)) most;
   for (const FindingRecord& f : run.findings)

@@ -282,12 +282,17 @@ std::string file_name_of(std::string_view key) {
 }
 
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
-                               const std::function<bool()>& out_of_time) {
+                               const std::vector<Cause>& last, const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);
   const std::map<std::string, CauseCount> counts = count_by_cause(records);
   PairShower shower(of.methods, out_of_time);
   std::vector<Cause> causes;
   for (auto& [key, group] : groups) {
+    const auto shown_last = std::ranges::find(last, key, &Cause::key);
+    if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
+      causes.push_back(*shown_last);
+      continue;
+    }
     choose_simplest(group, of.methods, out_of_time);
     if (!group.simplest) continue;  // none of its pairs can be read
     choose_worst(group);

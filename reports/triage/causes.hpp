@@ -109,10 +109,11 @@ Cause cause_from_json(const nlohmann::json& stored);
 /// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
 /// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
 /// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
-/// pair of each cause, and the cause's own method about a sample of the stratum. Once `out_of_time()`, it
-/// asks the cause's own method about the simplest pair only.
+/// pair of each cause, and the cause's own method about a sample of the stratum. Once `out_of_time()`, a
+/// cause is as in `last`, the result of the last triage, and of a new one only the own method is asked, about the
+/// simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
-                               const std::function<bool()>& out_of_time);
+                               const std::vector<Cause>& last, const std::function<bool()>& out_of_time);
 
 /// Returns whether the stored pair of an earlier run's cause fails now as it did then, or nothing if that is
 /// unknown.

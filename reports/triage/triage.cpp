@@ -126,14 +126,15 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   };
   run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
                             context.simples(), context.store().worsts()},
-                           context.grouped(), out_of_time);
+                           context.grouped(), run.causes, out_of_time);
   std::set<std::string> certainly_new;
   for (const ChangedGuest& guest : changed) {
     for (const auto& [key, n] : guest.newly_wrong) certainly_new.insert(key);
     if (!guest.newly_wrong.empty()) triage.remarks.push_back(in_words(guest));
   }
   compare_with_earlier(
-      run, earlier, [&](const Cause& b) { return fails_today(b, methods); }, certainly_new);
+      run, earlier, [&](const Cause& b) { return out_of_time() ? std::nullopt : fails_today(b, methods); },
+      certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
   suppress(triage.causes, options.suppressions, options.today);

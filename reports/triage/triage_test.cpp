@@ -182,7 +182,7 @@ TEST(Causes, NameTheAngleWhereItAloneMatters) {
   records.findings[0].id = 1;
   records.causes = {{1, "square-blind/wrong_intersecting", Mechanism::unclassified, ""}};
   const std::vector<std::size_t> groups{0};
-  const auto causes = make_causes(records, {methods, groups}, [] { return false; });
+  const auto causes = make_causes(records, {methods, groups}, {}, [] { return false; });
   ASSERT_EQ(causes.size(), 1u);
   EXPECT_EQ(causes[0].coordinate, "angle");
 }
@@ -402,7 +402,7 @@ TEST(Causes, TheWordsOfAFailureStandByItsKind) {
   records.findings[0].reason = "the witness is not finite";
   const auto methods = select_methods(own_methods(), "intersect");
   const std::vector<std::size_t> groups{0};
-  const auto causes = make_causes(records, {methods, groups}, [] { return true; });
+  const auto causes = make_causes(records, {methods, groups}, {}, [] { return true; });
   ASSERT_EQ(causes.size(), 1u);
   EXPECT_TRUE(
       causes[0].description.ends_with("(answers disjoint for pairs that meet; returns a number that is not "
