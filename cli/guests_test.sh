@@ -109,6 +109,14 @@ expect 2 'a fault' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases
 expect 0 'a fault, suppressed and stored' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred --suppressions known.jsonl
 expect 2 'a suppression, the case gone' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases none --suppressions known.jsonl
 holds 'a suppression, the case gone' out 'balls/wrong_disjoint \(line 1\) matches no stored case'
+# A claim does not excuse a normal that is square to the right one, or zero.
+for normal in 'b[0] - a[0], more[2] = b[1] - a[1], more[3] = b[2] - a[2]' 'b[1] - a[1], more[2] = a[0] - b[0], more[3] = 0' \
+    '0, more[2] = 0, more[3] = 0'; do
+  sed "s/  return more\[0\] > 0/  if (more[0] > 0) more[1] = $normal;\n&/" balls.c >normal.c
+  cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 normal.c -lm -o libnormal.so
+  expect "$([[ $normal == 'b[0]'* ]] && echo 0 || echo 2)" "the normal $normal" \
+    "$daylight" gate --plugin ./libnormal.so --pairs 300 --cases ''
+done
 expect 2 'interface 2' "$daylight" gate --plugin ./libballs2.so --pairs 100 --cases ''
 holds 'interface 2' out 'crash'
 expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100
