@@ -50,7 +50,10 @@ std::string gate_github(const JudgedGate& gate) {
   for (const std::string& line : gate.not_asked)
     text += fmt::format("::warning title=daylight gate, not asked::{}\n", message(one_line(line)));
   for (const GateRemark& r : gate.remarks)
-    text += fmt::format("::{} title=daylight gate::{}\n", r.exit_code == exit_findings ? "error" : "warning",
+    text += fmt::format("::{} title=daylight gate::{}\n",
+                        r.exit_code == exit_findings    ? "error"
+                        : r.exit_code == exit_undecided ? "warning"
+                                                        : "notice",
                         message(one_line(r.text)));
   return text;
 }

@@ -63,7 +63,7 @@ TEST(GateGithub, ARemarkThatFailsTheGateIsAnError) {
   JudgedGate gate;
   gate.remarks = {{"x expired"}, {"y matches no case", exit_findings}, {"z abstains", exit_undecided}};
   EXPECT_EQ(gate_github(gate),
-            "::warning title=daylight gate::x expired\n"
+            "::notice title=daylight gate::x expired\n"
             "::error title=daylight gate::y matches no case\n"
             "::warning title=daylight gate::z abstains\n");
 }

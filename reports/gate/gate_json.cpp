@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 
@@ -209,6 +210,13 @@ void note_gaps(JudgedGate& gate, const GateBase& base) {
     if (phase.rounds == base.amount.*rounds && found->second != hex(phase.digest))
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }
+  std::vector<std::string> gone;
+  for (const auto& [bucket, pairs] : base.buckets)
+    if (std::ranges::count(gate.failures, bucket, &JudgedFailure::bucket) == 0) gone.push_back(bucket);
+  if (gone.empty() || !gate.not_asked.empty()) return;
+  const std::string named = fmt::format("{}", fmt::join(gone, ", "));
+  gate.remarks.push_back({fmt::format("{} of the base {} gone: {}", counted(gone.size(), "failure"),
+                                      gone.size() == 1 ? "is" : "are", named)});
 }
 
 }  // namespace cyl

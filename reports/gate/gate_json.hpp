@@ -34,7 +34,7 @@ struct GateBase {
 GateBase read_base(const std::string& file);
 
 /// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the
-/// report's.
+/// report's. If all was asked, adds a remark on the failures of the base that are gone.
 void note_gaps(JudgedGate& gate, const GateBase& base);
 
 /// Marks the failures whose bucket is in the base as known. It does not mark a bucket that has more pairs

@@ -139,6 +139,27 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
                                       "sample of close contacts: the pairs, which the base has"}));
 }
 
+TEST(GateJson, AFailureOfTheBaseThatIsGoneIsSaid) {
+  const JudgedGate gate = example_gate();
+  const ScratchFile file(gate_json(gate));
+  const auto remarks = [&](JudgedGate now) {
+    const std::size_t before = now.remarks.size();
+    now.report.methods[1].name = parse_json(gate_json(gate))["methods"][1]["name"];
+    note_gaps(now, read_base(file.path));
+    std::vector<std::string> said;
+    for (std::size_t i = before; i < now.remarks.size(); ++i) said.push_back(now.remarks[i].text);
+    return said;
+  };
+  JudgedGate now = gate;
+  now.not_asked.clear();
+  EXPECT_EQ(remarks(now), std::vector<std::string>{});
+  const std::string bucket = now.failures[0].bucket;
+  std::erase_if(now.failures, [&](const JudgedFailure& f) { return f.bucket == bucket; });
+  EXPECT_EQ(remarks(now), std::vector<std::string>{"1 failure of the base is gone: " + bucket});
+  now.not_asked.push_back("a phase");
+  EXPECT_EQ(remarks(now), std::vector<std::string>{}) << "perhaps it was not asked";
+}
+
 TEST(GateJson, BadBasesAreRefusedByName) {
   const std::string good = gate_json(example_gate());
   for (const std::string& bad :
