@@ -124,6 +124,14 @@ exec {held}>&-
 wait $!
 equal 'after the wait' hello "$(<"$scratch/out2")"
 
+# A folder that was moved is built again.
+mv "$home" "$scratch/moved"
+launch "$scratch/moved/daylight"
+equal 'a moved folder: exit code' 0 "$code"
+equal 'a moved folder: standard output' hello "$out"
+equal 'a moved folder is told' yes "$([[ $err == *'moved or copied'* ]] && echo yes)"
+mv "$scratch/moved" "$home"
+
 sed -i 's/hello/goodbye/' "$home/main.cpp"
 launch "$home/daylight"
 equal 'a change is built' goodbye "$out"
