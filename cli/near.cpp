@@ -54,11 +54,8 @@ int near(const NearArguments& arguments) {
   NearStudy study;
   try {
     study = read_cylinders(arguments);
-  } catch (const UsageError&) {
-    throw;
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "daylight: {}\n", error.what());
-    return exit_invalid_input;
+    throw InputError(error.what());
   }
   study.pairs = find_close_pairs(study.cylinders, study.clearance);
   if (arguments.verify) study.check = check_close_pairs(study.cylinders, study.clearance, study.pairs);

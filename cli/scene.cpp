@@ -20,7 +20,7 @@ namespace {
 
 struct SceneArguments {
   std::string json, srdf, srdf_out;
-  std::vector<std::string> at;
+  std::vector<std::string> at, files_from;
   bool table = false;
   SceneOptions question;
 };
@@ -66,10 +66,9 @@ int study(SceneArguments& arguments) {
   }
   Scene scene;
   try {
-    scene = read_scene(question.file, arguments.srdf);
+    scene = read_scene(question.file, arguments.srdf, arguments.files_from);
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "daylight: {}\n", error.what());
-    return exit_invalid_input;
+    throw InputError(error.what());
   }
   check_count(scene);
   const SceneStudy s = study_scene(scene, question);
@@ -130,6 +129,12 @@ void add_scene(Program& program) {
       .option("--srdf FILE", arguments->srdf,
               "SRDF with the pairs that are not checked; default: FILE.srdf beside FILE.urdf")
       .readable();
+  command.section("Input");
+  command
+      .option("--files-from DIR", arguments->files_from,
+              "read meshes and includes also from DIR, not only from the folder or ROS package of FILE")
+      .existing_folder()
+      .one_each();
   command.section("Output");
   command.flag("--table", arguments->table, "list every pair of --prove, also those that stay clear");
   command

@@ -71,7 +71,7 @@ expect 3 'capsules' "$daylight" scene "$scenes/arm.urdf" --configurations 20 --c
 holds 'shapes first' out '^8 spheres, 5 capsules \(3 written as a cylinder and two spheres\), 4 cylinders, 1 box \(as a bounding solid\), 1 mesh \(not tested\);'
 holds 'nothing hidden' out '^  NOT TESTED: 1 mesh \(camera\)$'
 holds 'near a bound' out '^  NOT KNOWN: [0-9]+ pairs, because the bounding solid of a box or mesh comes within the clearance \(table - '
-holds 'why' out 'A mesh of camera cannot be read: package://arm/camera.stl is not there.$'
+holds 'why' out 'A mesh of camera cannot be read: package://arm/camera.stl: it is not there.$'
 holds 'proved' out '^referee: 1,980 recommended answers judged, 0 wrong'
 expect 0 'a proof' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --against 200 --srdf-out out.srdf --table
 holds 'over all motions' out '^over all motions, [0-9]+ pairs: [0-9]+ proved never within 0, [0-9]+ refuted by a configuration'

@@ -99,13 +99,16 @@ bool carries_directly(const Scene& scene, std::size_t a, std::size_t b) {
 
 void turn_leaders_round(Scene& scene) {
   constexpr std::size_t turns_cap = 64;
+  constexpr std::size_t follow_cap = 100;  // let_follow() looks at all links once for each joint of a chain
   std::vector<std::size_t> turns(scene.links.size(), 1);
   for (Link& link : scene.links) {
     if (!link.follow || link.motion == Motion::fixed) continue;
     double multiplier = 1, offset = 0;
     std::size_t leader = 0, steps = 0;
     for (const Link* at = &link; at->follow; at = &scene.links[leader]) {
-      if (++steps > scene.links.size()) throw std::runtime_error("joints mimic each other in a circle");
+      if (++steps > follow_cap)
+        throw std::runtime_error("joints mimic each other in a circle, or in a chain of more than " +
+                                 std::to_string(follow_cap));
       offset += multiplier * at->follow->offset;
       multiplier *= at->follow->multiplier;
       leader = at->follow->link;

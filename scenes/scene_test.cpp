@@ -142,7 +142,7 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n1,2").find("2 fields, not 8"), std::string::npos);
   EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'/><link name='b'/></robot>").find("root"),
             std::string::npos);
-  EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'>\n").find("line 2: "), std::string::npos);
+  EXPECT_NE(error_of(".urdf", "<robot>\n<link name='a'></robot>").find("line 2: "), std::string::npos);
   EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
                 .find("sizes must be positive"),
             std::string::npos);

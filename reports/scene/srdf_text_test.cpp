@@ -28,7 +28,9 @@ std::map<std::pair<std::string, std::string>, std::string> read_back(Scene scene
   const Scratch scratch;
   scene.exemptions.clear();
   scene.notes.clear();
-  read_srdf(scratch.write("back.srdf", text), scene);
+  const std::string file = scratch.write("back.srdf", text);
+  NamedFiles files(file);
+  read_srdf(files, file, NamedBy::user, scene);
   EXPECT_TRUE(scene.notes.empty());
   std::map<std::pair<std::string, std::string>, std::string> reasons;
   for (const Exemption& e : scene.exemptions)

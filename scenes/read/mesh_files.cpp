@@ -5,18 +5,13 @@
 #include <bit>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 
 #include "scenes/read/number_list.hpp"
 
 namespace cyl {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A binary STL begins with 80 bytes without meaning and the number of triangles. Each triangle has a
 /// normal, three vertices and two more bytes. All numbers are little-endian.
@@ -99,38 +94,18 @@ std::vector<Vector3> read_stl(const std::string& bytes) {
 
 }  // namespace
 
-std::vector<Vector3> read_mesh(const std::string& file) {
-  std::string ending = fs::path(file).extension().string();
+std::vector<Vector3> read_mesh(const std::string& file, const std::string& bytes) {
+  std::string ending = std::filesystem::path(file).extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (ending != ".stl" && ending != ".obj")
     throw std::runtime_error("'" + ending + "' is neither .stl nor .obj");
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in || bytes.empty()) throw std::runtime_error("it cannot be read");
+  if (bytes.empty()) throw std::runtime_error("it is empty");
   std::vector<Vector3> vertices = ending == ".stl" ? read_stl(bytes) : read_vertices(bytes, "v");
   if (vertices.empty()) throw std::runtime_error("it has no vertices");
   if (!std::ranges::all_of(vertices, [](const Vector3& v) { return v.allFinite(); }))
     throw std::runtime_error("a vertex is not finite");
   return vertices;
-}
-
-std::string find_mesh(const std::string& name, const std::string& robot) {
-  constexpr std::string_view package = "package://", url = "file://";
-  const auto kept = [](const fs::path& path) {
-    std::error_code none;
-    return fs::is_regular_file(path, none) ? path.string() : std::string();
-  };
-  const fs::path beside = fs::absolute(robot).parent_path();
-  if (name.starts_with(url)) return kept(name.substr(url.size()));
-  if (!name.starts_with(package)) return kept(beside / name);
-  const std::string path = name.substr(package.size()), owner = path.substr(0, path.find('/')),
-                    rest = path.substr(std::min(path.size(), owner.size() + 1));
-  for (fs::path folder = beside;; folder = folder.parent_path()) {
-    if (folder.filename() == owner && !kept(folder / rest).empty()) return kept(folder / rest);
-    if (!kept(folder / path).empty()) return kept(folder / path);
-    if (folder == folder.root_path()) return "";
-  }
 }
 
 }  // namespace cyl

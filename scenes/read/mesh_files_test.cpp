@@ -5,28 +5,19 @@
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
-
-#include "base/scratch_test.hpp"
 
 namespace cyl {
 namespace {
 
-namespace fs = std::filesystem;
-
-class Meshes : public testing::Test, protected Scratch {
- protected:
-  Meshes() { fs::create_directories(folder / "robots" / "arm" / "meshes"); }
-  std::string why(const std::string& name, const std::string& bytes) const {
-    try {
-      read_mesh(write(name, bytes));
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "read";
+std::string why(const std::string& name, const std::string& bytes) {
+  try {
+    read_mesh(name, bytes);
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
-};
+  return "read";
+}
 
 /// Returns a binary STL of one triangle, little-endian.
 std::string triangle(const std::array<float, 9>& corners) {
@@ -44,31 +35,31 @@ std::string triangle(const std::array<float, 9>& corners) {
 
 const std::vector<Vector3> expected{{1, 2.5, -3}, {0, 0, 1e-3f}, {4, 5, 6}};
 
-TEST_F(Meshes, BinaryStl) {
+TEST(Meshes, BinaryStl) {
   const std::string bytes = triangle({1, 2.5, -3, 0, 0, 1e-3f, 4, 5, 6});
-  EXPECT_EQ(read_mesh(write("a.STL", bytes)), expected);
-  EXPECT_EQ(read_mesh(write("a.stl", "other" + bytes.substr(5) + "and a note")), expected);
+  EXPECT_EQ(read_mesh("a.STL", bytes), expected);
+  EXPECT_EQ(read_mesh("a.stl", "other" + bytes.substr(5) + "and a note"), expected);
 }
 
-TEST_F(Meshes, AsciiStl) {
+TEST(Meshes, AsciiStl) {
   const std::vector<Vector3> read =
-      read_mesh(write("a.stl",
-                      "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 1 2.5 -3\n"
-                      "   vertex 0 +0 1e-3\r\n   vertex 4 5 6\n  endloop\n"
-                      " endfacet\nendsolid a\n"));
+      read_mesh("a.stl",
+                "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 1 2.5 -3\n"
+                "   vertex 0 +0 1e-3\r\n   vertex 4 5 6\n  endloop\n"
+                " endfacet\nendsolid a\n");
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0], expected[0]);
   EXPECT_EQ(read[1], Vector3(0, 0, 1e-3));
   EXPECT_EQ(read[2], expected[2]);
 }
 
-TEST_F(Meshes, Obj) {
+TEST(Meshes, Obj) {
   const std::vector<Vector3> read =
-      read_mesh(write("a.obj", "# v 9 9 9\nv 1 2.5 -3 1\nvn 0 0 1\n\tv 4 5 6\nvt 0 0\nf 1//1 2//1 1//1\n"));
+      read_mesh("a.obj", "# v 9 9 9\nv 1 2.5 -3 1\nvn 0 0 1\n\tv 4 5 6\nvt 0 0\nf 1//1 2//1 1//1\n");
   EXPECT_EQ(read, (std::vector<Vector3>{expected[0], expected[2]}));
 }
 
-TEST_F(Meshes, WhyOneCannotBeRead) {
+TEST(Meshes, WhyOneCannotBeRead) {
   EXPECT_EQ(why("a.dae", "<COLLADA/>"), "'.dae' is neither .stl nor .obj");
   EXPECT_EQ(why("a.obj", "vn 0 0 1\n"), "it has no vertices");
   EXPECT_EQ(why("a.obj", "\nv 1 2\n"), "line 2: fewer than 3 numbers");
@@ -78,23 +69,7 @@ TEST_F(Meshes, WhyOneCannotBeRead) {
   EXPECT_EQ(why("a.stl", triangle({}).substr(0, 100)), "an STL that is cut short");
   EXPECT_EQ(why("b.stl", "P6"), "an STL that is cut short, or none");
   EXPECT_EQ(why("c.stl", "solid a\nvertex 1 2 3\n"), "an STL that is cut short");
-  EXPECT_EQ(why("c.stl", ""), "it cannot be read");
-}
-
-TEST_F(Meshes, AreFoundFromTheRobotUpwards) {
-  const std::string robot = (folder / "robots" / "arm" / "arm.urdf").string();
-  const std::string mesh = write("robots/arm/meshes/hand.stl", "x");
-  const auto found = [&](const std::string& name) {
-    const std::string file = find_mesh(name, robot);
-    return !file.empty() && fs::equivalent(file, mesh);
-  };
-  EXPECT_TRUE(found("meshes/hand.stl"));
-  EXPECT_TRUE(found("package://arm/meshes/hand.stl"));
-  EXPECT_TRUE(found("package://robots/arm/meshes/hand.stl"));
-  EXPECT_TRUE(found("file://" + mesh));
-  EXPECT_EQ(find_mesh("package://other/meshes/hand.stl", robot), "");
-  EXPECT_EQ(find_mesh("package://arm/meshes", robot), "") << "a folder";
-  EXPECT_EQ(find_mesh("meshes/foot.stl", robot), "");
+  EXPECT_EQ(why("c.stl", ""), "it is empty");
 }
 
 }  // namespace

@@ -96,6 +96,8 @@ class MjcfBuilder {
   }
 
   void add(const Part& body, std::size_t parent, bool parent_stands) {
+    if (scene_.links.size() > link_cap)
+      throw std::runtime_error(fmt::format("its bodies and joints are more than {}", link_cap));
     const pugi::xml_node& node = body.element.node();
     Link link;
     link.name = name_of(node, "body", bodies_++);
@@ -296,19 +298,24 @@ class MjcfBuilder {
     }
   }
 
-  std::vector<Vector3> mesh_points(const std::string& name) const {
-    for (const pugi::xml_node& node : d_.entries("asset", "mesh")) {
-      const MjcfElement mesh(d_, node, "");
-      const std::string file = mesh.text("file");
-      if (mesh.text("name", std::filesystem::path(file).stem().string()) != name) continue;
-      if (file.empty() || !mesh.text("refpos").empty() || !mesh.text("refquat").empty())
-        throw std::runtime_error("it is not a plain file");
-      const Vector3 scale = mesh.vector("scale", Vector3::Ones());
-      std::vector<Vector3> points = read_mesh(d_.mesh_path(file));
-      for (Vector3& p : points) p = p.cwiseProduct(scale);
-      return points;
+  std::vector<Vector3> mesh_points(const std::string& name) {
+    if (meshes_.empty()) {
+      for (const pugi::xml_node& node : d_.entries("asset", "mesh")) {
+        const MjcfElement mesh(d_, node, "");
+        const std::filesystem::path file = mesh.text("file");
+        meshes_.emplace(mesh.text("name", file.stem().string()), mesh);
+      }
     }
-    throw std::runtime_error("no such asset");
+    const auto found = meshes_.find(name);
+    if (found == meshes_.end()) throw std::runtime_error("no such asset");
+    const MjcfElement& mesh = found->second;
+    const std::string file = mesh.text("file");
+    if (file.empty() || !mesh.text("refpos").empty() || !mesh.text("refquat").empty())
+      throw std::runtime_error("it is not a plain file");
+    const Vector3 scale = mesh.vector("scale", Vector3::Ones());
+    std::vector<Vector3> points = read_mesh(file, d_.read_file(file));
+    for (Vector3& p : points) p = p.cwiseProduct(scale);
+    return points;
   }
 
   void exclude(const pugi::xml_node& node) {
@@ -372,17 +379,14 @@ class MjcfBuilder {
   std::set<std::pair<std::string, std::string>> names_;  ///< names in use: of a body, joint or geom
   std::map<std::string, std::size_t> link_of_;
   std::map<std::string, Moved> moved_;
+  std::map<std::string, MjcfElement> meshes_;  ///< the first of each name; filled when a mesh is needed
 };
 
 }  // namespace
 
-Scene read_mjcf(const std::string& file) {
-  try {
-    const MjcfDocument document(file);
-    return MjcfBuilder(document).build();
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file + ": " + error.what());
-  }
+Scene read_mjcf(NamedFiles& files) {
+  const MjcfDocument document(files);
+  return MjcfBuilder(document).build();
 }
 
 }  // namespace cyl

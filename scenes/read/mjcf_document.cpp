@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/read/mjcf_document.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
@@ -15,27 +15,12 @@
 namespace cyl {
 namespace {
 
-/// Files may include files that include files. More inclusions than this are a circle.
-constexpr int include_cap = 200;
-/// The most elements within elements, because a walk through them needs room on the stack.
-constexpr int depth_cap = 1000;
+/// The most files that one scene includes, where a file may count twice, and the most in each other: the
+/// content of a file is copied into each file around it.
+constexpr std::size_t include_cap = 1000, include_depth_cap = 50;
+/// The most values in all classes of defaults: a class holds those of all classes around it.
+constexpr std::size_t default_cap = 1'000'000;
 constexpr const char* main_class = "main";
-
-struct DepthCheck : pugi::xml_tree_walker {
-  bool for_each(pugi::xml_node&) override { return depth() < depth_cap; }
-};
-
-void load_xml(pugi::xml_document& document, const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw std::runtime_error(file.string() + " cannot be opened");
-  const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
-  if (DepthCheck check; result && !document.traverse(check))
-    throw std::runtime_error("elements are nested more than " + std::to_string(depth_cap) + " deep");
-  if (result) return;
-  const auto line = 1 + std::count(text.begin(), text.begin() + result.offset, '\n');
-  throw std::runtime_error("line " + std::to_string(line) + ": " + result.description());
-}
 
 }  // namespace
 
@@ -46,12 +31,11 @@ Eigen::Quaterniond turn_from_z(const Vector3& to) {
       Eigen::AngleAxisd(std::atan2(sine, direction.z()), sine > 0 ? Vector3(axis / sine) : Vector3::UnitX()));
 }
 
-MjcfDocument::MjcfDocument(const std::string& file)
-    : folder_(std::filesystem::absolute(file).parent_path().string()) {
-  load_xml(document_, file);
+MjcfDocument::MjcfDocument(NamedFiles& files) : files_(files) {
+  files_.load(document_, files_.first(), NamedBy::user);
   root_ = document_.child("mujoco");
   if (!root_) throw std::runtime_error("no <mujoco>");
-  include(root_, folder_);
+  include(root_, files_.folder(), 1);
   set_compiler();
   classes_[main_class];
   for (const pugi::xml_node& node : sections("default")) {
@@ -60,20 +44,35 @@ MjcfDocument::MjcfDocument(const std::string& file)
   }
 }
 
-void MjcfDocument::include(pugi::xml_node parent, const std::string& folder) {
+void MjcfDocument::include(pugi::xml_node parent, const std::filesystem::path& folder, int depth) {
+  if (depth > depth_cap)
+    throw std::runtime_error(
+        fmt::format("with its includes, elements are nested more than {} deep", depth_cap));
   for (pugi::xml_node next, child = parent.first_child(); child; child = next) {
     next = child.next_sibling();
     if (std::strcmp(child.name(), "include") != 0) {
-      include(child, folder);
+      include(child, folder, depth + 1);
       continue;
     }
-    if (++included_ > include_cap) throw std::runtime_error("files include each other in a circle");
     const std::string name = child.attribute("file").as_string();
-    std::filesystem::path path = std::filesystem::path(folder_) / name;  // of the first file, as in MuJoCo
-    if (!std::filesystem::exists(path)) path = std::filesystem::path(folder) / name;
+    std::filesystem::path path = files_.folder() / name;  // of the first file, as in MuJoCo
+    if (!std::filesystem::exists(path)) path = folder / name;
+    std::error_code none;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, none);
+    if (std::ranges::find(open_, real) != open_.end())
+      throw std::runtime_error("files include each other in a circle");
+    if (++included_ > include_cap || open_.size() >= include_depth_cap)
+      throw std::runtime_error(fmt::format("more than {} files are included, or more than {} in each other",
+                                           include_cap, include_depth_cap));
     pugi::xml_document other;
-    load_xml(other, path);
-    include(other.document_element(), path.parent_path().string());
+    try {
+      files_.load(other, path, NamedBy::file);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path.string() + ": " + error.what());
+    }
+    open_.push_back(real);
+    include(other.document_element(), path.parent_path(), depth);
+    open_.pop_back();
     for (const pugi::xml_node& node : other.document_element().children())
       parent.insert_copy_before(node, child);
     parent.remove_child(child);
@@ -118,6 +117,9 @@ void MjcfDocument::read_class(pugi::xml_node node, const std::string& name, Defa
     for (const pugi::xml_attribute& attribute : child.attributes())
       if (std::strcmp(child.name(), "default") != 0)
         given[child.name()][attribute.name()] = attribute.value();
+  for (const auto& [element, values] : given) defaults_ += values.size();
+  if (defaults_ > default_cap)
+    throw std::runtime_error(fmt::format("the classes of defaults have more than {} values", default_cap));
   classes_[name] = given;
   for (const pugi::xml_node& child : node.children("default"))
     read_class(child, child.attribute("class").as_string(), given);
@@ -135,10 +137,10 @@ std::vector<pugi::xml_node> MjcfDocument::entries(const std::string& section, co
   return found;
 }
 
-std::string MjcfDocument::mesh_path(const std::string& file) const {
+std::string MjcfDocument::read_file(const std::string& file) const {
   const std::filesystem::path path =
       strippath_ ? std::filesystem::path(file).filename() : std::filesystem::path(file);
-  return (std::filesystem::path(folder_) / meshdir_ / path).string();
+  return files_.read(files_.folder() / meshdir_ / path, NamedBy::file);
 }
 
 double MjcfDocument::angle(double value) const { return degrees_ ? value * std::numbers::pi / 180 : value; }

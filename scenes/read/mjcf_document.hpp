@@ -3,12 +3,14 @@
 // leniently: parts that it does not need may be of any version of MuJoCo.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
 
+#include "scenes/read/named_files.hpp"
 #include "scenes/scene.hpp"
 
 namespace cyl {
@@ -42,13 +44,13 @@ class MjcfElement {
 class MjcfDocument {
  public:
   /// Throws std::runtime_error without the file's name.
-  explicit MjcfDocument(const std::string& file);
+  explicit MjcfDocument(NamedFiles& files);
 
   /// The elements of a name below <mujoco>, and below those of a section.
   std::vector<pugi::xml_node> sections(const std::string& name) const;
   std::vector<pugi::xml_node> entries(const std::string& section, const std::string& name) const;
-  /// Returns a path of a mesh as it is meant: below the folder that the compiler names.
-  std::string mesh_path(const std::string& file) const;
+  /// Returns the bytes of a mesh, which is below the folder that the compiler names.
+  std::string read_file(const std::string& file) const;
   /// Returns what a number in the file is in rad.
   double angle(double value) const;
 
@@ -64,16 +66,18 @@ class MjcfDocument {
 
  private:
   using Defaults = std::map<std::string, std::map<std::string, std::string>>;  // element, attribute: value
-  void include(pugi::xml_node parent, const std::string& folder);
+  void include(pugi::xml_node parent, const std::filesystem::path& folder, int depth);
   void read_class(pugi::xml_node node, const std::string& name, Defaults given);
   void set_compiler();
 
+  NamedFiles& files_;
   pugi::xml_document document_;
   pugi::xml_node root_;
-  std::string folder_, meshdir_, eulerseq_ = "xyz";
+  std::string meshdir_, eulerseq_ = "xyz";
   bool degrees_ = true, autolimits_ = true, strippath_ = false, limits_ = true, equalities_ = true,
        filters_parents_ = true;
-  int included_ = 0;
+  std::vector<std::filesystem::path> open_;  ///< included files that include this one
+  std::size_t included_ = 0, defaults_ = 0;
   std::map<std::string, Defaults> classes_;
 };
 

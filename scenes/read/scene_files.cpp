@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/read/scene_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,6 +12,8 @@
 #include <string_view>
 
 #include "base/json.hpp"
+#include "base/safe_text.hpp"
+#include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
 namespace {
@@ -106,13 +110,19 @@ class CsvLines {
 };
 
 Scene read_lines(const std::string& file, bool csv) {
+  check_given_file(file, list_cap);
   std::ifstream in(file);
-  if (!in) throw std::runtime_error(file + ": cannot be opened");
+  if (!in) throw std::runtime_error("it cannot be opened");
   std::vector<Named> cylinders;
   CsvLines lines;
   std::string text;
   bool headed = !csv;
-  for (std::size_t number = 1; std::getline(in, text); ++number) {
+  std::size_t number = 1, bytes = 0;
+  for (std::string room(line_cap, '\0'); in.getline(room.data(), line_cap); ++number) {
+    const auto got = static_cast<std::size_t>(in.gcount());
+    text.assign(room, 0, in.eof() ? got : got - 1);
+    if ((bytes += got) > list_cap)
+      throw std::runtime_error(fmt::format("it is larger than {} MiB", list_cap >> 20));
     if (text.find_first_not_of(" \t\r") == text.npos) continue;
     try {
       if (!headed) {
@@ -124,11 +134,33 @@ Scene read_lines(const std::string& file, bool csv) {
       if (const Defect defect = find_defect(cylinders.back().second); defect != Defect::none)
         throw std::runtime_error(to_string(defect));
     } catch (const std::exception& error) {
-      throw std::runtime_error(file + ": line " + std::to_string(number) + ": " + error.what());
+      throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
     }
   }
-  if (in.bad()) throw std::runtime_error(file + ": cannot be read");
+  if (in.bad()) throw std::runtime_error("it cannot be read");
+  if (!in.eof())
+    throw std::runtime_error(fmt::format("line {} is longer than {} MiB", number, line_cap >> 20));
   return still_scene(std::move(cylinders));
+}
+
+/// Escapes the names, because they are shown: a stranger may have chosen them.
+void escape_names(Scene& scene) {
+  const auto escape = [](std::string& text) { text = escaped_controls(text); };
+  escape(scene.name);
+  for (Link& link : scene.links) {
+    escape(link.name);
+    escape(link.joint);
+  }
+  for (Body& body : scene.bodies) {
+    escape(body.name);
+    std::ranges::for_each(body.paired, escape);
+  }
+  for (LeftOut& shape : scene.left_out) {
+    escape(shape.shape);
+    escape(shape.link);
+  }
+  std::ranges::for_each(scene.notes, escape);
+  for (Exemption& exemption : scene.exemptions) escape(exemption.reason);
 }
 
 }  // namespace
@@ -144,28 +176,35 @@ Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders) {
   return scene;
 }
 
-Scene read_scene(const std::string& file, const std::string& srdf) {
+Scene read_scene(const std::string& file, const std::string& srdf, const std::vector<std::string>& folders) {
+  NamedFiles files(file, folders);
   const std::filesystem::path path(file);
   const std::string ending = path.extension().string();
-  const auto read = [&] {
+  const auto naming = [](const std::string& name, auto work) {
+    try {
+      return work();
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(name + ": " + error.what());
+    }
+  };
+  Scene scene = naming(file, [&] {
     if (ending == ".jsonl") return read_lines(file, false);
     if (ending == ".csv") return read_lines(file, true);
 #ifdef DAYLIGHT_WITH_URDFDOM
-    if (ending == ".urdf") return read_urdf(file);
+    if (ending == ".urdf") return read_urdf(files);
 #else
     if (ending == ".urdf")
-      throw std::runtime_error(file +
-                               ": this build reads no URDF, for urdfdom was not there (liburdfdom-dev)");
+      throw std::runtime_error("this build reads no URDF, for urdfdom was not there (liburdfdom-dev)");
 #endif
-    if (ending == ".xml") return read_mjcf(file);
-    throw std::runtime_error(file + ": not a scene: expected .jsonl, .csv, .urdf or .xml");
-  };
-  Scene scene = read();
+    if (ending == ".xml") return read_mjcf(files);
+    throw std::runtime_error("not a scene: expected .jsonl, .csv, .urdf or .xml");
+  });
+  const std::string beside = std::filesystem::path(path).replace_extension(".srdf").string();
   if (!srdf.empty())
-    read_srdf(srdf, scene);
-  else if (const auto beside = std::filesystem::path(path).replace_extension(".srdf");
-           ending == ".urdf" && std::filesystem::exists(beside))
-    read_srdf(beside.string(), scene);
+    naming(srdf, [&] { read_srdf(files, srdf, NamedBy::user, scene); });
+  else if (ending == ".urdf" && std::filesystem::exists(beside))
+    naming(beside, [&] { read_srdf(files, beside, NamedBy::file, scene); });
+  escape_names(scene);
   return scene;
 }
 

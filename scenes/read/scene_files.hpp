@@ -8,19 +8,24 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "scenes/read/named_files.hpp"
 #include "scenes/scene.hpp"
 
 namespace cyl {
 
-/// Without an SRDF named, that beside a .urdf file is read, of the same name. Throws std::runtime_error
-/// "FILE: ..." on what cannot be read.
-Scene read_scene(const std::string& file, const std::string& srdf = "");
+/// Without an SRDF named, that beside a .urdf file is read, of the same name. Files may name files in
+/// `folders`, besides those that named_files.hpp states. Throws std::runtime_error "FILE: ..." on what cannot
+/// be read.
+Scene read_scene(const std::string& file, const std::string& srdf = "",
+                 const std::vector<std::string>& folders = {});
 
-Scene read_urdf(const std::string& file);
-Scene read_mjcf(const std::string& file);
+/// Each throws std::runtime_error with the reason, without the file's name.
+Scene read_urdf(NamedFiles& files);
+Scene read_mjcf(NamedFiles& files);
 /// Adds the pairs of links that an SRDF disables; links that the scene has not are noted.
-void read_srdf(const std::string& file, Scene& scene);
+void read_srdf(NamedFiles& files, const std::string& file, NamedBy by, Scene& scene);
 /// Solids that stand still, each on a link of its own.
 Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <stdexcept>
@@ -10,20 +11,22 @@
 
 namespace cyl {
 
-void read_srdf(const std::string& file, Scene& scene) {
+void read_srdf(NamedFiles& files, const std::string& file, NamedBy by, Scene& scene) {
   pugi::xml_document document;
-  if (const auto read = document.load_file(file.c_str()); !read)
-    throw std::runtime_error(fmt::format("{}: {}, at byte {}", file, read.description(), read.offset));
+  files.load(document, file, by);
   const pugi::xml_node robot = document.child("robot");
-  if (!robot) throw std::runtime_error(file + ": no <robot>");
+  if (!robot) throw std::runtime_error("no <robot>");
   scene.srdf = file;
+  std::map<std::string, std::size_t> links;
+  for (std::size_t i = 0; i < scene.links.size(); ++i) links.emplace(scene.links[i].name, i);
   std::set<std::string> missing;
   for (const pugi::xml_node& e : robot.children("disable_collisions")) {
     const auto link_of = [&](const char* attribute) {
       const std::string name = e.attribute(attribute).value();
-      const auto found = std::ranges::find(scene.links, name, &Link::name);
-      if (found == scene.links.end()) missing.insert(name);
-      return static_cast<std::size_t>(found - scene.links.begin());
+      const auto found = links.find(name);
+      if (found != links.end()) return found->second;
+      missing.insert(name);
+      return scene.links.size();
     };
     const std::size_t one = link_of("link1"), other = link_of("link2");
     if (std::max(one, other) == scene.links.size()) continue;

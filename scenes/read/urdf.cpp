@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <console_bridge/console.h>
 #include <fmt/format.h>
-#include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <initializer_list>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <pugixml.hpp>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,7 @@
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/mesh_files.hpp"
+#include "scenes/read/named_files.hpp"
 #include "scenes/read/number_list.hpp"
 #include "scenes/read/scene_files.hpp"
 
@@ -38,19 +41,11 @@ class Messages final : public console_bridge::OutputHandler {
   std::string all_;
 };
 
-std::string attribute(const TiXmlElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value ? value : "";
-}
-
-void load(TiXmlDocument& document, const std::string& file) {
-  if (!document.LoadFile(file))
-    throw std::runtime_error(file + ": line " + std::to_string(document.ErrorRow()) + ": " +
-                             document.ErrorDesc());
-}
-
-void remove_all(TiXmlElement& parent, const char* name) {
-  while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
+void remove_all(pugi::xml_node parent, std::initializer_list<std::string_view> names) {
+  for (pugi::xml_node next, child = parent.first_child(); child; child = next) {
+    next = child.next_sibling();
+    if (std::ranges::find(names, std::string_view(child.name())) != names.end()) parent.remove_child(child);
+  }
 }
 
 /// A collision shape as the file has it. If urdfdom does not know the shape, or would drop it because it
@@ -62,49 +57,53 @@ using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
 
 /// urdfdom refuses a robot that has a joint of three turns, or a joint of an invented type. Such joints pass
 /// as floating joints, which are held too.
-void pass_joints(TiXmlElement& robot) {
+void pass_joints(pugi::xml_node robot) {
   constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
-  for (TiXmlElement* joint = robot.FirstChildElement("joint"); joint;
-       joint = joint->NextSiblingElement("joint"))
-    if (std::ranges::find(known, attribute(*joint, "type")) == known.end())
-      joint->SetAttribute("type", "floating");
+  for (pugi::xml_node joint : robot.children("joint")) {
+    if (std::ranges::find(known, std::string(joint.attribute("type").value())) != known.end()) continue;
+    joint.remove_attribute("type");
+    joint.append_attribute("type") = "floating";
+  }
 }
 
 /// Newer readers turn an origin by a quaternion. Our reader would not turn it, so this refuses the file.
-void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
-  if (element.Attribute("quat_xyzw"))
+void refuse_quaternions(const pugi::xml_node& element, const std::string& text) {
+  if (element.attribute("quat_xyzw"))
     throw std::runtime_error(
-        fmt::format("{}: line {}: an origin by quat_xyzw is not read: give it as rpy", file, element.Row()));
-  for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
-    if (std::string_view(child->Value()) != "inertial") refuse_quaternions(*child, file);
+        fmt::format("line {}: an origin by quat_xyzw is not read: give it as rpy",
+                    1 + std::count(text.begin(), text.begin() + element.offset_debug(), '\n')));
+  for (const pugi::xml_node& child : element.children())
+    if (std::string_view(child.name()) != "inertial") refuse_quaternions(child, text);
 }
 
 /// urdfdom refuses a whole robot if a material is named twice or a shape is unknown. Neither matters here.
 /// This removes the parts that are not needed, and notes each shape that is unknown here too.
-KeptShapes keep_shapes(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+KeptShapes keep_shapes(pugi::xml_node robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
   constexpr std::array known{"cylinder", "sphere", "capsule", "box", "mesh"};
   KeptShapes kept;
-  for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
-  for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
-    remove_all(*link, "visual");
-    const std::string name = attribute(*link, "name");
-    for (TiXmlElement *next, *collision = link->FirstChildElement("collision"); collision; collision = next) {
-      next = collision->NextSiblingElement("collision");
+  remove_all(robot, {"material", "transmission", "gazebo", "mujoco", "sensor"});
+  for (pugi::xml_node link : robot.children("link")) {
+    remove_all(link, {"visual"});
+    const std::string name = link.attribute("name").value();
+    for (pugi::xml_node next, collision = link.child("collision"); collision; collision = next) {
+      next = collision.next_sibling("collision");
       ++shapes[name];
-      TiXmlElement* geometry = collision->FirstChildElement("geometry");
-      TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
-      const std::string kind = shape ? shape->Value() : "nothing";
+      pugi::xml_node shape = collision.child("geometry").find_child([](const pugi::xml_node& node) {
+        return node.type() == pugi::node_element;
+      });
+      const std::string kind = shape ? shape.name() : "nothing";
       if (std::ranges::find(known, kind) == known.end()) {
         scene.left_out.push_back({kind, name});
-        link->RemoveChild(collision);
+        link.remove_child(collision);
         continue;
       }
-      kept[name].push_back(
-          {kind, attribute(*shape, kind == "box" ? "size" : "scale"), attribute(*shape, "filename")});
-      if (kind == "capsule") shape->SetValue("cylinder");
+      kept[name].push_back({kind, shape.attribute(kind == "box" ? "size" : "scale").value(),
+                            shape.attribute("filename").value()});
+      if (kind == "capsule") shape.set_name("cylinder");
       if (kind != "box" && kind != "mesh") continue;
-      shape->SetValue("sphere");
-      shape->SetAttribute("radius", "1");
+      shape.set_name("sphere");
+      shape.remove_attribute("radius");
+      shape.append_attribute("radius") = "1";
     }
   }
   return kept;
@@ -208,7 +207,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
 }
 
 /// Returns the corners of a box or the vertices of a mesh. Throws std::runtime_error with the reason if none.
-std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) {
+std::vector<Vector3> points_of(const KeptShape& shape, NamedFiles& files) {
   std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
   if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
   if (x.size() != 3) throw std::runtime_error("'" + shape.numbers + "' is not 3 numbers");
@@ -217,11 +216,9 @@ std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) 
     const auto corners = corners_of(by);
     return {corners.begin(), corners.end()};
   }
-  const std::string found = find_mesh(shape.file, file);
-  if (found.empty()) throw std::runtime_error(shape.file + " is not there");
   std::vector<Vector3> points;
   try {
-    points = read_mesh(found);
+    points = read_mesh(shape.file, files.read(files.find(shape.file), NamedBy::file));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(shape.file + ": " + error.what());
   }
@@ -231,14 +228,14 @@ std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) 
 
 /// Returns a shape as a body, with its bound if it is a box or mesh. If it fails, a note states the reason.
 std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const KeptShape& shape,
-                            const std::string& file, Body body) {
+                            NamedFiles& files, Body body) {
   const Pose pose = urdf_pose(collision.origin);
   if (shape.kind != "box" && shape.kind != "mesh") {
     body.solid = solid_of(*collision.geometry, pose, shape.kind == "capsule");
     return body;
   }
   try {
-    return bounded_body(body.name, body.link, shape.kind, points_of(shape, file), pose);
+    return bounded_body(body.name, body.link, shape.kind, points_of(shape, files), pose);
   } catch (const std::runtime_error& error) {
     const std::string& link = scene.links[body.link].name;
     scene.left_out.push_back({shape.kind, link});
@@ -248,8 +245,10 @@ std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, cons
 }
 
 void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes,
-                const std::string& file) {
+                NamedFiles& files) {
   const std::size_t first = scene.bodies.size();
+  if (first + shapes.size() > link_cap)
+    throw std::runtime_error(fmt::format("it has more than {} shapes", link_cap));
   if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped a shape, and it is unknown which
     for (const KeptShape& shape : shapes) scene.left_out.push_back({shape.kind, link.name});
     return;
@@ -261,7 +260,7 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const s
       name += "/" + collision->name;
     else if (shapes.size() > 1)
       name += "/" + std::to_string(i + 1);
-    const std::optional<Body> body = body_of(scene, *collision, shapes[i], file, {name, index, {}, 1, 1});
+    const std::optional<Body> body = body_of(scene, *collision, shapes[i], files, {name, index, {}, 1, 1});
     if (!body) continue;
     if (const Defect defect = find_defect(body->solid); defect != Defect::none)
       throw std::runtime_error("shape " + name + ": " + to_string(defect));
@@ -276,28 +275,20 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const s
 class UrdfBuilder {
  public:
   UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const KeptShapes& kept,
-              const std::string& file)
-      : scene_(scene), shapes_(shapes), kept_(kept), file_(file) {}
+              NamedFiles& files)
+      : scene_(scene), shapes_(shapes), kept_(kept), files_(files) {}
 
-  void add(const urdf::Link& link, std::optional<std::size_t> parent) {
-    const std::size_t index = scene_.links.size();
-    Link own;
-    own.name = link.name;
-    own.parent = parent;
-    if (const auto shapes = shapes_.find(link.name); shapes != shapes_.end()) own.shapes = shapes->second;
-    if (const auto& joint = link.parent_joint) {
-      own.joint = joint->name;
-      joint_index_[joint->name] = index;
-      own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
-      set_motion(own, *joint, scene_);
-      if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
-      // A link that slides or floats on the world is not a part of it, so it may hit all that stands there.
-      own.stands = (own.held || own.motion == Motion::slide) && is_world(*parent);
+  /// Adds a link and all that it carries, without recursion: a stranger's chain of links may be long.
+  void add_all(const urdf::Link& root) {
+    std::vector<std::pair<const urdf::Link*, std::optional<std::size_t>>> waiting{{&root, std::nullopt}};
+    while (!waiting.empty()) {
+      const auto [link, parent] = waiting.back();
+      waiting.pop_back();
+      const std::size_t index = scene_.links.size();
+      add(*link, parent);
+      for (auto child = link->child_links.rbegin(); child != link->child_links.rend(); ++child)
+        waiting.emplace_back(child->get(), index);
     }
-    scene_.links.push_back(std::move(own));
-    const auto kept = kept_.find(link.name);
-    add_bodies(scene_, index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second, file_);
-    for (const auto& child : link.child_links) add(*child, index);
   }
 
   void follow() {
@@ -318,52 +309,67 @@ class UrdfBuilder {
   }
 
  private:
-  /// Whether a link is the root, or fixed to it.
-  bool is_world(std::size_t link) const {
-    const Link& l = scene_.links[link];
-    return !l.parent || (l.motion == Motion::fixed && !l.held && is_world(*l.parent));
+  void add(const urdf::Link& link, std::optional<std::size_t> parent) {
+    const std::size_t index = scene_.links.size();
+    Link own;
+    own.name = link.name;
+    own.parent = parent;
+    if (const auto shapes = shapes_.find(link.name); shapes != shapes_.end()) own.shapes = shapes->second;
+    if (const auto& joint = link.parent_joint) {
+      own.joint = joint->name;
+      joint_index_[joint->name] = index;
+      own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
+      set_motion(own, *joint, scene_);
+      if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
+      // A link that slides or floats on the world is not a part of it, so it may hit all that stands there.
+      own.stands = (own.held || own.motion == Motion::slide) && is_world_[*parent];
+    }
+    is_world_.push_back(!parent || (own.motion == Motion::fixed && !own.held && is_world_[*parent]));
+    scene_.links.push_back(std::move(own));
+    const auto kept = kept_.find(link.name);
+    add_bodies(scene_, index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second, files_);
   }
 
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
   const KeptShapes& kept_;
-  const std::string& file_;
+  NamedFiles& files_;
+  std::vector<bool> is_world_;  ///< by link: whether it is the root, or fixed to it
   std::map<std::string, std::size_t> joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };
 
 }  // namespace
 
-Scene read_urdf(const std::string& file) {
-  TiXmlDocument document;
-  load(document, file);
-  TiXmlElement* robot = document.FirstChildElement("robot");
-  if (!robot) throw std::runtime_error(file + ": no <robot>");
+Scene read_urdf(NamedFiles& files) {
+  pugi::xml_document document;
+  const std::string text = files.load(document, files.first(), NamedBy::user);
+  pugi::xml_node robot = document.child("robot");
+  if (!robot) throw std::runtime_error("no <robot>");
+  const auto all = robot.children("link");
+  if (static_cast<std::size_t>(std::distance(all.begin(), all.end())) > link_cap)
+    throw std::runtime_error(fmt::format("it has more than {} links", link_cap));
   Scene scene;
-  scene.name = attribute(*robot, "name");
+  scene.name = robot.attribute("name").value();
   std::map<std::string, std::size_t> shapes;
-  pass_joints(*robot);
-  const KeptShapes kept = keep_shapes(*robot, scene, shapes);
-  refuse_quaternions(*robot, file);
-  TiXmlPrinter text;
-  document.Accept(&text);
+  pass_joints(robot);
+  const KeptShapes kept = keep_shapes(robot, scene, shapes);
+  refuse_quaternions(robot, text);
+  std::ostringstream plain;  // without what urdfdom's own reader of XML may stumble over
+  document.save(plain, "", pugi::format_raw | pugi::format_no_declaration);
 
   Messages messages;
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
-  if (!model) throw std::runtime_error(file + ": " + messages.all());
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(plain.str());
+  if (!model) throw std::runtime_error(messages.all());
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
-  UrdfBuilder builder(scene, shapes, kept, file);
-  try {
-    // urdfdom ensures that all links but one are carried. The links of a loop do not hang on that one.
-    if (model->joints_.size() + 1 != model->links_.size())
-      throw std::runtime_error("two joints carry the same link");
-    builder.add(*model->getRoot(), std::nullopt);
-    if (scene.links.size() != model->links_.size())
-      throw std::runtime_error("links carry each other in a loop");
-    builder.follow();
-  } catch (const std::exception& error) {
-    throw std::runtime_error(file + ": " + error.what());
-  }
+  // urdfdom ensures that all links but one are carried. The links of a loop do not hang on that one.
+  if (model->joints_.size() + 1 != model->links_.size())
+    throw std::runtime_error("two joints carry the same link");
+  UrdfBuilder builder(scene, shapes, kept, files);
+  builder.add_all(*model->getRoot());
+  if (scene.links.size() != model->links_.size())
+    throw std::runtime_error("links carry each other in a loop");
+  builder.follow();
   return scene;
 }
 

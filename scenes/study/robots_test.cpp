@@ -14,6 +14,7 @@
 #include "oracles/referee/referee.hpp"
 #include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/mesh_files.hpp"
+#include "scenes/read/named_files.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/scene_study.hpp"
 
@@ -113,14 +114,18 @@ TEST(RobotBounds, HoldTheCornersOfTheirBoxes) {
   EXPECT_EQ(boxes, 9u);
 }
 
+std::vector<Vector3> vertices_of(const std::string& mesh) {
+  return read_mesh(mesh, NamedFiles(folder + mesh).read(folder + mesh, NamedBy::user));
+}
+
 // The meshes have the scale and the place that the files give.
 TEST(RobotBounds, HoldTheVerticesOfTheirMeshes) {
   using Turn = Eigen::AngleAxisd;
   const Scene porter = read_scene(folder + "porter.urdf"), hand = read_scene(folder + "hand.xml");
-  for (const Vector3& v : read_mesh(folder + "meshes/bumper.stl"))
+  for (const Vector3& v : vertices_of("meshes/bumper.stl"))
     expect_held(body(porter, "cart/bumper").solid,
                 Vector3(0.36, 0, 0.15) + Turn(0.2, Vector3::UnitY()) * (0.01 * v), "bumper");
-  for (const Vector3& v : read_mesh(folder + "meshes/plate.obj")) {
+  for (const Vector3& v : vertices_of("meshes/plate.obj")) {
     const Vector3 of_fore = v.cwiseProduct(Vector3(0.002, 0.002, 0.004));
     expect_held(body(porter, "fore/2").solid,
                 Vector3(0.04, 0, 0.1) + Turn(0.4, Vector3::UnitZ()) * (Turn(1.5, Vector3::UnitX()) * of_fore),

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/read/named_files.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "base/scratch_test.hpp"
+#include "scenes/read/scene_files.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders of a workspace with a ROS package, and files outside of it.
+class NamedFilesTest : public testing::Test, protected Scratch {
+ protected:
+  NamedFilesTest() {
+    for (const char* name : {"ws/src/arm/urdf", "ws/src/arm/meshes", "ws/src/other/meshes", "bare/urdf"})
+      fs::create_directories(folder / name);
+    write("ws/src/arm/package.xml", "<package format='3'><name>arm_description</name></package>");
+    write("ws/src/other/package.xml", "<package><name>hand_description</name></package>");
+    for (const char* name : {"ws/src/arm/meshes/a.obj", "ws/src/arm/urdf/a.obj", "ws/src/other/meshes/a.obj",
+                             "bare/a.obj", "secret"})
+      write(name, "v 1 2 3\n");
+  }
+  /// Returns where a robot's file finds a name, from `folder`, or why not.
+  std::string found(const std::string& name, const std::string& robot = "ws/src/arm/urdf/arm.urdf",
+                    const std::vector<std::string>& permitted = {}) const {
+    try {
+      return fs::canonical(NamedFiles(folder / robot, permitted).find(name)).lexically_relative(folder);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+  std::string why(const std::string& file, NamedBy by) const {
+    try {
+      NamedFiles(folder / "ws/src/arm/urdf/arm.urdf").read(folder / file, by);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "read";
+  }
+};
+
+TEST_F(NamedFilesTest, AreInTheFolderOrInThePackage) {
+  EXPECT_EQ(found("a.obj"), "ws/src/arm/urdf/a.obj");
+  EXPECT_EQ(found("../meshes/a.obj"), "ws/src/arm/meshes/a.obj");
+  EXPECT_EQ(found("file://" + (folder / "ws/src/arm/meshes/a.obj").string()), "ws/src/arm/meshes/a.obj");
+  EXPECT_EQ(found("package://arm/meshes/a.obj"), "ws/src/arm/meshes/a.obj") << "the folder's name";
+  EXPECT_EQ(found("package://arm_description/meshes/a.obj"), "ws/src/arm/meshes/a.obj") << "in package.xml";
+  EXPECT_EQ(found("package://arm/meshes"), "it is not a regular file");
+  EXPECT_EQ(found("package://arm/meshes/none.obj"), "it is not there");
+}
+
+TEST_F(NamedFilesTest, OutsideOnlyWhereTheUserPermitsIt) {
+  const std::string outside =
+      "it is outside " + (folder / "ws/src/arm/urdf").string() + " (--files-from DIR permits a folder)";
+  const std::string mesh = "package://hand_description/meshes/a.obj", sibling = "ws/src/other/meshes/a.obj",
+                    robot = "ws/src/arm/urdf/arm.urdf";
+  EXPECT_EQ(found("/etc/passwd"), outside);
+  EXPECT_EQ(found("file:///etc/passwd"), outside);
+  EXPECT_EQ(found("../../other/meshes/a.obj"), outside);
+  EXPECT_EQ(found("package://../../../../secret"), outside);
+  EXPECT_EQ(found("package://other/meshes/a.obj"), outside);
+  EXPECT_EQ(found("../a.obj", "bare/urdf/arm.urdf"),
+            "it is outside " + (folder / "bare/urdf").string() + " (--files-from DIR permits a folder)");
+  EXPECT_EQ(found("../a.obj", "bare/urdf/arm.urdf", {folder / "bare"}), "bare/a.obj");
+  EXPECT_EQ(found(mesh, robot, {folder / "ws/src/other/"}), sibling);
+  EXPECT_EQ(found("package://other/meshes/a.obj", robot, {folder / "ws/src"}), sibling);
+  EXPECT_EQ(found("/etc/passwd", robot, {folder / "ws/src"}), outside);
+}
+
+TEST_F(NamedFilesTest, LinksAreFollowedFirst) {
+  fs::create_symlink(folder / "secret", folder / "ws/src/arm/urdf/link.obj");
+  fs::create_symlink("../meshes/a.obj", folder / "ws/src/arm/urdf/own.obj");
+  fs::create_directory_symlink(folder / "bare", folder / "ws/src/arm/urdf/away");
+  EXPECT_TRUE(found("link.obj").starts_with("it is outside "));
+  EXPECT_TRUE(found("away/a.obj").starts_with("it is outside "));
+  EXPECT_EQ(found("own.obj"), "ws/src/arm/meshes/a.obj");
+  write("ws/src/arm/urdf/arm.urdf", "<robot/>");
+  fs::create_directories(folder / "install");
+  fs::create_symlink(folder / "ws/src/arm/urdf/arm.urdf", folder / "install/arm.urdf");
+  EXPECT_EQ(found("package://arm_description/meshes/a.obj", "install/arm.urdf"), "ws/src/arm/meshes/a.obj")
+      << "as an installed package links to its sources";
+  write("ws/src/arm/urdf/outside.srdf", "<robot/>");
+  fs::rename(folder / "ws/src/arm/urdf/outside.srdf", folder / "outside.srdf");
+  const std::string robot = write("ws/src/arm/urdf/one.urdf", "<robot name='r'><link name='l'/></robot>");
+  fs::create_symlink(folder / "outside.srdf", folder / "ws/src/arm/urdf/one.srdf");
+  EXPECT_THROW(read_scene(robot), std::runtime_error) << "the SRDF beside it is outside";
+  EXPECT_EQ(read_scene(robot, folder / "outside.srdf").links.size(), 1u) << "the user names it";
+}
+
+TEST_F(NamedFilesTest, AreRegularAndOfBoundedSize) {
+  const fs::path own = folder / "ws/src/arm/urdf";
+  ASSERT_EQ(mkfifo((own / "pipe.obj").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", own / "zero.obj");
+  write("ws/src/arm/urdf/large.obj", "v 1 2 3\n");
+  fs::resize_file(own / "large.obj", file_cap + 1);
+  EXPECT_EQ(why("ws/src/arm/urdf/pipe.obj", NamedBy::file), "it is not a regular file");
+  EXPECT_TRUE(why("ws/src/arm/urdf/zero.obj", NamedBy::file).starts_with("it is outside "));
+  EXPECT_EQ(why("ws/src/arm/urdf/zero.obj", NamedBy::user), "it is neither a regular file nor a pipe");
+  EXPECT_EQ(why("ws/src/arm/urdf", NamedBy::user), "it is neither a regular file nor a pipe");
+  for (const NamedBy by : {NamedBy::user, NamedBy::file})
+    EXPECT_EQ(why("ws/src/arm/urdf/large.obj", by), "it is larger than 64 MiB");
+  EXPECT_EQ(why("secret", NamedBy::user), "read");
+}
+
+/// Returns a URDF of links in a chain, joined by fixed joints.
+std::string chain(std::size_t links) {
+  std::string text = "<robot name='chain'><link name='l0'/>";
+  for (std::size_t i = 1; i < links; ++i) {
+    const std::string parent = std::to_string(i - 1), child = std::to_string(i);
+    text += "<link name='l" + child + "'/><joint name='j" + child + "' type='fixed'><parent link='l" +
+            parent + "'/><child link='l" + child + "'/></joint>";
+  }
+  return text + "</robot>";
+}
+
+TEST_F(NamedFilesTest, AChainOfLinksIsAsLongAsTheCap) {
+  const Scene scene = read_scene(write("chain.urdf", chain(link_cap)));
+  ASSERT_EQ(scene.links.size(), link_cap);
+  EXPECT_EQ(scene.links.back().parent, link_cap - 2);
+  EXPECT_THROW(read_scene(write("chain.urdf", chain(link_cap + 1))), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace cyl
