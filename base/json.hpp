@@ -15,6 +15,10 @@ namespace cyl {
 /// Returns the value of `text`. Throws nlohmann::json::exception, with the place, if it is not JSON.
 nlohmann::json parse_json(std::string_view text);
 
+/// Likewise, of a file that a stranger may have written: with the control characters of its strings escaped
+/// (safe_text.hpp), and not nested more than 100 deep.
+nlohmann::json parse_foreign_json(std::string_view text);
+
 /// Likewise, with the keys of objects in their order.
 nlohmann::ordered_json parse_ordered_json(std::string_view text);
 

@@ -29,13 +29,17 @@ inline std::string escaped_code(unsigned code) {
 
 /// `text` with each character escaped that could begin a line, steer a terminal or reorder what is shown:
 /// \n, \t, \r, else as escaped_code() has it. Backslashes stay as they are: this is to be read, not parsed.
-inline std::string escaped_controls(std::string_view text) {
+/// Text that was escaped before stays the same, and JSON on one line keeps its meaning. The characters in
+/// `kept` stay too.
+inline std::string escaped_controls(std::string_view text, std::string_view kept = "") {
   std::string safe;
   safe.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned byte = static_cast<unsigned char>(text[i]);
     const unsigned next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-    if (byte == '\n' || byte == '\t' || byte == '\r') {
+    if (kept.find(text[i]) != std::string_view::npos) {
+      safe += text[i];
+    } else if (byte == '\n' || byte == '\t' || byte == '\r') {
       safe += byte == '\n' ? "\\n" : byte == '\t' ? "\\t" : "\\r";
     } else if (byte < 0x20 || byte == 0x7f) {
       safe += escaped_code(byte);
@@ -51,6 +55,11 @@ inline std::string escaped_controls(std::string_view text) {
   }
   return safe;
 }
+
+/// Text of several lines, or of parts that tabs separate.
+struct Lines {
+  std::string text;
+};
 
 /// `text` as one word of a POSIX shell.
 inline std::string shell_quoted(std::string_view text) {

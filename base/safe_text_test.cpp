@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/json.hpp"
+#include "base/usage_error.hpp"
+
 namespace cyl {
 namespace {
 
@@ -25,6 +28,15 @@ TEST(EscapedControls, LeavesOneLineThatShowsAsItIsWritten) {
   EXPECT_EQ(escaped_controls(std::string_view("\0", 1)), "\\u0000");
   EXPECT_EQ(escaped_controls("caf\u00e9 \u2026 \\n"), "caf\u00e9 \u2026 \\n");
   EXPECT_EQ(escaped_controls("\xc2"), "\xc2");
+  EXPECT_EQ(escaped_controls("a\n\tb\x1b", "\n\t"), "a\n\tb\\u001b") << "what is kept";
+  EXPECT_EQ(escaped_controls(escaped_controls("a\n\x1b\u202e")), escaped_controls("a\n\x1b\u202e"));
+}
+
+TEST(ForeignJson, HasNoControlCharactersAndABoundedDepth) {
+  EXPECT_EQ(parse_foreign_json(R"({"a":["\u001b[2J\n",1,{"b":"caf\u00e9"}]})"),
+            parse_json(R"({"a":["\\u001b[2J\\n",1,{"b":"caf\u00e9"}]})"));
+  EXPECT_NO_THROW(parse_foreign_json(std::string(100, '[') + std::string(100, ']')));
+  EXPECT_THROW(parse_foreign_json(std::string(1'000'000, '[')), InputError);
 }
 
 TEST(LeadingBidiControl, KnowsAllNineAndNoOther) {

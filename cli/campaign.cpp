@@ -171,11 +171,11 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   CampaignOptions options;
   options.resume = true;
   options.out = lasting_name(arguments.resume);
-  options.seed = std::stoull(config.at("seed"));
-  options.cases = config.at("cases");
+  options.seed = number_of(config, "seed");
+  options.cases = text_of(config, "cases");
   std::vector<std::string> method_names, family_names;
   for (const MethodRecord& method : store.methods()) method_names.push_back(method.name);
-  std::istringstream lines(config.at("families"));
+  std::istringstream lines(text_of(config, "families"));
   for (std::string name; std::getline(lines, name);) family_names.push_back(name);
   MethodSet set = methods_of_run(arguments, method_names);
   options.guests = format_guests(set.guests);
@@ -188,9 +188,9 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   options.shard = shard.index;
   options.shards = shard.count;
   selection.weights = parse_weights(value_of(config, "weights"));
-  options.pairs = std::stoull(config.at("pairs"));
+  options.pairs = number_of(config, "pairs");
   options.stop_at = value_of(config, "stop_at");
-  const std::chrono::milliseconds budget(std::stoll(config.at("budget_milliseconds")));
+  const std::chrono::milliseconds budget(number_of(config, "budget_milliseconds"));
   const std::chrono::milliseconds spent(store.progress().milliseconds);
   if (budget.count() != 0) options.budget = left_of(budget - spent);
   return options;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 
+#include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
@@ -11,24 +12,28 @@
 
 namespace {
 
+/// An error may name what a stranger wrote.
+void say(const std::exception& error) {
+  std::cerr << "daylight: " << cyl::escaped_controls(error.what(), "\n\t") << '\n';
+}
+
 int run(int argc, char** argv) {
   cyl::Program program("daylight",
                        "Is there daylight between two cylinders? Answers with a proof, and finds the methods "
                        "that get it wrong.",
                        cyl::build_info().text());
-  for (const auto add :
-       {cyl::add_check,  cyl::add_ask,    cyl::add_judge,  cyl::add_campaign, cyl::add_merge,
-        cyl::add_fuzz,   cyl::add_worst,  cyl::add_replay, cyl::add_triage,   cyl::add_explain,
-        cyl::add_export, cyl::add_chart,  cyl::add_gate,   cyl::add_bench,    cyl::add_scene,
-        cyl::add_near,   cyl::add_families, cyl::add_vectors})
+  for (const auto add : {cyl::add_check, cyl::add_ask, cyl::add_judge, cyl::add_campaign, cyl::add_merge,
+                         cyl::add_fuzz, cyl::add_worst, cyl::add_replay, cyl::add_triage, cyl::add_explain,
+                         cyl::add_export, cyl::add_chart, cyl::add_gate, cyl::add_bench, cyl::add_scene,
+                         cyl::add_near, cyl::add_families, cyl::add_vectors})
     add(program);
   try {
     return program.run(argc, argv);
   } catch (const cyl::UsageError& error) {
-    std::cerr << "daylight: " << error.what() << '\n';
+    say(error);
     return cyl::exit_usage;
   } catch (const cyl::InputError& error) {
-    std::cerr << "daylight: " << error.what() << '\n';
+    say(error);
     return cyl::exit_invalid_input;
   }
 }
@@ -43,7 +48,7 @@ int main(int argc, char** argv) {
   try {
     exit_code = run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "daylight: " << error.what() << '\n';
+    say(error);
   }
   std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -73,13 +73,13 @@ sparse('sparse.csv')
 with open('line.jsonl', 'w') as file:
     file.write('[' * 100000000)
 END
-hostile 0 '0 cylinders, .* 5000 links' scene chain.urdf --configurations 1
+hostile 0 'no shapes; 5,000 links' scene chain.urdf --configurations 1
 hostile 65 'long.urdf: it has more than 10000 links' scene long.urdf
 hostile 65 'mimics.urdf: joints mimic each other in a circle, or in a chain of more than 100' scene mimics.urdf
 hostile 65 'deep.urdf: elements are nested more than 1000 deep' scene deep.urdf
 hostile 65 'tags.urdf: more than 300000 tags' scene tags.urdf
 hostile 65 'attributes.urdf: an element has more than 100 attributes' scene attributes.urdf
-hostile 65 'removed.urdf: .*root' scene removed.urdf
+hostile 65 'removed.urdf: No link elements found' scene removed.urdf
 hostile 65 'shapes.urdf: it has more than 10000 shapes' scene shapes.urdf
 hostile 3 'u001b.2J.u0007evil' scene names.urdf --configurations 1
 hostile 65 'zero.urdf: it is neither a regular file nor a pipe' scene zero.urdf
@@ -96,9 +96,83 @@ hostile 65 'twice0.xml: more than 1000 files are included' scene twice0.xml
 hostile 65 'deeper0.xml: with its includes, elements are nested more than 1000 deep' scene deeper0.xml
 hostile 65 'deep.xml: elements are nested more than 1000 deep' scene deep.xml
 hostile 65 'classes.xml: the classes of defaults have more than 1000000 values' scene classes.xml
-hostile 3 'NOT TESTED: 50000 meshes' scene assets.xml --configurations 1
+hostile 3 'not tested: 50,000 meshes' scene assets.xml --configurations 1
 hostile 65 'zero.jsonl: it is neither a regular file nor a pipe' scene zero.jsonl
 hostile 65 'zero.jsonl: it is neither a regular file nor a pipe' near zero.jsonl
 hostile 65 'sparse.csv: it is larger than 1024 MiB' scene sparse.csv
 hostile 65 'line.jsonl: line 1 is longer than 1 MiB' scene line.jsonl
 
+# Runs: tables that never end, triggers, endless text, numbers that are none, names that steer a terminal.
+expect 2 'a campaign' "$daylight" campaign --pairs 1500 --seed 7 --cases '' --methods ode,decide --out run
+expect 2 'its triage' "$daylight" triage run --for 1s
+changed() { # SQL..: a copy of the run in which somebody ran it
+  rm -rf copy && cp -r run copy
+  python3 -c 'import sqlite3, sys
+with sqlite3.connect("copy/" + sys.argv[1]) as run: [run.execute(sql) for sql in sys.argv[2:]]' "$@"
+}
+endless='WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM r) SELECT'
+changed run.sqlite 'ALTER TABLE finding_group RENAME TO was' "CREATE VIEW finding_group AS $endless x, x, x, x, x, x FROM r"
+for command in 'triage copy --for 1s' 'replay copy' 'merge copy --out merged' 'export copy:1 --out sent' 'explain copy:1' \
+  'worst --from copy --method ode --evaluations 5' 'chart copy' 'campaign --resume copy'; do
+  # shellcheck disable=SC2086
+  hostile 65 "run.sqlite: its view 'finding_group' is none that this build writes" $command
+done
+changed run.sqlite 'CREATE TRIGGER evil AFTER UPDATE ON progress BEGIN DELETE FROM wrong_answer; END'
+hostile 65 "run.sqlite: its trigger 'evil' is none that this build writes" campaign --resume copy --pairs 3000
+changed run.sqlite 'UPDATE wrong_answer SET reason = zeroblob(70000000) WHERE id = 1'
+hostile 1 'run.sqlite: string or blob too big' replay copy
+rm -rf copy && cp -r run copy
+python3 - <<'END'
+# Four pages that each name the next 1500 times: billions of rows.
+import sqlite3, struct
+name = 'copy/run.sqlite'
+with sqlite3.connect(name) as run:
+    run.execute('PRAGMA journal_mode=DELETE')
+    root = run.execute("SELECT rootpage FROM sqlite_master WHERE name = 'wrong_answer'").fetchone()[0]
+run.close()
+data = bytearray(open(name, 'rb').read())
+size = struct.unpack('>H', data[16:18])[0]
+data += data[(root - 1) * size:root * size]
+def naming(child):
+    page = bytearray(size)
+    for i in range(1500):
+        struct.pack_into('>IBB', page, size - 6 * (i + 1), child, 0x81, 0)
+        struct.pack_into('>H', page, 12 + 2 * i, size - 6 * (i + 1))
+    struct.pack_into('>BHHHBI', page, 0, 5, 0, 1500, size - 6 * 1500, 0, child)
+    return page
+for level in range(4):
+    data += naming(len(data) // size)
+data[(root - 1) * size:root * size] = naming(len(data) // size)
+struct.pack_into('>I', data, 28, len(data) // size)
+open(name, 'wb').write(data)
+END
+hostile 1 'run.sqlite: it holds more than its size explains' replay copy
+hostile 1 'run.sqlite: it holds more than its size explains' triage copy --for 1s
+for key in seed pairs budget_milliseconds; do
+  changed run.sqlite "UPDATE run SET value = 'many' WHERE key = '$key'"
+  hostile 65 "the $key of the run is 'many', no whole number" campaign --resume copy
+done
+changed run.sqlite "DELETE FROM run WHERE key = 'seed'"
+hostile 65 'the run does not state its seed' campaign --resume copy
+changed run.sqlite "INSERT OR REPLACE INTO run VALUES('shard', '0/2 of batches of 10')" "UPDATE run SET value = '1e9' WHERE key = 'pairs'"
+hostile 65 "the pairs of the run is '1e9', no whole number" merge copy --out merged
+changed run.sqlite "UPDATE run SET value = char(27) || '[2J' WHERE key = 'seed'"
+hostile 65 "the seed of the run is '.u001b.2J', no whole number" campaign --resume copy
+for table in wrong_answer finding_group tally method; do
+  column=$([[ $table == method ]] && echo name || echo method)
+  changed run.sqlite "UPDATE $table SET $column = char(27, 91, 50, 74, 7, 10) || 'evil' || char(8238) || $column"
+  for command in 'triage copy --for 1s' 'replay copy' 'merge copy --out merged' 'export copy:1 --out sent' 'explain copy:1' \
+    'chart copy' 'campaign --resume copy'; do
+    # shellcheck disable=SC2086
+    "$daylight" $command >out 2>err || true
+    ! grep -qE $'\e|\a|\xe2\x80\xae|^evil' out err || failed "escape codes of $table: $command"
+    [[ $table != wrong_answer || $command != replay* ]] || holds 'a name' out 'finding of .u001b.2J.u0007.nevil.u202eode'
+  done
+done
+
+# What a stranger's triage holds is made anew.
+changed triage.sqlite 'ALTER TABLE note RENAME TO was' "CREATE VIEW note AS $endless 'asked' AS key, x AS value FROM r"
+hostile 65 "triage.sqlite: its view 'note' is none that this build writes" explain copy ode/any
+changed triage.sqlite 'CREATE TRIGGER evil AFTER INSERT ON cause BEGIN DELETE FROM cause; END'
+expect 2 'its triage again' "$daylight" triage copy --for 1s
+equal 'no trigger is left' 0 "$(python3 -c 'import sqlite3; print(sqlite3.connect("copy/triage.sqlite").execute("SELECT count(*) FROM sqlite_master WHERE type = ?", ["trigger"]).fetchone()[0])')"

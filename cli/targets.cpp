@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 Target of_finding(const std::string& run, FindingRecord finding) {
   const CaseLine line = parse_case(finding.pair, 1);
   const std::string label = fmt::format("{}:{}", run, finding.id);
-  if (!line.value) throw std::runtime_error(label + ": " + line.error);
+  if (!line.value) throw InputError(label + ": " + line.error);
   return {label, line.value->pair, std::move(finding)};
 }
 
@@ -37,7 +38,7 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
   while (const auto line = reader.next()) {
     if (wanted && line->line != *wanted) continue;
     if (!line->value) throw InputError(name + ": " + line->error);
-    const std::string& id = line->value->id;
+    const std::string id = escaped_controls(line->value->id);
     targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
   }
   if (in.bad()) throw std::runtime_error(name + " cannot be read");

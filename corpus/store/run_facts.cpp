@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <stdexcept>
 
+#include "base/number_text.hpp"
 #include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 
@@ -15,13 +16,26 @@ std::string value_of(const Config& config, const std::string& key) {
   return found == config.end() ? "" : found->second;
 }
 
+const std::string& text_of(const Config& config, const std::string& key) {
+  const auto found = config.find(key);
+  if (found == config.end()) throw InputError("the run does not state its " + key);
+  return found->second;
+}
+
+std::uint64_t number_of(const Config& config, const std::string& key) {
+  const std::string& text = text_of(config, key);
+  const auto number = number_in<std::uint64_t>(text);
+  if (!number) throw InputError(fmt::format("the {} of the run is '{}', no whole number", key, text));
+  return *number;
+}
+
 Shard shard_of(const Config& config) {
   const std::string text = value_of(config, "shard");
   unsigned long long index = 0, count = 1, batch = 1;
   if (text.empty()) return {};
   if (std::sscanf(text.c_str(), "%llu/%llu of batches of %llu", &index, &count, &batch) != 3 ||
       index >= count || batch == 0) {
-    throw std::runtime_error("'" + text + "' names no shard");
+    throw InputError("the shard of the run is '" + text + "', no shard");
   }
   return {index, count, batch};
 }

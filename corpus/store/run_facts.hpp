@@ -34,8 +34,12 @@ inline constexpr const char *status_planned = "planned", *status_running = "runn
 
 /// A value of a configuration, or an empty text.
 std::string value_of(const Config& config, const std::string& key);
+/// A value that every run has, and one that is a whole number. Throws InputError that names the key if it is
+/// missing, or no such number.
+const std::string& text_of(const Config& config, const std::string& key);
+std::uint64_t number_of(const Config& config, const std::string& key);
 /// Returns the shard of a run from its configuration, or the whole run if it names none. Throws
-/// std::runtime_error if the entry is not a shard.
+/// InputError if the entry is not a shard.
 Shard shard_of(const Config& config);
 /// Returns the entry that shard_of() reads.
 std::string format_shard(const Shard& shard);

@@ -14,7 +14,9 @@
 namespace cyl {
 namespace {
 
-constexpr int store_version = 3;  ///< of the tables below, in PRAGMA user_version
+/// Of the tables below, in PRAGMA user_version. A file is refused if its tables differ in a single character,
+/// so a change of any needs a new version.
+constexpr int store_version = 3;
 
 /// A judged pair takes 2 to 4 KB. SQLite's usual pages of 4096 bytes would be a third empty.
 constexpr int page_bytes = 16384;
@@ -44,7 +46,8 @@ INSERT INTO progress VALUES(0, 0);
 std::string file_of(const std::string& folder) { return folder + "/run.sqlite"; }
 
 struct ConfigEntry {
-  std::string key, value;
+  std::string key;
+  Lines value;
 
   static constexpr const char* table = "run";
   static auto columns(auto& e) { return std::tie(e.key, e.value); }
@@ -112,13 +115,14 @@ RunStore RunStore::open(const std::string& folder) {
         "{} was written in store version {}; this build reads version {}: use the build that wrote it",
         file->name(), version, store_version));
   }
+  file->check_schema(tables);
   file->write_ahead();
   return RunStore(std::move(file));
 }
 
 Config RunStore::config() const {
   Config config;
-  for (const ConfigEntry& entry : file_->all<ConfigEntry>("rowid")) config[entry.key] = entry.value;
+  for (const ConfigEntry& entry : file_->all<ConfigEntry>("rowid")) config[entry.key] = entry.value.text;
   return config;
 }
 
@@ -127,7 +131,7 @@ std::vector<MethodRecord> RunStore::methods() const { return file_->all<MethodRe
 Progress RunStore::progress() const { return file_->rows<Progress>("SELECT * FROM progress").front(); }
 
 void RunStore::set(const std::string& key, const std::string& value) {
-  file_->replace(ConfigEntry{key, value});
+  file_->replace(ConfigEntry{key, {value}});
 }
 
 void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/store/run_store.hpp"
 
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,9 @@
 #include "base/scratch_test.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
+#include "corpus/store/run_facts.hpp"
+#include "corpus/store/sqlite_file.hpp"
+#include "corpus/store/stored_answers.hpp"
 
 namespace cyl {
 namespace {
@@ -163,6 +165,95 @@ TEST_F(Store, OfAnotherVersionIsRefused) {
           << refusal.what();
     }
   }
+}
+
+/// Returns why a run is refused after a stranger ran this script in it.
+std::string refused_after(const fs::path& folder, const std::string& script) {
+  fs::remove_all(folder);
+  RunStore::create(folder, {});
+  SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE).exec(script);
+  try {
+    RunStore::open(folder);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "opened";
+}
+
+TEST_F(Store, OnlyTheTablesThatThisBuildWritesAreRead) {
+  const fs::path run = folder / "run";
+  for (const auto& [script, what] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"CREATE TRIGGER evil AFTER UPDATE ON progress BEGIN DELETE FROM wrong_answer; END",
+            "trigger 'evil'"},
+           {"DROP TABLE self_check; CREATE VIEW self_check AS WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL "
+            "SELECT x "
+            "FROM r) SELECT x AS start, x, x, x, x, x, x FROM r",
+            "view 'self_check'"},
+           {"DROP VIEW finding; CREATE VIEW finding AS SELECT 1", "view 'finding'"},
+           {"DROP TABLE cell", "table 'cell' is missing"},
+           {"CREATE TABLE more(x)", "table 'more'"},
+           {"CREATE INDEX evil ON wrong_answer(hex(reason))", "index 'evil'"},
+           {"ALTER TABLE progress ADD COLUMN x", "table 'progress'"}})
+    EXPECT_NE(refused_after(run, script).find(what), std::string::npos) << refused_after(run, script);
+  EXPECT_EQ(refused_after(run, "UPDATE progress SET next = 5"), "opened");
+}
+
+TEST_F(Store, NoQueryIsLongerThanTheFileExplains) {
+  SqliteFile file(folder / "any.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  const std::string endless = "WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x FROM r) ";
+  for (const char* rest : {"SELECT count(*) FROM r", "SELECT 'a text of some bytes' FROM r"}) {
+    try {
+      file.rows<std::string>(endless + rest);
+      FAIL() << "ended";
+    } catch (const std::runtime_error& error) {
+      EXPECT_TRUE(std::string(error.what())
+                      .ends_with("any.sqlite: it holds more than its size explains: it is "
+                                 "damaged or forged"))
+          << error.what();
+    }
+  }
+  EXPECT_THROW(file.rows<std::string>("SELECT hex(zeroblob(40000000))"), std::runtime_error);
+  EXPECT_THROW(file.script("ATTACH ':memory:' AS other"), std::runtime_error);
+  file.script("CREATE TABLE t(x); CREATE VIEW v AS SELECT 1");
+  EXPECT_THROW(file.rows<int>("SELECT * FROM v"), std::runtime_error);
+}
+
+TEST_F(Store, TextSteersNoTerminalAndLegalTextStays) {
+  const std::string legal = "cache-\u0041 caf\u00e9 \u65e5\u672c <b>&'\"`$(x)`\\n";
+  const std::string config = "line\n\ta tab\n" + legal;
+  RunStore store = RunStore::create(folder, {{"plain", config}, {"evil", "\x1b[2J\n\a\u202e"}});
+  BatchRecord batch;
+  batch.next = 7;
+  batch.findings = {finding_at(3, 0.25), finding_at(4, 0.25)};
+  batch.findings[0].method = batch.findings[0].reason = legal;
+  batch.findings[1].method = "\x1b[2J\aevil\nline\u202e";
+  batch.findings[1].answers = "[[{},[\"\u202e\"]]]";
+  store.commit(batch, 0);
+  EXPECT_EQ(store.config(), (Config{{"plain", config}, {"evil", "\\u001b[2J\n\\u0007\\u202e"}}));
+  const std::vector<FindingRecord> found = store.findings();
+  EXPECT_EQ(found[0].method, legal);
+  EXPECT_EQ(found[0].reason, legal);
+  EXPECT_EQ(found[1].method, "\\u001b[2J\\u0007evil\\nline\\u202e");
+  EXPECT_EQ(nlohmann::json::parse(found[1].answers), nlohmann::json::parse(batch.findings[1].answers));
+  std::vector<std::string> names;
+  for_each_answer(nlohmann::json::parse(found[1].answers),
+                  [&](const auto&, const auto& methods) { names = methods; });
+  EXPECT_EQ(names, std::vector<std::string>{"\\u202e"}) << "JSON has its own escapes";
+}
+
+TEST(RunFacts, ABadNumberIsNamed) {
+  EXPECT_EQ(number_of({{"seed", "18446744073709551615"}}, "seed"), std::numeric_limits<std::uint64_t>::max());
+  for (const char* bad : {"", "x", "-1", "1.5", "7 ", "18446744073709551616"}) {
+    try {
+      number_of({{"seed", bad}}, "seed");
+      FAIL() << bad;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                std::string("the seed of the run is '") + bad + "', no whole number");
+    }
+  }
+  EXPECT_THROW(number_of({}, "seed"), InputError);
+  EXPECT_THROW(shard_of({{"shard", "3/2 of batches of 1"}}), InputError);
 }
 
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {

@@ -14,6 +14,7 @@
 
 #include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "corpus/store/run_store.hpp"
 
 namespace cyl {
@@ -154,7 +155,7 @@ MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string&
     config["started"] = std::min(config["started"], value_of(part->config, "started"));
     ++part;
   }
-  if (const std::uint64_t pairs = std::stoull(config.at("pairs")); pairs != 0)
+  if (const std::uint64_t pairs = number_of(config, "pairs"); pairs != 0)
     summary.whole_below = std::min(summary.whole_below, pairs);
   config.erase("shard");
   config["shards"] = fmt::format("{} of {}", parts.size(), shard.count);

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/usage_error.hpp"
 #include "corpus/store/run_store.hpp"
 
 namespace cyl {
@@ -60,7 +61,7 @@ std::vector<unsigned> parse_weights(const std::string& text) {
   std::vector<unsigned> weights;
   for (unsigned w = 0; in >> w;) weights.push_back(w);
   const bool whole = in.eof() && std::find(weights.begin(), weights.end(), 0u) == weights.end();
-  if (!whole) throw std::runtime_error("'" + text + "' is not a list of weights of families");
+  if (!whole) throw InputError("'" + text + "' is not a list of weights of families");
   return weights;
 }
 

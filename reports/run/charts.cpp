@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -128,8 +129,8 @@ nlohmann::json list(const Things& things, ToJson to_json) {
 
 nlohmann::json read_json(const fs::path& file) try {
   std::ifstream in(file);
-  return nlohmann::json::parse(in);
-} catch (const nlohmann::json::exception& e) {
+  return parse_foreign_json(std::string{std::istreambuf_iterator<char>(in), {}});
+} catch (const std::exception& e) {
   throw InputError(file.string() + " cannot be read: " + e.what());
 }
 

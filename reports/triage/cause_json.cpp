@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/number_text.hpp"
 #include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
@@ -45,7 +46,12 @@ Json margin_json(const std::optional<Enclosure>& margin) {
 }
 
 /// Reads an end of an enclosure, as number_json() writes it.
-double end_of(const Json& x) { return x.is_string() ? std::stod(x.get<std::string>()) : x.get<double>(); }
+double end_of(const Json& x) {
+  if (!x.is_string()) return x.get<double>();
+  const auto number = number_in<double>(x.get<std::string>());
+  if (!number) throw std::runtime_error(x.dump() + " is not a number");
+  return *number;
+}
 
 template <Worded E>
 E word_of(const Json& word) {

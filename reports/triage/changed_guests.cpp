@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "oracles/trial/mechanism.hpp"
@@ -28,17 +28,9 @@ std::string version_in(const std::vector<MethodRecord>& methods, const std::stri
   return {};
 }
 
-std::optional<std::uint64_t> seed_of(const RunStore& run) {
-  const std::string text = value_of(run.config(), "seed");
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(seed)
-                                                                                   : std::nullopt;
-}
-
 /// The pairs on which the earlier version was right, as far as the run tells.
 std::vector<Pair> pairs_it_had_right(const RunStore& run, const std::string& method) {
-  const auto seed = seed_of(run);
+  const auto seed = number_in<std::uint64_t>(value_of(run.config(), "seed"));
   if (!seed) return {};
   std::map<std::string, std::uint64_t> found, kept;
   std::map<std::string, std::set<std::uint64_t>> wrong;

@@ -13,9 +13,10 @@ namespace {
 void add(CauseFindings& group, const FindingRecord& finding, const CauseRecord& cause) {
   group.findings.push_back(&finding);
   group.mechanisms.insert(cause.mechanism);
-  for (std::size_t at = 0; at < cause.labels.size();) {
-    const std::size_t end = std::min(cause.labels.find('\n', at), cause.labels.size());
-    ++group.labels[cause.labels.substr(at, end - at)];
+  const std::string& labels = cause.labels.text;
+  for (std::size_t at = 0; at < labels.size();) {
+    const std::size_t end = std::min(labels.find('\n', at), labels.size());
+    ++group.labels[labels.substr(at, end - at)];
     at = end + 1;
   }
   if (group.worst == nullptr || is_worse(finding, *group.worst)) group.worst = &finding;

@@ -155,7 +155,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
 
 Json causes_json(const std::string& run_folder) {
   const std::string text = stored_summary(run_folder);
-  return text.empty() ? Json::array() : parse_json(text);
+  return text.empty() ? Json::array() : parse_foreign_json(text);
 }
 
 int exit_code(const Triage& triage) {

@@ -2,22 +2,20 @@
 #include "reports/triage/triage_store.hpp"
 
 #include <filesystem>
+#include <optional>
 
+#include "base/number_text.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/store/sqlite_file.hpp"
 
 namespace cyl {
 namespace {
 
-constexpr const char* notes = "CREATE TABLE IF NOT EXISTS note(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
-
-/// The tables are made anew, because those of another build may differ.
-constexpr const char* tables = R"(
-DELETE FROM note;
-DROP TABLE IF EXISTS cause;
-DROP TABLE IF EXISTS simple;
-DROP TABLE IF EXISTS worst;
-CREATE TABLE cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,
-  labels TEXT NOT NULL);
+constexpr const char* note_table = "CREATE TABLE note(key TEXT PRIMARY KEY, value TEXT NOT NULL);";
+constexpr const char* cause_table =
+    "CREATE TABLE cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
+    "  labels TEXT NOT NULL);";
+constexpr const char* other_tables = R"(
 CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
 CREATE TABLE worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
@@ -27,7 +25,8 @@ CREATE TABLE worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT 
 std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
 
 struct Note {
-  std::string key, value;
+  std::string key;
+  Lines value;
 
   static constexpr const char* table = "note";
   static auto columns(auto& n) { return std::tie(n.key, n.value); }
@@ -35,26 +34,47 @@ struct Note {
 
 std::string note(const SqliteFile& file, const std::string& key) {
   const auto found = file.rows<Note>("SELECT * FROM note WHERE key = ?", key);
-  return found.empty() ? std::string() : found.front().value;
+  return found.empty() ? std::string() : found.front().value.text;
 }
 
 std::string stored_note(const std::string& folder, const std::string& key) {
   const std::string name = file_of(folder);
   if (!std::filesystem::exists(name)) return {};
-  const SqliteFile file(name, SQLite::OPEN_READWRITE);
-  return file.has(Note::table) ? note(file, key) : std::string();
+  SqliteFile file(name, SQLite::OPEN_READWRITE);
+  if (file.is_empty()) return {};
+  file.check_schema(note_table, true);
+  return note(file, key);
+}
+
+/// Opens or creates the file. The tables are made anew if another build made them, or a stranger.
+std::unique_ptr<SqliteFile> open_or_create(const std::string& name) {
+  const std::string tables = std::string(note_table) + cause_table + other_tables;
+  const auto open = [&] {
+    auto file = std::make_unique<SqliteFile>(name, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file->write_ahead();
+    file->transaction([&] {
+      if (file->is_empty()) file->script(tables);
+    });
+    file->check_schema(tables);
+    return file;
+  };
+  try {
+    return open();
+  } catch (const InputError&) {
+    for (const char* part : {"", "-wal", "-shm"}) std::filesystem::remove(name + part);
+    return open();
+  }
 }
 
 }  // namespace
 
 TriageStore::TriageStore(const std::string& folder, const std::string& asked)
-    : file_(std::make_unique<SqliteFile>(file_of(folder), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)) {
-  file_->write_ahead();
-  file_->script(notes);
+    : file_(open_or_create(file_of(folder))) {
   if (note(*file_, "asked") == asked) return;
   file_->transaction([&] {
-    file_->script(tables);
-    file_->replace(Note{"asked", asked});
+    for (const char* table : {Note::table, CauseRecord::table, SimpleRecord::table, WorstRecord::table})
+      file_->script(std::string("DELETE FROM ") + table);
+    file_->replace(Note{"asked", {asked}});
   });
 }
 
@@ -68,7 +88,7 @@ void TriageStore::expect(const std::string& guest, const std::string& version,
       for (const std::int64_t finding : findings) drop.run(finding);
     }
     file_->run("DELETE FROM worst WHERE method = ?", guest);
-    file_->replace(Note{key, version});
+    file_->replace(Note{key, {version}});
   });
 }
 
@@ -92,21 +112,25 @@ void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 std::string TriageStore::summary() const { return note(*file_, "buckets"); }
 void TriageStore::set_summary(const std::string& json, double part) {
   file_->transaction([&] {
-    file_->replace(Note{"buckets", json});
-    file_->replace(Note{"part", std::to_string(part)});
+    file_->replace(Note{"buckets", {json}});
+    file_->replace(Note{"part", {format_double(part)}});
   });
 }
 
 std::string stored_summary(const std::string& folder) { return stored_note(folder, "buckets"); }
 
 std::vector<CauseRecord> stored_causes(const std::string& folder) {
-  const SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);
+  SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);
+  file.check_schema(cause_table, true);
   return file.all<CauseRecord>("finding");
 }
 
 double stored_part(const std::string& folder) {
   const std::string text = stored_note(folder, "part");
-  return text.empty() ? 1 : std::stod(text);
+  if (text.empty()) return 1;
+  const std::optional<double> part = number_in<double>(text);
+  if (!part) throw InputError(file_of(folder) + ": part is '" + text + "', no number");
+  return *part;
 }
 
 }  // namespace cyl

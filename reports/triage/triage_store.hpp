@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "corpus/pairs/finding.hpp"
 #include "oracles/trial/mechanism.hpp"
 
@@ -23,7 +24,7 @@ struct CauseRecord {
   std::int64_t finding = 0;  ///< its id in the run
   std::string cause;
   Mechanism mechanism = Mechanism::unclassified;
-  std::string labels;  ///< others that apply, one a line
+  Lines labels;  ///< others that apply
 
   static constexpr const char* table = "cause";
   static auto columns(auto& c) { return std::tie(c.finding, c.cause, c.mechanism, c.labels); }
