@@ -117,9 +117,9 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
   return places;
 }
 
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone` holds the
-/// methods of this build and the guests: the key of a cause does not depend on which of them the gate tests. It may be
-/// empty if nothing is suppressed.
+/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone`
+/// holds the methods of this build and the guests: the key of a cause does not depend on which of them the
+/// gate tests. It may be empty if nothing is suppressed.
 JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> everyone,
                  std::span<const Guest> guests, std::span<const Case> cases,
                  const std::map<std::string, SourceLine>& places) {

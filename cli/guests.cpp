@@ -52,8 +52,9 @@ void refuse_if_left_out(const MethodSet& set, std::size_t first, std::string_vie
   const std::size_t first_guest = set.methods.size() - set.guests.size();
   const auto selected = select_names(names, spec);
   if (std::ranges::any_of(selected, [&](std::size_t i) { return i >= first_guest + first; })) return;
-  throw UsageError(fmt::format("--methods leaves out '{}': add its name, {}, or drop the option that loads it",
-                               set.guests[first].what, set.guests[first].name));
+  throw UsageError(
+      fmt::format("--methods leaves out '{}': add its name, {}, or drop the option that loads it",
+                  set.guests[first].what, set.guests[first].name));
 }
 
 double read_claim(const std::string& text) {

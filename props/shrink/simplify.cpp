@@ -22,8 +22,8 @@ constexpr std::size_t batch_cap = 32;
 
 using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 
-/// The number of radii and heights that are 0. Solids without a length are special cases of many libraries, with
-/// faults of their own. So a simpler pair has no more of them than the pair as found.
+/// The number of radii and heights that are 0. Solids without a length are special cases of many libraries,
+/// with faults of their own. So a simpler pair has no more of them than the pair as found.
 int zero_lengths(const Pair& p) {
   return (p.a.radius == 0) + (p.a.height == 0) + (p.b.radius == 0) + (p.b.height == 0);
 }

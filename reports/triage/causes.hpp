@@ -51,7 +51,7 @@ struct Cause {
   std::string method;                              ///< of the finding that the simplest pair comes from
   FindingKind kind = FindingKind::wrong_disjoint;  ///< likewise
   std::set<std::string> methods, families;
-  std::set<std::string> methods_of_kind;  ///< those that fail in the way of `kind`
+  std::set<std::string> methods_of_kind;     ///< those that fail in the way of `kind`
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
   std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
@@ -110,8 +110,8 @@ Cause cause_from_json(const nlohmann::json& stored);
 /// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
 /// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
 /// pair of each cause, and the cause's own method about a sample of the stratum. Once `out_of_time()`, a
-/// cause is as in `last`, the result of the last triage, and of a new one only the own method is asked, about the
-/// simplest pair.
+/// cause is as in `last`, the result of the last triage, and of a new one only the own method is asked, about
+/// the simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time);
 

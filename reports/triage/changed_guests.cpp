@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t redrawn_cap = 100'000, redraw_batch = 256;
 constexpr Caps again_caps = attended_caps(1);
 
-std::string version_in(const std::vector<MethodRecord>& methods, const std::string& name) {
+std::string version_of(const std::vector<MethodRecord>& methods, const std::string& name) {
   for (const MethodRecord& m : methods)
     if (m.name == name) return m.version;
   return {};
@@ -89,12 +89,12 @@ std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
     const std::string name(context.methods[m]->name());
     if (!context.methods[m]->guest() || std::ranges::count(context.asked, name) == 0) continue;
     const auto past = std::find_if(earlier.rbegin(), earlier.rend(), [&](const TriagedRun& run) {
-      return !version_in(run.methods, name).empty();
+      return !version_of(run.methods, name).empty();
     });
-    const std::string version = version_in(now, name);
+    const std::string version = version_of(now, name);
     // What is here must be what the run asked.
     if (past == earlier.rend() || version != context.methods[m]->version()) continue;
-    ChangedGuest guest{name, version, version_in(past->methods, name), past->id, 0, {}};
+    ChangedGuest guest{name, version, version_of(past->methods, name), past->id, 0, {}};
     if (guest.earlier_version == version) continue;
     ask(context, m, pairs_it_had_right(RunStore::open(past->folder), name), part, guest);
     changed.push_back(std::move(guest));

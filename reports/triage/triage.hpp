@@ -27,7 +27,7 @@ struct TriageOptions {
   std::vector<std::string>
       against;  ///< triaged runs to compare with; if empty, the earlier runs in the same folder
   std::chrono::milliseconds budget{
-      30'000};       ///< wall time, the page's included; overrun by a few questions a cause
+      30'000};        ///< wall time, the page's included; overrun by a few questions a cause
   unsigned jobs = 2;  ///< processes; do not change the causes
   std::vector<Suppression> suppressions;
   std::vector<Case> cases;  ///< of the case files: what a suppression must match

@@ -324,8 +324,8 @@ function seen(s: Solid, x: Vector) {
   return { out, along, ww, across: moved(out, neg(div(along, ww)), s.axis) };
 }
 
-/** Vectors that span the cone of the outward normals of a core at its point x, and the normal of the plane in which they
- *  lie, if they lie in one. Inner points have none. */
+/** Vectors that span the cone of the outward normals of a core at its point x, and the normal of the plane in which
+ *  they lie, if they lie in one. Inner points have none. */
 function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null } {
   const { along, ww, across } = seen(s, x),
     onCap = equal(square(along), mul(square(half(s.height)), ww)),
@@ -357,8 +357,8 @@ function supports(s: Solid, x: Vector, n: Vector): boolean {
   );
 }
 
-/** Whether solids that meet share no inner point: x and y, points of the cores, are nearest to each other and as far apart
- *  as both roundings, or are one point in which the cores have opposite normals. */
+/** Whether solids that meet share no inner point: x and y, points of the cores, are nearest to each other and as far
+ *  apart as both roundings, or are one point in which the cores have opposite normals. */
 function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
   const between = minus(y, x),
     room = add(a.rounding, b.rounding);
@@ -376,14 +376,15 @@ function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
 function proveTouch(a: Solid, b: Solid, x: Vector, y: Vector, steps: string[]): Proof {
   return touchAt(a, b, x, y)
     ? { holds: true, steps, text: "Proved: they meet there, and a plane through the point has one solid on each side." }
-    : { holds: false, steps, text: "Refuted: they meet there, but no plane through the point separates their insides." };
+    : { holds: false, steps, text: "Refuted: they meet there, but no plane through the point separates them." };
 }
 
 function provePoint(a: Solid, b: Solid, point: Vector, touching: boolean, hulls?: [Hull, Hull]): Proof {
   const x = hulls ? inHulls(point, [a, b], hulls) : point,
     { inside, steps } = inBoth(a, b, x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
-  return touching ? proveTouch(a, b, x, x, steps) : { holds: true, steps, text: "Proved: the point lies in both solids." };
+  if (touching) return proveTouch(a, b, x, x, steps);
+  return { holds: true, steps, text: "Proved: the point lies in both solids." };
 }
 
 function two(points: Truth["points"], what: string): [Vector, Vector] {
@@ -401,7 +402,7 @@ function provePoints(a: Solid, b: Solid, { points, hulls }: Truth, touching: boo
   return {
     holds: true,
     steps,
-    text: "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together.",
+    text: "Proved: the points lie in the cores, no farther apart than both roundings together.",
   };
 }
 
@@ -444,7 +445,8 @@ export function prove(pair: Pair, truth: Truth): Proof {
           : provePoint(a, b, vector(truth.point, "the point"), false, truth.hulls);
       case "touching":
         if (truth.points) return provePoints(a, b, truth, true);
-        return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true, truth.hulls);
+        if (truth.near) return proveNear(a, b, truth.near);
+        return provePoint(a, b, vector(truth.point, "the point"), true, truth.hulls);
       default:
         return { holds: null, text: "No truth is proved for this pair.", steps: [] };
     }
