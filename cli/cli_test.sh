@@ -63,7 +63,7 @@ says 'no results of a bench' 65 '' chart empty --bench results
 [[ $(<err) == 'daylight: results is not a result of `daylight bench --json`' ]] || failed 'no results of a bench: the error'
 # Files are opened before the work begins.
 for command in 'bench --json' 'gate --json' 'gate --junit' 'gate --keep' 'triage empty --json' 'judge one --keep' \
-    'explain one --method ode --json' 'worst --method ode --out' 'scene one --json' 'scene one --srdf-out'; do
+    'worst --method ode --out' 'scene one --json' 'scene one --srdf-out'; do
   read -ra words <<<"$command"
   says "$command: no such folder" 1 '' "${words[@]}" none/file
   [[ $(<err) == 'daylight: none/file cannot be written' ]] || failed "$command: the error"

@@ -22,7 +22,7 @@ endfunction()
 
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
-set(process_suites Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
+set(process_suites Batch Bench Campaign Child Confine Contained
     Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Suppressed Triage Worker
     Worst WorstOfCause)

@@ -137,6 +137,19 @@ std::vector<Scaling> ask_scaled(Round& round, std::size_t method, const Pair& pa
   return asked;
 }
 
+/// Returns whether the method is right on the pair of `after`, the failing pair after a change that keeps its
+/// truth.
+/// 1. Another failure, or no answer, is not a cure.
+/// 2. A distance must be right by the claim, and its error at most half as large, relative to the size.
+/// Both are trials of one method.
+bool cures(const Trial& failing, Trial& after) {
+  if (!after.right() || after.meets() != failing.meets()) return false;
+  if (failing.finding()->kind != FindingKind::distance_outside) return true;
+  // A claim has an absolute part, so the error itself must shrink too.
+  const Claim half{.relative = failing.finding()->margin->lo / 2, .source = {}};
+  return after.answer().has_distance && !compare(after, half, after.answer());
+}
+
 /// Returns the first factor that cures the failure, and the last factor before it that does not.
 std::optional<ScaleCure> first_cure(Round& round, const Trial& failing, int wrong,
                                     std::span<const Scaling> asked) {
@@ -283,14 +296,6 @@ std::string library_in_keys(const GroupedMethods& of, const Method& method) {
 }
 
 }  // namespace
-
-bool cures(const Trial& failing, Trial& after) {
-  if (!after.right() || after.meets() != failing.meets()) return false;
-  if (failing.finding()->kind != FindingKind::distance_outside) return true;
-  // A claim has an absolute part, so the error itself must shrink too.
-  const Claim half{.relative = failing.finding()->margin->lo / 2, .source = {}};
-  return after.answer().has_distance && !compare(after, half, after.answer());
-}
 
 bool fails_alike(const Trial& failing, const Trial& other) {
   const FindingKind kind = failing.finding()->kind;

@@ -68,13 +68,6 @@ struct Classification {
   std::optional<ScaleCure> smaller, larger;  ///< of `base`
 };
 
-/// Returns whether the method is right on the pair of `after`, the failing pair after a change that keeps its
-/// truth.
-/// 1. Another failure, or no answer, is not a cure.
-/// 2. A distance must be right by the claim, and its error at most half as large, relative to the size.
-/// Both are trials of one method.
-bool cures(const Trial& failing, Trial& after);
-
 /// Returns whether the other trial fails as the first does: with the same kind. If the library broke, its
 /// words must also be the same, except for numbers other than codes.
 bool fails_alike(const Trial& failing, const Trial& other);

@@ -153,6 +153,23 @@ TEST(Mechanism, WhatFailsOtherwiseIsNoCure) {
   EXPECT_FALSE(found.smaller || found.larger);
 }
 
+/// A distance 2 % off at every size. If the claim allows it for small pairs, that does not cure large ones.
+TEST(Mechanism, ADistanceThatIsOffAsMuchAtEverySizeIsNoFixedLength) {
+  Methods methods;
+  methods.push_back(fake_method("coarse",
+                                [](const Pair& pair) {
+                                  MethodAnswer answer = answered(Verdict::disjoint);
+                                  answer.has_distance = true;
+                                  answer.distance = 0.98 * distance(pair.a, pair.b).value;
+                                  return answer;
+                                },
+                                {.claim = {.absolute = 1, .source = "this test"}}));
+  Pair large = crossing(0x1p23);
+  large.b.center.x() = 0x1p24;
+  const Failing failing{0, FindingKind::distance_outside, large};
+  EXPECT_EQ(classify(methods, {&failing, 1}, {})[0].mechanism, Mechanism::unclassified);
+}
+
 TEST(Mechanism, TellsRounding) {
   Pair p = crossing(1);
   p.b.center.x() = 0.5;  // the walls touch

@@ -18,14 +18,15 @@ using enum Parameter;
 
 constexpr std::array parameters{distance, angle, radius_a, height_a, radius_b, height_b, scale, offset};
 
-/// The most steps outwards. For the solids they reach a factor of 4^12 = 1.7e7. For distances and offsets
-/// they reach 4^26, which is more than a double resolves.
-constexpr int short_steps_cap = 12, long_steps_cap = 26;
+/// The most steps outwards. For the solids they reach a factor of 2^24 = 1.7e7. For distances and offsets
+/// they reach 2^52, which is more than a double resolves.
+constexpr int short_steps_cap = 24, long_steps_cap = 52;
 /// The first lengths of the steps that begin at 0, relative to the size.
 constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle = 0x1p-50;
 /// The tolerance of a kept distance: relative to it, and for rounding relative to the largest coordinate.
 constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
 constexpr int moves_cap = 4;
+constexpr double square = std::numbers::pi / 2;
 /// Angles in radians by which b is turned to see whether the angle matters.
 constexpr std::array turns{-0.1, -0.03, 0.03, 0.1};
 
@@ -115,12 +116,8 @@ class SearchPath {
         for (double k = 1; k <= 1024; k *= 2) steps.push_back(up ? k : -k);
         return steps;
       }
-      case angle: {
-        std::vector<double> steps = up ? growing(angle_, least_angle, long_steps_cap, std::numbers::pi / 2)
-                                       : shrinking(angle_, long_steps_cap);
-        if (up && angle_ < std::numbers::pi / 2) steps.push_back(std::numbers::pi / 2);
-        return steps;
-      }
+      case angle:
+        return angles(up);
       case offset:
         return up ? growing(std::max(offset_, size_), size_, long_steps_cap)
                   : shrinking(offset_, short_steps_cap);
@@ -150,6 +147,17 @@ class SearchPath {
     double x = from / region_step;
     for (int i = 0; i < count; ++i, x /= region_step) steps.push_back(x);
     steps.push_back(0);
+    return steps;
+  }
+
+  /// Steps by factors away from parallel (down: from perpendicular), then by factors towards the other end.
+  std::vector<double> angles(bool up) const {
+    const double rest = square - angle_;
+    std::vector<double> steps = growing(up ? angle_ : rest, least_angle, long_steps_cap, square / 2);
+    const double far = !steps.empty() ? square - steps.back() : up ? rest : angle_;
+    if (!up)
+      for (double& x : steps) x = square - x;
+    for (const double x : shrinking(far, long_steps_cap)) steps.push_back(up ? square - x : x);
     return steps;
   }
 
@@ -194,10 +202,9 @@ class SearchPath {
         p.b.center += (value - distance_) * direction_;
         return p;
       case angle:
-        p.b.axis = value == 0 ? p.a.axis
-                   : value < std::numbers::pi / 2
-                       ? Vector3(std::cos(value) * along_ + std::sin(value) * across_)
-                       : across_;
+        p.b.axis = value == 0       ? p.a.axis
+                   : value < square ? Vector3(std::cos(value) * along_ + std::sin(value) * across_)
+                                    : across_;
         return kept(p);
       case scale:
         return scaled_exactly(p, static_cast<int>(value));
@@ -259,26 +266,31 @@ class Search {
     return values;
   }
 
-  /// Goes outwards through the answers and stops after the first that does not fail.
+  /// Goes outwards through the answers to the first that does not fail. Of the first round, it also counts
+  /// those beyond.
   void take(double value, const Trial& said) {
-    if (found_) return;
     // Thin solids that were moved through each other are apart again.
     const bool is_through =
         path_->parameter() == distance && value < 0 && said.truth.verdict == Verdict::disjoint;
-    if (is_through) {
-      found_ = true;
-    } else if (fails_alike(end_.failing, said)) {
+    const bool fails = !is_through && fails_alike(end_.failing, said);
+    if (first_round_) {
+      end_.failing_samples += !found_ && fails;
+      end_.right_samples += !fails && said.right() && said.meets() == end_.failing.meets();
+      end_.fails_beyond |= found_ && fails;
+    }
+    if (found_) return;
+    found_ = !fails;
+    if (fails) {
       end_.fails_at = value;
       end_.failing = said;
-    } else {
-      found_ = true;
+    } else if (!is_through) {
       end_.ends_at = value;
       end_.beyond = said;
     }
   }
 
   void end_round() {
-    found_ = false;
+    found_ = first_round_ = false;
     done_ = !end_.ends_at || is_narrow();
   }
 
@@ -302,27 +314,23 @@ class Search {
   }
 
   const SearchPath* path_;
-  bool up_, found_ = false, done_ = false;
+  bool up_, first_round_ = true, found_ = false, done_ = false;
   RegionEnd end_;
 };
 
 void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& method) {
-  struct LawQuery {
-    Search* search;
-    double value;
-  };
-  std::vector<LawQuery> asked;
+  std::vector<std::pair<Search*, double>> asked;
   std::vector<Pair> pairs;
   for (Search& search : searches) {
     for (const double value : search.proposals()) {
       const auto pair = search.path().at(value);
       if (!pair) break;
-      asked.push_back({&search, value});
+      asked.emplace_back(&search, value);
       pairs.push_back(*pair);
     }
   }
   const std::vector<Trial> said = try_method(method, pairs);
-  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].search->take(asked[i].value, said[i]);
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].first->take(asked[i].second, said[i]);
   for (Search& search : searches) search.end_round();
 }
 
@@ -351,26 +359,13 @@ bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, Fin
   const SearchPath path(pair, located, angle);
   std::vector<Pair> turned;
   for (const double by : turns)
-    if (const double to = path.here() + by; to >= 0 && to <= std::numbers::pi / 2)
+    if (const double to = path.here() + by; to >= 0 && to <= square)
       if (const auto at = path.at(to)) turned.push_back(*at);
   const std::vector<Trial> said = try_method(method, turned);
   return !said.empty() && std::ranges::all_of(said, [&](const Trial& t) {
     return t.decided() && t.meets() == (located->distance < 0) && t.answer().status != Status::declined &&
            !t.fails(kind);
   });
-}
-
-std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
-                                   double margin) {
-  Pair moved = pair;
-  for (const ParameterRange& r : ranges) {
-    const SearchPath path(moved, {}, r.parameter);
-    if (path.here() >= r.low && path.here() <= r.high) continue;
-    const auto within = path.at(r.low + share * (r.high - r.low));
-    if (!within) return {};
-    moved = *within;
-  }
-  return at_distance(moved, margin * size_of(moved));
 }
 
 }  // namespace cyl

@@ -4,11 +4,8 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -33,12 +30,16 @@ constexpr auto words_of(Parameter) noexcept {
 }
 
 /// One side of a region. The failure ends between the two values. Each is of a pair that was asked and
-/// judged.
+/// judged. The samples are the values that were tried outwards at first, each a factor of region_step from
+/// the next.
 struct RegionEnd {
   double fails_at = 0;            ///< the farthest value at which it was seen to fail
   Trial failing;                  ///< there
   std::optional<double> ends_at;  ///< the nearest value beyond; empty if it fails as far as was tried
   std::optional<Trial> beyond;    ///< there
+  unsigned failing_samples = 0;   ///< inside, without the pair's own value
+  unsigned right_samples = 0;     ///< beyond, with the same true verdict
+  bool fails_beyond = false;      ///< a sample beyond fails again
 };
 
 /// Around the pair's own value. Failures beyond an end are not looked for: the region may have holes that no
@@ -49,31 +50,20 @@ struct FailingRegion {
   RegionEnd low, high;
 };
 
-/// The range of a parameter in which a failure persists.
-struct ParameterRange {
-  Parameter parameter;
-  double low, high;
-};
-
-/// Values are tried outwards from the pair's own by this factor. Then the step at which the failure ends is
+/// Values are tried outwards from the pair's own by this factor (angles: by their distances from parallel and
+/// from perpendicular). Then the step at which the failure ends is
 /// bisected until its ends are this share apart (for `scale`, until they are neighbours), or this often.
-inline constexpr double region_step = 4, region_share = 0.01;
+inline constexpr double region_step = 2, region_share = 0.01;
 inline constexpr int region_rounds_cap = 6;
 
 /// In the order of the parameters. A parameter that cannot move has both ends at its own value. (A flat
 /// solid's height may grow, an axis without the other's plane may not turn.) If angle, radii or heights move,
 /// b follows along the direction of the distance, so that the signed distance stays. If it is 0, b stays.
-/// Cost: about 300 pairs in the first call and 100 in each of the others. Deterministic.
+/// Cost: about 600 pairs in the first round and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
 /// Returns whether a failure of this kind on the pair ends wherever b is turned a little, the distance kept.
 /// Up to four questions.
 bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind);
-
-/// Returns the pair, changed in two ways. Each parameter outside its range is moved into it, `share` (0 to 1)
-/// of the way up. Then b is moved until the signed distance over the size is `margin`. Returns nothing if
-/// there is no such pair. Costs some enclosures of the distance.
-std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
-                                   double margin);
 
 }  // namespace cyl
