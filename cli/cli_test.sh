@@ -135,8 +135,6 @@ says 'the worst error' 0 'distance rim-rim error 0\.[0-9]+ \(within its claim\) 
 mv out first
 "$daylight" worst --method distance --search error --feature rim-rim --evaluations 60 >out
 cmp -s first out || failed 'the same seed, another error'
-says 'the most bits of the referee' 0 'judge cap-rim steps [0-9]+ \(within its claim\) \{.*\}' \
-  worst --method judge --search steps --feature cap-rim --evaluations 20
 
 # An answer comes before the next question is asked.
 coproc "$daylight" check

@@ -25,7 +25,7 @@ struct Counters {
   std::uint8_t margins[2][visited_feature_count][exponent_count];
   std::uint8_t sines[margin_decade_count + 1], cosines[margin_decade_count + 1];  // the last: exactly 0
   std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
-  std::uint8_t scores[enum_values<Objective>.size()][exponent_count];
+  std::uint8_t scores[3][exponent_count];
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
@@ -98,8 +98,8 @@ void count_iterations(int iterations) {
   extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
 }
 
-void count_badness(Objective objective, double score) {
-  count_exponent(extra_counters.scores[static_cast<std::size_t>(objective)], score);
+void count_badness(Badness badness, double score) {
+  count_exponent(extra_counters.scores[static_cast<std::size_t>(badness)], score);
 }
 
 // As many steps to a counter as make distance_step_cap in all.

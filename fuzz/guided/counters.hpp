@@ -9,7 +9,6 @@
 
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/objective.hpp"
 #include "solver/cylinder.hpp"
 #include "solver/distance.hpp"
 
@@ -43,9 +42,14 @@ Stratum count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);
-/// Counts by halves how bad an answer is, and the steps of distance(): how near our own calls come to the
-/// ends of their promises.
-void count_badness(Objective objective, double score);
+/// How near an answer of our own calls comes to the ends of its promises.
+enum class Badness : unsigned char {
+  error,     ///< the error of the distance, divided by the bound that is returned with it
+  bound,     ///< that bound, divided by the claim
+  undecided  ///< the margin of an undecided pair
+};
+/// Counts the badness by halves, and the steps of distance().
+void count_badness(Badness badness, double score);
 void count_distance_steps(int steps);
 /// Counts that the methods i < j, of at most 64, answer differently.
 void count_difference(std::size_t i, std::size_t j);

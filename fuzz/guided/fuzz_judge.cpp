@@ -57,9 +57,8 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
 }
 
 void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer) {
-  const double slack =
-      badness_of(Objective::undecided, method.claim(), trial_.pair, answer, Effort::likely).value;
-  count_badness(Objective::undecided, slack);
+  const double slack = estimated_margin(trial_.pair);
+  count_badness(Badness::undecided, slack);
   if (slack < resolved_margin) return;
   if (trial_.truth.verdict == Verdict::undecided) trial_.truth = judge(trial_.pair, {}, wide_bits_cap);
   if (const auto finding = compare(trial_, method.claim(), answer))
@@ -70,9 +69,9 @@ void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answ
   const Enclosure shown = shown_distance(trial_.pair, measured_);
   if (!std::isfinite(shown.lo)) return;
   const Enclosure off = error_bound_of(shown, answer);
-  count_badness(Objective::error, off.hi / answer.error_bound);
-  count_badness(Objective::bound,
-                badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::likely).value);
+  count_badness(Badness::error, off.hi / answer.error_bound);
+  if (answer.verdict == Verdict::disjoint)
+    count_badness(Badness::bound, answer.error_bound / allowed_error(method.claim(), trial_.pair));
   if (off.hi > answer.error_bound)
     sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
                       "points and direction do not prove the distance within the returned error");

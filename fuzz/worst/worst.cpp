@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include "corpus/pairs/close_contact.hpp"
@@ -14,13 +15,41 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "fuzz/guided/mutator.hpp"
-#include "fuzz/worst/shape_evaluator.hpp"
+#include "oracles/trial/contact.hpp"
+#include "oracles/trial/shown_distance.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// The value of a shape on which nothing is wrong.
+constexpr double nothing_wrong = -1000;
+/// Added to the value of what is beyond the claim, so that it is above all that is within.
+constexpr double beyond = 100;
+/// Improvements below this many decades are not proved.
+constexpr double gain_tol = 1e-4;
+
+/// Margins asked about: 1e-15 to 10 apart, to 1 into each other.
+constexpr int margins_per_decade = 4, decades_down = 15, decades_up = 1;
+/// Parts into which the step from the last margin that is wrong to the next is cut, again and again.
+constexpr int parts = 16, cuts = 2;
+
+/// A search ends after so many crashes, or hangs of a second each: it has found its worst.
+constexpr unsigned crash_cap = 64, hang_cap = 3;
+
+/// A call is timed this often, and its least time counts. Calls that take too long are timed less often.
+constexpr int timed_calls = 3;
+constexpr double repeat_ns_cap = 1e8;
+constexpr int clock_looks = 8;
+
+/// Enclosures are asked to this part of the margin, and to no less than doubles give.
+constexpr double enclosure_part = 1e-4, enclosure_least = 1e-18, enclosure_most = 1e-6;
+
+/// The relative width of enclosures of depths for `error`, a part of the error that a claim allows.
+constexpr double error_width = 1e-14;
 
 /// Evaluations of one walk. Walks of this length from several places find more than longer ones.
 constexpr int walk_cap = 250;
@@ -31,12 +60,112 @@ constexpr int mutations = 12;
 /// Part of the budget that looking at the starts may take.
 constexpr double starts_part = 0.25;
 
-/// Walks from the starts by the failure measured on each shape.
-class ShapeSearch {
+int rank(Failure failure) {
+  return failure == Failure::crash ? 3 : failure == Failure::hang ? 2 : failure == Failure::none ? 0 : 1;
+}
+
+/// Answers with the time of a call as the distance.
+class Timed final : public Method {
  public:
-  ShapeSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
+  Timed(Method& method, double (*clock)()) : method_(method), clock_(clock) {}
+  std::string_view name() const override { return method_.name(); }
+  std::string_view version() const override { return method_.version(); }
+  Claim claim() const override { return method_.claim(); }
+  bool supports(SolidKind kind) const override { return method_.supports(kind); }
+  MethodAnswer answer(const Pair& pair) override {
+    double reading = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < clock_looks; ++i) {
+      const double start = clock_();
+      reading = std::min(reading, clock_() - start);
+    }
+    double least = std::numeric_limits<double>::infinity(), all = 0;
+    MethodAnswer answer;
+    for (int i = 0; i < timed_calls && all < repeat_ns_cap; ++i) {
+      const double start = clock_();
+      answer = method_.ask(pair);
+      const double ns = clock_() - start;
+      least = std::min(least, ns);
+      all += ns;
+    }
+    answer.has_distance = true;
+    answer.distance = std::max(0.0, least - reading);
+    answer.witness = CertificateKind::none;
+    return answer;
+  }
+
+ private:
+  Method& method_;
+  double (*clock_)();
+};
+
+/// A shape: the solids touching, and the direction in which b moves away from a. Apart, the margin along it
+/// is the distance; into each other it is no less than the depth.
+struct Ray {
+  Pair touching;
+  Vector3 direction;
+  double size;
+
+  Pair at(double margin) const {
+    Pair p = touching;
+    p.b.center += margin * size * direction;
+    return p;
+  }
+};
+
+/// One slide may not quite touch, so there are two.
+std::optional<Ray> ray_of(const Pair& pair) {
+  Ray ray{pair, {0, 0, 0}, size_of(pair)};
+  for (int i = 0; i < 2; ++i) {
+    const Distance d = distance(ray.touching.a, ray.touching.b);
+    if (d.verdict == Verdict::invalid || !(d.direction.norm() > 0.5)) return {};
+    ray.direction = d.direction;
+    ray.touching.b.center -= d.value * d.direction;
+  }
+  return ray;
+}
+
+/// Returns the least and the greatest error of the distance over its bound. For a depth, the bound limits
+/// how much deeper the solids are. No direction shows how much less deep they are, so the claim limits that.
+Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
+  if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
+  const double said = answer.distance, most = allowed_error(claim, trial.pair);
+  Enclosure real = shown_distance(trial.pair, distance(trial.pair.a, trial.pair.b));
+  if (trial.truth.verdict == Verdict::touching)
+    real = {0, 0};
+  else if (trial.meets() || by_referee) {
+    const Enclosure proved = trial.distance_at(error_width);
+    real = {std::max(real.lo, proved.lo), std::min(real.hi, proved.hi)};
+  }
+  if (answer.error_bound == 0)
+    return {std::max({0.0, real.lo - said, said - real.hi}) / most,
+            std::max(real.hi - said, said - real.lo) / most};
+  const double deeper_told = said > 0 ? 0 : std::max(0.0, real.lo - said) / most;
+  const Enclosure told = error_bound_of(real, answer);
+  return {std::max(deeper_told, told.lo / answer.error_bound),
+          std::max(deeper_told, told.hi / answer.error_bound)};
+}
+
+/// How bad the method is on a shape, and the pair on its ray on which it is.
+struct Evaluation {
+  double value = nothing_wrong;
+  Pair pair{};
+};
+
+struct Score {
+  double value = 0;
+  bool beyond = false;
+};
+
+/// Measures how bad the method is on one shape after the other, and walks from the worst. For a shape, the
+/// solids are moved until they touch, and the method is asked about pairs along the direction in which they
+/// separate. The solver's estimate guides the search, and kept pairs are proved.
+class WorstSearch {
+ public:
+  WorstSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
               const OnWorst& on_worst)
-      : sought_(sought), options_(options), on_worst_(on_worst), evaluator_(method, sought, options) {}
+      : method_(method), sought_(sought), options_(options), on_worst_(on_worst), claim_(method->claim()) {
+    if (options.objective == Objective::time) timed_ = std::make_unique<Timed>(*method, options.clock);
+  }
 
   Worst run(std::span<const Pair> starts) {
     evaluate_starts(starts);
@@ -47,16 +176,22 @@ class ShapeSearch {
       else
         walk(next_start(round, stream), stream);
     }
-    return std::move(evaluator_.worst());
+    return std::move(worst_);
   }
 
  private:
+  struct Probe {
+    Pair pair;
+    double margin;  ///< signed, along the ray
+    MethodAnswer answer{};
+  };
+
   std::chrono::milliseconds elapsed() const {
     return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began_);
   }
   bool over() const {
-    return evaluator_.worst().evaluations >= options_.evaluation_cap || elapsed() >= options_.budget ||
-           evaluator_.broken();
+    return worst_.evaluations >= options_.evaluation_cap || elapsed() >= options_.budget ||
+           breaks_ >= crash_cap;
   }
 
   /// Starts that already have the wanted features go first.
@@ -64,11 +199,11 @@ class ShapeSearch {
     for (const bool of_it : {true, false}) {
       for (const Pair& start : starts) {
         if (over() ||
-            static_cast<double>(evaluator_.worst().evaluations) >=
+            static_cast<double>(worst_.evaluations) >=
                 starts_part * static_cast<double>(options_.evaluation_cap) ||
             elapsed() >= starts_part * options_.budget)
           break;
-        if (evaluator_.likely_sought(start, distance(start.a, start.b)) == of_it) try_start(start);
+        if (likely_sought(start, distance(start.a, start.b)) == of_it) try_start(start);
       }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -78,7 +213,7 @@ class ShapeSearch {
   void try_start(const Pair& start) {
     const std::optional<Pair> pair = bring_into(options_.domain, start);
     if (!pair) {
-      ++evaluator_.worst().evaluations;
+      ++worst_.evaluations;
       return;
     }
     const Evaluation found = evaluate(*pair);
@@ -88,8 +223,7 @@ class ShapeSearch {
   /// Returns the start of the next walk: the worst pair, the next of the starts, or the worst of some
   /// mutations of the worst pair.
   Pair next_start(std::size_t round, RandomStream& stream) {
-    const Pair& worst =
-        evaluator_.best().value > nothing_wrong ? evaluator_.best().pair : candidates_.front().pair;
+    const Pair& worst = best_.value > nothing_wrong ? best_.pair : candidates_.front().pair;
     if (round % 3 == 0) return worst;
     if (round % 3 == 1) return candidates_[round / 3 % candidates_.size()].pair;
     Evaluation kept{nothing_wrong, worst};
@@ -119,15 +253,14 @@ class ShapeSearch {
     nlopt_set_maxeval(w.optimizer, walk_cap);
     PairChart::Point x{};
     double value = 0;
-    const std::size_t before = evaluator_.worst().evaluations;
+    const std::size_t before = worst_.evaluations;
     nlopt_optimize(w.optimizer, x.data(), &value);
-    if (evaluator_.worst().evaluations == before)
-      ++evaluator_.worst().evaluations;  // a walk that does not begin must end too
+    if (worst_.evaluations == before) ++worst_.evaluations;  // a walk that does not begin must end too
     if (w.thrown) std::rethrow_exception(w.thrown);
   }
 
   struct Walk {
-    ShapeSearch& search;
+    WorstSearch& search;
     PairChart chart;
     nlopt_opt optimizer;
     std::exception_ptr thrown;
@@ -135,7 +268,7 @@ class ShapeSearch {
 
   static double objective(unsigned, const double* x, double*, void* data) {
     Walk& w = *static_cast<Walk*>(data);
-    const unsigned breaks = w.search.evaluator_.breaks();
+    const unsigned breaks = w.search.breaks_;
     double value = nothing_wrong;
     try {
       const Pair pair =
@@ -144,22 +277,220 @@ class ShapeSearch {
     } catch (...) {
       w.thrown = std::current_exception();
     }
-    if (w.thrown || w.search.over() || w.search.evaluator_.breaks() > breaks) nlopt_force_stop(w.optimizer);
+    if (w.thrown || w.search.over() || w.search.breaks_ > breaks) nlopt_force_stop(w.optimizer);
     return value;
   }
 
+  /// Asks about a shape, and keeps in worst_ what is worse than all before. A shape on which something breaks
+  /// counts for nothing: it is not walked from.
   Evaluation evaluate(const Pair& pair) {
-    ++evaluator_.worst().evaluations;
-    if (on_worst_) on_worst_(evaluator_.worst(), elapsed());
-    return evaluator_.evaluate(pair);
+    ++worst_.evaluations;
+    if (on_worst_) on_worst_(worst_, elapsed());
+    const std::optional<Ray> ray = ray_of(pair);
+    if (!ray || !is_in(options_.domain, pair) || !is_in(options_.domain, ray->touching)) return {};
+    const unsigned breaks = breaks_;
+    const Evaluation found =
+        options_.objective == Objective::margin ? most_wrong_on(pair, *ray) : highest_on(pair, *ray);
+    if (breaks_ > breaks) return {};
+    if (found.value > best_.value) best_ = found;
+    return found;
   }
 
+  /// Asks about the pair itself and about others of its ray, and returns all of them.
+  std::vector<Probe> ask_along(const Pair& pair, const Ray& ray, int per_decade) {
+    std::vector<Probe> probes{{pair, distance(pair.a, pair.b).value / ray.size}};
+    for (int i = per_decade * decades_up; i >= -per_decade * decades_down; --i) {
+      const double margin = std::pow(10, static_cast<double>(i) / per_decade);
+      probes.push_back({ray.at(margin), margin});
+      if (margin <= 1) probes.push_back({ray.at(-margin), -margin});
+    }
+    ask(probes);
+    return probes;
+  }
+
+  /// Stops at the first hang and notes what fails.
+  void ask(std::vector<Probe>& probes) {
+    std::vector<Pair> pairs;
+    std::vector<Question> questions;
+    for (const Probe& probe : probes) {
+      questions.push_back({0, pairs.size()});
+      pairs.push_back(probe.pair);
+    }
+    const std::unique_ptr<Method>& asked = timed_ ? timed_ : method_;
+    worst_.questions += probes.size();
+    if (!method_->foreign()) {
+      for (Probe& probe : probes) probe.answer = asked->ask(probe.pair);
+      return;
+    }
+    if (!asker_) {
+      Caps caps;
+      caps.hangs = 1;
+      asker_.emplace(std::span(&asked, 1), caps);
+    }
+    const auto said = asker_->ask(pairs, questions);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      probes[i].answer = said[i].answer;
+      if (said[i].answer.status == Status::failed) note_failure(probes[i]);
+    }
+  }
+
+  void note_failure(const Probe& probe) {
+    const Failure failure = probe.answer.failure;
+    if (failure == Failure::crash) ++breaks_;
+    if (failure == Failure::hang) breaks_ += crash_cap / hang_cap + 1;
+    if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
+    if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) return;
+    if (sought_.also && !sought_.also(probe.pair)) return;
+    worst_.failed = FailedPair{probe.pair, failure, probe.answer.reason};
+  }
+
+  /// Returns whether the wanted features meet, by the solver. It is fast, and proved later if it matters.
+  bool likely_sought(const Pair& pair, const Distance& d) const {
+    if (!sought_.feature) return true;
+    if (d.verdict == Verdict::invalid) return false;
+    return feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
+  }
+
+  /// For the optimiser: beyond the claim by the margin, else by the part of the claim that is used.
+  double value_of(double margin, double size) const {
+    const double gap = margin * size, claimed = reach(claim_, size);
+    return gap >= claimed ? beyond + std::log10(margin) : std::log10(gap / claimed);
+  }
+
+  /// The value if the answer is wrong, by the solver.
+  double likely_value(const Probe& probe) const {
+    if (probe.answer.status != Status::answered) return nothing_wrong;
+    const Verdict said = probe.answer.verdict;
+    const bool wrong = probe.margin < 0 ? said == Verdict::disjoint
+                                        : said == Verdict::intersecting || said == Verdict::touching;
+    if (!wrong || (sought_.kind && (*sought_.kind == FindingKind::wrong_intersecting) != (probe.margin > 0)))
+      return nothing_wrong;
+    const Distance d = distance(probe.pair.a, probe.pair.b);
+    if (std::abs(d.value) <= d.error || (d.value < 0) != (probe.margin < 0)) return nothing_wrong;
+    if (!likely_sought(probe.pair, d)) return nothing_wrong;
+    const double size = size_of(probe.pair);
+    return value_of(std::abs(d.value) / size, size);
+  }
+
+  /// The worst of the answers, if that is worse than `value`.
+  const Probe* worst_among(const std::vector<Probe>& probes, double& value) const {
+    const Probe* worst = nullptr;
+    for (const Probe& probe : probes) {
+      const double v = likely_value(probe);
+      if (v <= value) continue;
+      value = v;
+      worst = &probe;
+    }
+    return worst;
+  }
+
+  Evaluation most_wrong_on(const Pair& pair, const Ray& ray) {
+    Evaluation found;
+    const std::vector<Probe> probes = ask_along(pair, ray, margins_per_decade);
+    const Probe* first = worst_among(probes, found.value);
+    if (first == nullptr) return found;
+    Probe worst = *first;
+    double step = std::pow(10, 1.0 / margins_per_decade);
+    for (int cut = 0; cut < cuts && found.value + std::log10(step) > best_.value; ++cut) {
+      const double part = std::pow(step, 1.0 / parts);
+      std::vector<Probe> between;
+      double margin = worst.margin;
+      for (int i = 1; i < parts; ++i) between.push_back({ray.at(margin *= part), margin});
+      ask(between);
+      if (const Probe* worse = worst_among(between, found.value)) worst = *worse;
+      step = part;
+    }
+    found.pair = worst.pair;
+    if (found.value > proved_value() + gain_tol) found.value = prove(worst, found.value);
+    return found;
+  }
+
+  double proved_value() const { return worst_.wrong ? proved_ : nothing_wrong; }
+
+  double prove(const Probe& wrong, double likely) {
+    const MethodAnswer& answer = wrong.answer;
+    Proofs proofs(wrong.pair, {&answer, 1});
+    Trial& proved = proofs.of(wrong.pair);
+    if (!proved.decided()) return nothing_wrong;
+    proved.distance_at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
+    const auto finding = compare(proved, claim_, answer);
+    if (!finding || !is_refuted_verdict(finding->kind) || !finding->margin) return nothing_wrong;
+    if (sought_.kind && finding->kind != *sought_.kind) return nothing_wrong;
+    if (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) return nothing_wrong;
+    if (sought_.also && !sought_.also(wrong.pair)) return nothing_wrong;
+    const double size = size_of(wrong.pair);
+    const double margin = finding->margin->lo;
+    const double value = finding->severity == Severity::contract ? beyond + std::log10(margin)
+                                                                 : std::min(value_of(margin, size), 0.0);
+    if (value > proved_value()) {
+      proved_ = value;
+      worst_.wrong = WrongPair{wrong.pair, proved.truth.verdict, *finding};
+    }
+    return std::min(value, likely);
+  }
+
+  Score likely_score(const Probe& probe) const {
+    if (probe.answer.status != Status::answered) return {};
+    if (timed_) return {std::max(1.0, probe.answer.distance)};
+    return error_score(probe, false);
+  }
+
+  Score error_score(const Probe& probe, bool proved) const {
+    if (!probe.answer.has_distance && !(probe.answer.error_bound > 0)) return {};
+    Trial trial = proved ? Trial(probe.pair) : Trial(probe.pair, judge_verdict(probe.pair));
+    const Enclosure ratio = error_over_bound(trial, claim_, probe.answer, proved);
+    return {ratio.hi, proved && ratio.lo > 1};
+  }
+
+  /// A time that something else caused does not come again. An error is proved.
+  Score confirmed_score(const Probe& probe) {
+    if (!timed_) return error_score(probe, true);
+    std::vector<Probe> again{probe, probe};
+    ask(again);
+    Score score = likely_score(probe);
+    for (const Probe& a : again) score.value = std::min(score.value, likely_score(a).value);
+    return score;
+  }
+
+  /// For searches by a score.
+  Evaluation highest_on(const Pair& pair, const Ray& ray) {
+    Evaluation found;
+    const Probe* highest = nullptr;
+    const std::vector<Probe> probes = ask_along(pair, ray, 1);
+    for (const Probe& probe : probes) {
+      const double score = likely_score(probe).value;
+      if (!(score > 0) || std::log10(score) <= found.value) continue;
+      if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) continue;
+      found = {std::log10(score), probe.pair};
+      highest = &probe;
+    }
+    const double known = worst_.scored ? std::log10(worst_.scored->score) : nothing_wrong;
+    if (!highest || found.value <= known + gain_tol) return found;
+    const Score confirmed = confirmed_score(*highest);
+    if (!(confirmed.value > 0) || !belongs(highest->pair)) return {};
+    found.value = std::min(found.value, std::log10(confirmed.value));
+    if (found.value > known) worst_.scored = ScoredPair{highest->pair, confirmed.value, confirmed.beyond};
+    return found;
+  }
+
+  bool belongs(const Pair& pair) const {
+    if (sought_.feature && contact_feature(pair) != sought_.feature) return false;
+    return !sought_.also || sought_.also(pair);
+  }
+
+  const std::unique_ptr<Method>& method_;
   const Sought& sought_;
   const WorstOptions& options_;
   const OnWorst& on_worst_;
+  const Claim claim_;
   const Clock::time_point began_ = Clock::now();
+  std::unique_ptr<Method> timed_;
+  std::optional<Asker> asker_;  ///< of the one that is asked
   std::vector<Evaluation> candidates_;
-  ShapeEvaluator evaluator_;
+  Evaluation best_;
+  double proved_ = nothing_wrong;
+  unsigned breaks_ = 0;  ///< crashes, and hangs for several each
+  Worst worst_;
 };
 
 double nanoseconds_on(clockid_t clock) {
@@ -179,7 +510,7 @@ bool Worst::beyond_claim() const {
 
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst) {
-  return ShapeSearch(method, sought, options, on_worst).run(starts);
+  return WorstSearch(method, sought, options, on_worst).run(starts);
 }
 
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed) {
@@ -212,7 +543,7 @@ std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint6
 
 std::optional<double> usual_ns(const std::unique_ptr<Method>& method, double (*clock)()) {
   constexpr std::uint64_t count = 101, seed = 1;
-  const std::unique_ptr<Method> asked = timed(*method, clock);
+  const std::unique_ptr<Method> asked = std::make_unique<Timed>(*method, clock);
   std::vector<Pair> pairs;
   std::vector<Question> questions;
   for (std::uint64_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 // count.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -17,13 +18,21 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "fuzz/worst/pair_chart.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
-#include "oracles/trial/objective.hpp"
 
 namespace cyl {
+
+/// The quantity that a search maximises.
+enum class Objective : unsigned char {
+  margin,  ///< the margin by which a verdict is wrong
+  error,   ///< the error of the distance, divided by the bound that is returned with it, or by the claim
+  time     ///< of a call
+};
+constexpr auto words_of(Objective) noexcept { return std::array{"margin", "error", "time"}; }
 
 /// The pairs that count: these features meet, the verdict is wrong in this way, and `also` is true, as far as
 /// they are given. `also` is called only for the few pairs that would be the worst so far. It may cost some
@@ -63,16 +72,12 @@ struct FailedPair {
   std::string reason;
 };
 
-struct SlowPair {
-  Pair pair;
-  double ns;  ///< of one call: the least of a few
-};
-
-/// For the other searches.
+/// Of Objective::error, the error over its bound, at most. Of Objective::time, the ns of one call, the least
+/// of a few.
 struct ScoredPair {
   Pair pair;
   double score;
-  bool beyond;  ///< proved to be more than the method promises; an error's score is what it is at most
+  bool beyond;  ///< the error is proved to be beyond its bound
 };
 
 struct Worst {
@@ -80,8 +85,7 @@ struct Worst {
   /// nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
-  std::optional<SlowPair> slow;      ///< of Objective::time
-  std::optional<ScoredPair> scored;  ///< of steps, error, bound and undecided
+  std::optional<ScoredPair> scored;  ///< of Objective::error and time
   std::size_t evaluations = 0, questions = 0;
 
   /// Returns whether something beyond the method's claim was found: all failures are.

@@ -194,14 +194,14 @@ TEST(Worst, TheSlowestIsFound) {
   options.objective = Objective::time;
   options.clock = false_clock;
   const Worst worst = search(method, ContactFeature::side_side, options);
-  ASSERT_TRUE(worst.slow);
-  EXPECT_GE(worst.slow->ns, 0.9 * 110100);
-  EXPECT_LE(worst.slow->ns, 110100);
+  ASSERT_TRUE(worst.scored);
+  EXPECT_GE(worst.scored->score, 0.9 * 110100);
+  EXPECT_LE(worst.scored->score, 110100);
   EXPECT_FALSE(worst.wrong);
   const auto usual = usual_ns(method, false_clock);
   ASSERT_TRUE(usual);
   EXPECT_GE(*usual, 100);
-  EXPECT_LT(*usual, 0.5 * worst.slow->ns);
+  EXPECT_LT(*usual, 0.5 * worst.scored->score);
 }
 
 TEST(PairChart, ItsOriginIsTheStartBitForBit) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/witness_miss.hpp"
 #include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/trial.hpp"
@@ -200,6 +201,11 @@ double reach(const Claim& claim, double size) {
   // For subnormal solids the product may vanish.
   const double relative_part = std::max(relative * size, std::numeric_limits<double>::denorm_min());
   return (relative_part + claim.absolute) * (1 + rounding_error);
+}
+
+double allowed_error(const Claim& claim, const Pair& pair) {
+  const double length = size_of(pair) + length_of(pair.b.center - pair.a.center);
+  return claim.relative == 0 && claim.absolute == 0 ? length : reach(claim, length);
 }
 
 Enclosure magnitude_against(double length, Trial& trial) {

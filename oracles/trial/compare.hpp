@@ -33,6 +33,10 @@ inline constexpr double claim_floor = 1e-13;
 /// for a claim of 0/0.
 double reach(const Claim& claim, double size);
 
+/// Returns the error of the distance that a claim allows in a search or a fuzz target: reach() of a length
+/// that includes |Delta|, as in solver/distance.hpp. If nothing is claimed, this is the whole length.
+double allowed_error(const Claim& claim, const Pair& pair);
+
 /// Returns |signed distance| of a pair whose verdict is proved. The enclosure is narrow enough to decide
 /// whether it reaches `length`, or as narrow as any that is computed.
 Enclosure magnitude_against(double length, Trial& trial);
