@@ -126,16 +126,9 @@ void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
 
 std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
-       bodies = json::array(), roundings = json::array(), rounded = json::array();
+       bodies = json::array();
   for (const auto& [shape, link] : scene.left_out) left_out.push_back(shape + " of " + link);
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
-  for (const RoundingCost& r : s.roundings) {
-    roundings.push_back({{"rounding", r.rounding},
-                         {"pairs", r.cheaper},
-                         {"false_alarms", r.alarms},
-                         {"all_rounded", r.all_rounded}});
-    rounded.push_back(r.ns);
-  }
   for (const Level level : enum_values<Level>) {
     alone[to_string(level)] = s.alone_ns[index_of(level)];
     models.push_back(model_json(q, s, level));
@@ -160,10 +153,8 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
             {{"kinematics", s.kinematics_ns},
              {"models", s.models_ns},
              {"recommended", s.cascade_ns},
-             {"rounded", std::move(rounded)},
              {"alone", std::move(alone)}}},
            {"models", std::move(models)},
-           {"roundings", std::move(roundings)},
            {"bodies", std::move(bodies)},
            {"pairs", std::move(pairs)}};
   if (s.closest)

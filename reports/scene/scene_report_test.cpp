@@ -127,38 +127,6 @@ TEST(Study, TellsWhereAModelIsWrongByMost) {
   EXPECT_GT(least(&Score::missed), 5u);
 }
 
-// Two capsules 0.9 apart whose balls overlap. Balls suffice if each solid may be rounded by 0.5.
-TEST(Study, TellsWhatARoundingCostsAndSaves) {
-  const Scene scene =
-      still_scene({{"left", {{0, 0, 0}, {0, 0, 1}, 0, 4, 1}}, {"right", {{2.9, 0, 0}, {0, 0, 1}, 0, 4, 1}}});
-  const SceneStudy s = study_scene(scene, question(0, 0, 1));
-  ASSERT_EQ(tried_roundings(scene), (std::vector{0.02, 0.05, 0.1, 0.2, 0.5}));
-  ASSERT_EQ(s.roundings.size(), 5u);
-  for (const RoundingCost& r : s.roundings) {
-    const bool allowed = r.rounding == 0.5;
-    EXPECT_EQ(r.cheaper, allowed) << r.rounding;
-    EXPECT_EQ(r.alarms, allowed);
-    EXPECT_EQ(r.all_rounded, allowed);
-    EXPECT_GT(r.ns, 0);
-  }
-  const std::string text = study_text(scene, question(0, 0, 1), s);
-  EXPECT_NE(text.find("rounding up to 0.5: simpler models for 1 pair, "), text.npos) << text;
-  EXPECT_NE(text.find("2 capsules, 0 not tested; 2 links"), text.npos);
-}
-
-TEST(Study, RoundingsAreFalseAlarmsOfCheaperModels) {
-  const Scene scene = read_scene(folder + "twenty.urdf");
-  const SceneStudy s = study_scene(scene, question(0, 0, 100));
-  std::size_t before = 0;
-  for (const RoundingCost& r : s.roundings) {
-    EXPECT_LE(r.alarms, r.all_rounded) << r.rounding;
-    EXPECT_GE(r.all_rounded, before);
-    before = r.all_rounded;
-  }
-  EXPECT_GT(s.roundings.back().alarms, 0u);
-  EXPECT_EQ(s.roundings.back().rounding, 0.02);
-}
-
 TEST(Study, SaysItInWords) {
   const Scene scene = read_scene(folder + "crane.urdf");
   const SceneOptions q = question(0, 0, 30);

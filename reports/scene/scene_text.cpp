@@ -288,24 +288,6 @@ std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
                      counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
 }
 
-/// Returns a line for each rounding that changes something: "rounding up to 0.002: simpler models for 2
-/// pairs, 1 % less time, ..".
-std::vector<std::string> rounding_words(const SceneStudy& s) {
-  std::vector<std::string> words;
-  for (const RoundingCost& r : s.roundings) {
-    const double saved = 100 * (1 - r.ns / s.cascade_ns);
-    if (r.cheaper == 0) continue;
-    words.push_back(fmt::format(
-        "rounding up to {}: simpler models for {}, {}, {} in {} ({} if every solid is rounded)", r.rounding,
-        counted(r.cheaper, "pair"), saved >= 0.5 ? fmt::format("{:.0f} % less time", saved) : "no less time",
-        counted(r.alarms, "false alarm"), counted(s.configurations, "configuration"),
-        grouped(r.all_rounded)));
-  }
-  if (words.empty() && !s.roundings.empty())
-    words.push_back(fmt::format("rounding up to {}: no simpler models", s.roundings.back().rounding));
-  return words;
-}
-
 std::string bound_or_body(const Scene& scene, std::size_t i) {
   return scene.bodies[i].name + (scene.bodies[i].box ? " (bounding solid)" : "");
 }
@@ -346,7 +328,6 @@ std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStu
   text += line(recommended_words(scene, s), "recommended: ");
   for (const std::string& remark : remark_words(scene, s)) text += line(remark, "  ");
   text += line(cost_words(s), "  ") + line(forgiven_words(q, s), "  ");
-  for (const std::string& rounding : rounding_words(s)) text += line(rounding, "  ");
   return text + line(capsules_words(q, s)) + line(closest_words(scene, q, s)) + line(verified_words(s)) +
          line(motions_words(q, s)) + motions_text(scene, s, every_pair);
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/study/scene_study.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
@@ -28,7 +25,6 @@ class Study {
     result_.bodies = scene.bodies.size();
     result_.drawn = moves(scene) && q_.at.empty();
     result_.configurations = result_.drawn ? q_.configurations : 1;
-    for (const double rounding : tried_roundings(scene)) result_.roundings.emplace_back().rounding = rounding;
     const PairRule rule(scene, q_.all_pairs, q_.each_link);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -47,7 +43,6 @@ class Study {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
     if (result_.drawn) go_on();
-    for (RoundingCost& r : result_.roundings) allow(r);
     for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
     if (q_.verify) verify();
     if (q_.prove) prove();
@@ -101,9 +96,6 @@ class Study {
     }
     const bool is_within = truth.value_or(true);
     const double d = distance(a.solid, b.solid).value;
-    const bool counted = configuration < result_.configurations;
-    for (RoundingCost& r : result_.roundings)
-      r.all_rounded += counted && !is_within && d <= q_.clearance + 2 * r.rounding;
     for (const Level level : enum_values<Level>)
       score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
@@ -114,7 +106,7 @@ class Study {
     if (!result_.closest || miss(d) < miss(result_.closest->distance))
       result_.closest =
           ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
-    if (counted) truths_.push_back(is_within);
+    if (configuration < result_.configurations) truths_.push_back(is_within);
   }
 
   void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
@@ -129,26 +121,8 @@ class Study {
     models_ = models_of(place(scene_, joints(configuration)));
     for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
       PairStudy& pair = result_.pairs[i];
-      const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
-      const bool is_within = truths_[configuration * result_.pairs.size() + i];
-      pair.cascade_wrong += said != is_within;
-      for (std::size_t k = 0; k < allowed_.size(); ++k)
-        result_.roundings[k].alarms +=
-            is_within != (allowed_[k][i] == pair.cascade
-                              ? said
-                              : within(allowed_[k][i], models_[pair.a], models_[pair.b], q_.clearance));
-    }
-  }
-
-  void allow(RoundingCost& r) {
-    auto& cascades = allowed_.emplace_back();
-    const double tolerated = std::max(q_.tolerated, 2 * r.rounding);
-    for (const PairStudy& pair : result_.pairs) {
-      const bool same = std::ranges::all_of(enum_values<Level>, [&](Level level) {
-        return suffices(pair, level, tolerated) == suffices(pair, level, q_.tolerated);
-      });
-      cascades.push_back(same ? pair.cascade : recommend(pair, tolerated));
-      r.cheaper += cascades.back() != pair.cascade;
+      pair.cascade_wrong += within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance) !=
+                            truths_[configuration * result_.pairs.size() + i];
     }
   }
 
@@ -228,12 +202,11 @@ class Study {
         return hits;
       });
     };
-    const auto ask_cascades = [&](const std::vector<Cascade>& cascades) {
-      return ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
-        return within(cascades[pair], a, b, q_.clearance);
-      });
-    };
-    measure_cascades(ask_cascades);
+    std::vector<Cascade> recommended;  // a list of its own, because cascades cost more beside other data
+    for (const PairStudy& pair : result_.pairs) recommended.push_back(pair.cascade);
+    result_.cascade_ns = ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
+      return within(recommended[pair], a, b, q_.clearance);
+    });
     for (const Level level : enum_values<Level>)
       result_.alone_ns[index_of(level)] =
           ask_all([&, level](std::size_t, const ProxyModels& a, const ProxyModels& b) {
@@ -241,29 +214,12 @@ class Study {
           });
   }
 
-  // Times the recommended cascades from a list like the other ones, because they cost more beside other
-  // data. They take turns with each of the others, because the speed of a machine varies.
-  void measure_cascades(const auto& time_of) {
-    std::vector<Cascade> recommended;
-    for (const PairStudy& pair : result_.pairs) recommended.push_back(pair.cascade);
-    result_.cascade_ns = time_of(recommended);
-    for (std::size_t k = 0; k < allowed_.size(); ++k) {
-      result_.roundings[k].ns = result_.cascade_ns;
-      if (result_.roundings[k].cheaper == 0) continue;
-      std::array<double, 5> ratios{};
-      for (double& ratio : ratios) ratio = time_of(allowed_[k]) / time_of(recommended);
-      std::sort(ratios.begin(), ratios.end());
-      result_.roundings[k].ns *= ratios[ratios.size() / 2];
-    }
-  }
-
   const Scene& scene_;
   const SceneOptions& q_;
   SceneStudy result_;
   std::vector<Cylinder> placed_;
   std::vector<ProxyModels> models_;
-  std::vector<bool> truths_;                   ///< by configuration, then pair
-  std::vector<std::vector<Cascade>> allowed_;  ///< by rounding, then pair
+  std::vector<bool> truths_;  ///< by configuration, then pair
 };
 
 /// Returns the cost of a cascade on the samples, by weights.
@@ -302,27 +258,6 @@ Total total_of(const SceneStudy& study, Level level, double tolerated) {
     t.missed = std::max(t.missed, score.missed.length);
   }
   return t;
-}
-
-std::vector<double> tried_roundings(const Scene& scene) {
-  constexpr std::size_t count = 5;
-  std::vector<double> thickness, tried;
-  for (const Body& body : scene.bodies) {
-    const Cylinder& c = body.solid;
-    thickness.push_back(std::min(c.radius, c.height / 2) + c.rounding);
-  }
-  if (thickness.empty()) return tried;
-  const auto median = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-  std::nth_element(thickness.begin(), median, thickness.end());
-  if (!(*median > 0)) return tried;
-  // Reads decimals, so that 0.002 is the double that is written so everywhere.
-  for (int power = static_cast<int>(std::floor(std::log10(*median))); tried.size() < count; --power)
-    for (const int digit : {5, 2, 1})
-      if (const double x = std::strtod(fmt::format("{}e{}", digit, power).c_str(), nullptr);
-          x <= *median / 2 && tried.size() < count)
-        tried.push_back(x);
-  std::reverse(tried.begin(), tried.end());
-  return tried;
 }
 
 bool suffices(const PairStudy& pair, Level level, double tolerated) {

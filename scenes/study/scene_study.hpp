@@ -73,17 +73,6 @@ struct ClosestCall {
   double size = 0;  ///< radii and heights of the pair together
 };
 
-/// The costs and savings if every solid is rounded by this much. Any model is then enough that answers as if
-/// each solid were between itself and itself grown by this rounding. False alarms come up to two roundings
-/// beyond the clearance.
-struct RoundingCost {
-  double rounding = 0;
-  std::size_t cheaper = 0;      ///< pairs that another cascade then answers
-  std::size_t alarms = 0;       ///< false alarms of these cascades, over all pairs
-  std::size_t all_rounded = 0;  ///< false alarms if every solid is grown by this much
-  double ns = 0;                ///< of one configuration
-};
-
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
   bool drawn = false;                            ///< more than one configuration, so rates have bounds
@@ -92,7 +81,6 @@ struct SceneStudy {
   std::size_t asked_referee = 0;  ///< samples that no level decides
   std::size_t undecided = 0;      ///< samples without a proof of the referee; they count as within
   std::optional<ClosestCall> closest;
-  std::vector<RoundingCost> roundings;  ///< ascending
   // For one configuration, in ns.
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
@@ -122,11 +110,6 @@ struct Total {
   double alarm = 0, missed = 0;
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
-
-/// Returns the lengths that are tried as roundings, which are 1, 2 or 5 times a power of ten. They are the
-/// five greatest that are at most half of the median thickness of the solids. The thickness is the radius or
-/// half the height, plus the rounding.
-std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);
