@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -38,11 +36,6 @@ std::string wrapped(const std::string& first, const std::string& text) {
     begin = end + 1;
   }
   return lines + '\n';
-}
-
-/// Returns 10^-decade in the form that origins have, such as 1e-09. Decade 0 becomes 1.
-std::string power(int decade) {
-  return decade == 0 ? "1" : fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade));
 }
 
 std::string claim_in_words(const Claim& claim) {
@@ -123,40 +116,10 @@ std::string failures_text(const JudgedGate& gate) {
   return text;
 }
 
-std::string name_of(const CloseGateCell& c) {
-  return fmt::format("{} {} {}", to_string(c.cell.lie), to_string(c.cell.band), power(c.cell.decade));
-}
-
-/// Gaps and overlaps are two questions with one bound each. Returns the worse bound.
-double bound_of(const CloseGateCell& c) {
-  return std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps));
-}
-
-/// The most cells that a text names.
-constexpr std::size_t cells_named_cap = 6;
-
-std::string named(const std::vector<const CloseGateCell*>& cells, bool bounds) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(cells.size(), cells_named_cap); ++i) {
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", name_of(*cells[i]));
-    if (bounds) text += fmt::format(" (<= {:.1e})", bound_of(*cells[i]));
-  }
-  if (cells.size() > cells_named_cap) text += fmt::format(" and {} more", cells.size() - cells_named_cap);
-  return text;
-}
-
-/// A cell is rare if it has less than this part of the gaps or overlaps of the median cell: a quarter.
-constexpr std::uint64_t rare_part = 4;
-
 std::string rate(double bound) { return fmt::format("<= {:.1e}", bound); }
 
 /// A bound from here on states nothing.
 constexpr double vain_bound = 0.5;
-
-std::string rate_in_each(double worst) {
-  return worst < vain_bound ? rate(worst) + " in each combination"
-                            : "unknown in some combinations, which have too few pairs";
-}
 
 /// Returns "wrong beyond its claim on 3 of 70". If none is wrong, returns `right` and the number.
 std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string& right) {
@@ -165,57 +128,55 @@ std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string&
 }
 constexpr const char* none_beyond = "never wrong beyond its claim on";
 
-/// Returns one line for each fact.
-std::string as_lines(const std::vector<std::string>& facts) {
-  std::string text;
-  for (const std::string& fact : facts) text += wrapped("  ", fact);
-  return text;
-}
+/// What one sample shows about the combinations that a method claims.
+struct Sample {
+  std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+  std::uint64_t combinations = 0, empty = 0;  ///< those with decided pairs, and those without
+  double worst = 0;                           ///< the largest bound of the error rate in a combination
+
+  void add(std::uint64_t in_cell, std::uint64_t wrong_in_cell, std::uint64_t undecided_in_cell,
+           double bound) {
+    undecided += undecided_in_cell;
+    ++(in_cell == 0 ? empty : combinations);
+    if (in_cell == 0) return;
+    pairs += in_cell;
+    wrong += wrong_in_cell;
+    worst = std::max(worst, bound);
+  }
+
+  std::string rate_in_each(const char* of) const {
+    return worst < vain_bound
+               ? fmt::format("{} in each of {} of {}", rate(worst), counted(combinations, "combination"), of)
+               : fmt::format("unknown in some combinations of {}, which have too few pairs", of);
+  }
+
+  /// Returns the lines below the first one.
+  std::string facts(const std::string& rates) const {
+    std::string text;
+    if (pairs > 0) text += wrapped("  ", fmt::format("The error rate is {}, at 95 % confidence.", rates));
+    if (undecided > 0) text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(undecided)));
+    if (pairs > 0 && empty > 0)
+      text += wrapped("  ", fmt::format("No pair was decided in {}.", counted(empty, "combination")));
+    return text;
+  }
+};
 
 /// Returns what close contacts prove about the claimed cells. Empty if the method was asked about none.
 std::string close_in_words(const GateMethod& method) {
-  std::vector<const CloseGateCell*> empty, rare, full;
-  std::vector<std::uint64_t> gaps, overlaps;
-  std::uint64_t wrong = 0, decided = 0, undecided = 0;
-  for (const CloseGateCell& c : method.close_cells) {
-    if (!c.claimed) continue;
-    gaps.push_back(c.gaps);
-    overlaps.push_back(c.overlaps);
-    undecided += c.undecided;
-    decided += c.gaps + c.overlaps;
-    wrong += c.wrong_gaps + c.wrong_overlaps;
-  }
+  Sample sample;
+  // Gaps and overlaps are two questions with one bound each. The worse one counts.
+  for (const CloseGateCell& c : method.close_cells)
+    if (c.claimed)
+      sample.add(
+          c.gaps + c.overlaps, c.wrong_gaps + c.wrong_overlaps, c.undecided,
+          std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps)));
   const std::string name = one_line(method.name);
-  if (decided == 0) return undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
-  const auto middle = [](std::vector<std::uint64_t> n) {
-    const auto at = n.begin() + static_cast<std::ptrdiff_t>(n.size() / 2);
-    std::nth_element(n.begin(), at, n.end());
-    return *at;
-  };
-  const std::uint64_t usual_gaps = middle(gaps), usual_overlaps = middle(overlaps);
-  std::uint64_t least_gaps = 0, least_overlaps = 0;
-  double worst = 0;
-  for (const CloseGateCell& c : method.close_cells) {
-    if (!c.claimed) continue;
-    const bool few = c.gaps * rare_part < usual_gaps || c.overlaps * rare_part < usual_overlaps;
-    (c.gaps + c.overlaps == 0 ? empty : few ? rare : full).push_back(&c);
-    if (full.empty() || full.back() != &c) continue;
-    least_gaps = full.size() == 1 ? c.gaps : std::min(least_gaps, c.gaps);
-    least_overlaps = full.size() == 1 ? c.overlaps : std::min(least_overlaps, c.overlaps);
-    worst = std::max(worst, bound_of(c));
-  }
-  std::vector<std::string> facts;
-  facts.push_back(fmt::format("They cover {} of axis position, small angle and decade of margin.",
-                              counted(full.size(), "combination")));
-  facts.push_back(fmt::format("Each combination has at least {} and {}.", counted(least_gaps, "gap"),
-                              counted(least_overlaps, "overlap")));
-  facts.push_back(fmt::format("The error rate is {}, for gaps and for overlaps, at 95 % confidence.",
-                              rate_in_each(worst)));
-  if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
-  if (!rare.empty()) facts.push_back("Few pairs: " + named(rare, true) + '.');
-  if (!empty.empty()) facts.push_back("No decided pair: " + named(empty, false) + '.');
-  return wrapped("", fmt::format("{} is {} close contacts.", name, success(decided, wrong, none_beyond))) +
-         as_lines(facts);
+  if (sample.pairs == 0)
+    return sample.undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
+  return wrapped("", fmt::format("{} is {} close contacts.", name,
+                                 success(sample.pairs, sample.wrong, none_beyond))) +
+         sample.facts(
+             sample.rate_in_each("axis position, small angle and decade, for gaps and for overlaps"));
 }
 
 std::string rounded_in_words(const GateMethod& method) {
@@ -223,64 +184,29 @@ std::string rounded_in_words(const GateMethod& method) {
   if (count.pairs + count.undecided == 0) return {};
   const std::string name = one_line(method.name);
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
-  std::vector<std::string> facts;
+  std::string text = wrapped("", fmt::format("{} is {} with a sphere, capsule or rounded cylinder.", name,
+                                             success(count.pairs, count.wrong, none_beyond) +
+                                                 (count.pairs == 1 ? " pair" : " pairs")));
   if (count.undecided > 0)
-    facts.push_back(fmt::format("It is undecided on {} more.", grouped(count.undecided)));
-  return wrapped("", fmt::format("{} is {} with a sphere, capsule or rounded cylinder.", name,
-                                 success(count.pairs, count.wrong, none_beyond) +
-                                     (count.pairs == 1 ? " pair" : " pairs"))) +
-         as_lines(facts);
+    text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(count.undecided)));
+  return text;
 }
 
 /// Returns what the random sample of all strata proves about the cells that the method claims.
 std::string strata_in_words(const GateMethod& method) {
-  std::set<ContactFeature> features;
-  std::set<int> decades;
-  std::uint64_t cells = 0, wrong = 0, wrong_cells = 0, undecided = 0, all = 0, least = 0, most = 0;
-  double worst = 0;
-  std::string empty;
-  for (const GateCell& c : method.cells) {
-    if (!c.claimed) continue;
-    undecided += c.undecided;
-    if (c.pairs == 0) {
-      empty += fmt::format("{}{} {}", empty.empty() ? "" : ", ", to_string(c.stratum.feature),
-                           power(c.stratum.decade));
-      continue;
-    }
-    features.insert(c.stratum.feature);
-    decades.insert(c.stratum.decade);
-    least = cells == 0 ? c.pairs : std::min(least, c.pairs);
-    most = std::max(most, c.pairs);
-    ++cells;
-    all += c.pairs;
-    wrong += c.wrong;
-    wrong_cells += c.wrong > 0;
-    worst = std::max(worst, error_rate_bound(c.pairs, c.wrong));
-  }
+  Sample sample;
+  for (const GateCell& c : method.cells)
+    if (c.claimed) sample.add(c.pairs, c.wrong, c.undecided, error_rate_bound(c.pairs, c.wrong));
   const std::string name = one_line(method.name);
-  std::vector<std::string> facts;
-  if (cells > 0) {
-    // The decade d holds margins above 10^(-d-1) and up to 10^-d.
-    facts.push_back(fmt::format("They cover {} of {} and {} of margin from {} to {}.",
-                                counted(cells, "combination"), counted(features.size(), "contact feature"),
-                                counted(decades.size(), "decade"), power(*decades.begin()),
-                                power(*decades.rbegin() + 1)));
-    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", counted(wrong_cells, "combination")));
-    facts.push_back(fmt::format(
-        "Each combination has {}.",
-        least == most ? counted(least, "pair") : grouped(least) + " to " + counted(most, "pair")));
-    facts.push_back(fmt::format("The error rate is {} overall and {}, at 95 % confidence.",
-                                rate(error_rate_bound(all, wrong)), rate_in_each(worst)));
-  }
-  if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
-  if (!empty.empty()) facts.push_back(fmt::format("No decided pair: {}.", empty));
   const std::string first =
-      cells > 0
+      sample.pairs > 0
           ? fmt::format("{} is {} independent random pairs whose margin exceeds its claim.", name,
-                        success(all, wrong, "right on all"))
+                        success(sample.pairs, sample.wrong, "right on all"))
           : fmt::format("Nothing is proved of {}: it decided no random pair whose margin exceeds its claim.",
                         name);
-  return wrapped("", first) + as_lines(facts);
+  return wrapped("", first) +
+         sample.facts(fmt::format("{} overall and {}", rate(error_rate_bound(sample.pairs, sample.wrong)),
+                                  sample.rate_in_each("contact feature and decade of margin")));
 }
 
 }  // namespace
