@@ -88,28 +88,17 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
 }
 
 std::string configurations_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  std::size_t unseen = 0, always = 0, unknown = 0, least = 0, most = 0, further = 0;
+  std::size_t unseen = 0, always = 0, unknown = 0;
   for (const PairStudy& pair : s.pairs) {
     unseen += pair.within == 0;
     const bool known = is_known(scene, pair);
     unknown += !known;
     always += known && pair.within == pair.samples;
-    if (known && (pair.within == 0 || pair.within == pair.samples) && (least == 0 || pair.samples < least))
-      least = pair.samples;
-    most = std::max(most, pair.samples);
-    further += pair.samples > s.configurations;
   }
-  std::string text = fmt::format(
+  return fmt::format(
       "{}, clearance {}: {} clear in all of them, {} within the clearance in all, {} in some{}",
       counted(s.configurations, "configuration"), q.clearance, counted(unseen, "pair"), always,
       s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
-  if (s.drawn && least > 0)
-    text +=
-        fmt::format(". At 95 % confidence, \"all\" means all but {} of all configurations", rate_text(least));
-  if (further > 0)
-    text += fmt::format(". Up to {} configurations for {} whose model was right in all", most,
-                        counted(further, "pair"));
-  return text;
 }
 
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
@@ -276,18 +265,6 @@ std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
   return fmt::format("{} within the tolerated {:.3g}", counted(forgiven, "false alarm"), q.tolerated);
 }
 
-std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
-  const Total t = total_of(s, Level::outer, q.tolerated);
-  if (t.wrong == 0)
-    return "capsules in place of all cylinders: the same answer in every sample" +
-           (s.drawn
-                ? fmt::format(", another answer in less than {} of all configurations, at 95 % confidence",
-                              rate_text(s.configurations))
-                : "");
-  return fmt::format("capsules in place of all cylinders: {} in {}, up to {:.3g} beyond the clearance",
-                     counted(t.wrong, "false alarm"), counted(t.wrong_pairs, "pair"), t.alarm);
-}
-
 std::string bound_or_body(const Scene& scene, std::size_t i) {
   return scene.bodies[i].name + (scene.bodies[i].box ? " (bounding solid)" : "");
 }
@@ -328,8 +305,8 @@ std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStu
   text += line(recommended_words(scene, s), "recommended: ");
   for (const std::string& remark : remark_words(scene, s)) text += line(remark, "  ");
   text += line(cost_words(s), "  ") + line(forgiven_words(q, s), "  ");
-  return text + line(capsules_words(q, s)) + line(closest_words(scene, q, s)) + line(verified_words(s)) +
-         line(motions_words(q, s)) + motions_text(scene, s, every_pair);
+  return text + line(closest_words(scene, q, s)) + line(verified_words(s)) + line(motions_words(q, s)) +
+         motions_text(scene, s, every_pair);
 }
 
 }  // namespace cyl
