@@ -48,5 +48,23 @@ TEST(EnclosedDistance, OnEveryFamily) {
   }
 }
 
+// From glotzerlab/hoomd-rs, pull request 130: two long rods, 3.75e-13 apart. The enclosure was [0, 7.1e-9].
+TEST(EnclosedDistance, DoesNotContradictTheVerdictByItsWidth) {
+  const Pair apart{{{0, 0, 0}, {0, 0, 1}, 0.25, 1e6}, {{1, 0, 0}, {-1e-6, 0, 1}, 0.25, 1e6}};
+  const Truth truth = judge(apart);
+  ASSERT_EQ(truth.verdict, Verdict::disjoint);
+  const Enclosure gap = enclose_distance(apart, truth);
+  EXPECT_GT(gap.lo, 0);
+  EXPECT_LE(gap.lo, 3.76e-13);
+  EXPECT_GE(gap.hi, 3.74e-13);
+  Pair meet = apart;
+  meet.b.center.x() -= 1e-11;
+  const Truth shown = judge(meet);
+  ASSERT_EQ(shown.verdict, Verdict::intersecting);
+  const Enclosure depth = enclose_distance(meet, shown);
+  EXPECT_LT(depth.hi, 0);
+  EXPECT_GE(depth.hi, -1e-11);
+}
+
 }  // namespace
 }  // namespace cyl

@@ -16,6 +16,7 @@
 #include "oracles/referee/nearest.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/referee/search.hpp"
+#include "oracles/referee/witness_miss.hpp"
 
 namespace cyl {
 namespace {
@@ -284,11 +285,21 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
   return attain_distance(pair, truth, relative_width).distance;
 }
 
-// not covered within: for `check --distance`. The gate asks at its own widths.
+// A width that is relative to the size may be wider than the distance. Then the certificate itself has a
+// bound of the right sign: the gap that its direction shows, or the radius of the ball around its point that
+// is in both solids. not covered within: for `check --distance`. The gate asks at its own widths.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) return {0, 0};
-  const double width = truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol;
-  return attain_distance(pair, truth, width).distance;
+  const bool disjoint = truth.verdict == Verdict::disjoint;
+  Enclosure distance = attain_distance(pair, truth, disjoint ? gap_width_tol : depth_width_tol).distance;
+  if (disjoint ? distance.lo > 0 : distance.hi < 0) return distance;
+  constexpr double rounding_error = 0x1p-50;  // of the miss to a double, and of this product
+  MethodAnswer certificate;
+  certificate.set_witness(truth.certificate);
+  const double bound = (1 - rounding_error) * std::min(0.0, witness_miss(pair, certificate).value_or(0));
+  if (disjoint) distance.lo = std::max(distance.lo, -bound);
+  if (truth.verdict == Verdict::intersecting) distance.hi = std::min(distance.hi, bound);
+  return distance;
 }
 
 }  // namespace cyl
