@@ -4,7 +4,7 @@ import { paper, type Options } from "./parts/plot.ts";
 import { grouped } from "./parts/words.ts";
 import { familiesPlot } from "./run/families_plot.ts";
 import { mapPlot, onlyHere } from "./run/map_plot.ts";
-import { calibrationPlot, costPlot } from "./run/margin_plots.ts";
+import { calibrationPlot } from "./run/margin_plots.ts";
 import { plainDocument } from "./run/plain_document.ts";
 import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
 import { firstOfEach, seriesOf } from "./run/series.ts";
@@ -12,12 +12,9 @@ import { pareto, speedPlot } from "./run/speed_plot.ts";
 import { tracePlot } from "./run/stability_plots.ts";
 
 export { exact, floorSqrt, prove } from "./parts/prove.ts";
-export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
-export { isOrdinary, sorted, sortedCauses, viewOf, worstFirst } from "./run/filter.ts";
-export { wrongDistance } from "./run/distance.ts";
-export { logGamma, sameRateProbability } from "./run/rates.ts";
-export { csvCell, csvOf } from "./run/files.ts";
+export { causesOf, filterOf, filtered, isOrdinary, queryOf, rowsOf } from "./run/filter.ts";
 export { glossary } from "./run/glossary.ts";
+export { sentenceOf } from "./run/sentence.ts";
 export { full, shellQuoted } from "./parts/words.ts";
 export { expand, onlyHere, pareto, plainDocument };
 
@@ -131,19 +128,6 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     files.set(
       "honesty",
       framed(calibrationPlot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
-    );
-  const timed = firstOfEach(inRunOrder(report, report.cost));
-  if (timed.length > 0)
-    files.set(
-      "cost",
-      framed(
-        costPlot(
-          timed.flatMap((m) => report.cost.filter((c) => c.method === m)),
-          o,
-        ),
-        "Time a pair against margin",
-        series(timed),
-      ),
     );
   for (const path of report.paths)
     if (path.trace && path.trace.length > 0)

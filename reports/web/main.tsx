@@ -31,21 +31,6 @@ async function draw() {
   }
 }
 
-/** On paper nothing can be unfolded. */
-function unfoldForPrint() {
-  let opened: HTMLDetailsElement[] = [];
-  addEventListener("beforeprint", () => {
-    opened = [...document.querySelectorAll<HTMLDetailsElement>("details.print:not([open])")];
-    for (const details of opened) details.open = true;
-  });
-  addEventListener("afterprint", () => {
-    for (const details of opened) details.open = false;
-  });
-}
-
 // In Node there is no page to draw: chart.mjs takes from here what draws the plots as files.
 if (typeof document === "undefined") Object.assign(globalThis, { daylight: forNode });
-else {
-  unfoldForPrint(); // before the plots hear of it, which need their place
-  void draw();
-}
+else void draw();

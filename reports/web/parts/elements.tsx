@@ -100,7 +100,7 @@ function useWidth<T extends HTMLElement>() {
 /** The margins of a plot leave nothing of less than this. */
 const narrowest = 260;
 
-/** A plot as wide as its place, drawn when it first comes near the screen and when `draw` changes. */
+/** A plot as wide as its place. */
 export function Figure({
   draw,
   height,
@@ -113,30 +113,9 @@ export function Figure({
   label: string;
 }) {
   const [ref, width] = useWidth<HTMLDivElement>();
-  const [near, come] = useState(false);
   useEffect(() => {
-    const observer = new IntersectionObserver(
-      (entries) => {
-        if (entries.some((e) => e.isIntersecting)) come(true);
-      },
-      { rootMargin: "600px" },
-    );
-    observer.observe(ref.current!);
-    return () => observer.disconnect();
-  }, []);
-  useEffect(() => {
-    if (near && width > 0) ref.current!.replaceChildren(draw(Math.max(narrowest, width)));
-  }, [near, width, draw]);
-  useEffect(() => {
-    // Paper waits for nobody: what is not drawn when the event ends is not printed.
-    const now = () => {
-      const place = ref.current!;
-      if (place.childElementCount > 0 || place.clientWidth === 0) return;
-      place.replaceChildren(draw(Math.max(narrowest, place.clientWidth)));
-    };
-    addEventListener("beforeprint", now);
-    return () => removeEventListener("beforeprint", now);
-  }, [draw]);
+    if (width > 0) ref.current!.replaceChildren(draw(Math.max(narrowest, width)));
+  }, [width, draw]);
   return (
     <figure>
       <div ref={ref} class="plot" role="img" aria-label={label} style={{ minHeight: `${height}px` }} />

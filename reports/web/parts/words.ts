@@ -79,9 +79,6 @@ export function full(x: number): string {
   const long = text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e");
   return long && !readable ? exponent(x.toExponential()) : text;
 }
-/** All 17 digits. */
-export const digits17 = (x: number) => (x === 0 || !Number.isFinite(x) ? short(x) : exponent(x.toExponential(16)));
-
 /** One word of a POSIX shell; what cannot be seen in it is written as bytes. */
 export function shellQuoted(text: string): string {
   if (/^[A-Za-z0-9_./:-]+$/.test(text)) return text;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The part of the address after '#': the section or view, and what the tables of findings show.
+// The part of the address after '#': the section or view, and the filter of the findings.
 import { useLayoutEffect, useState } from "preact/hooks";
-import { leave } from "./focus.ts";
 
-/** "#/findings?method=fcl" has the parts ["findings"]. */
+/** "#/findings?library=fcl" has the parts ["findings"]. */
 export interface Address {
   parts: string[];
   query: URLSearchParams;
-  detail: boolean; // of one cause or finding
-  again: boolean; // come back to, not followed a link to: an empty query is then no filter
+  from: string | null; // the address before, if a link or the Back button led here
 }
 
-function readAddress(): Address {
+function readAddress(from: string | null): Address {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
   const parts = path.split("/").map((part) => {
     try {
@@ -20,30 +18,24 @@ function readAddress(): Address {
       return part;
     }
   });
-  const detail = parts[0] === "bucket" || parts[0] === "finding";
-  return { parts, query: new URLSearchParams(query), detail, again: history.state?.known === true };
+  return { parts, query: new URLSearchParams(query), from };
 }
 
-export function useAddress() {
-  const [address, set] = useState(readAddress);
+/** The address, and what writes a filter into it without a step for the Back button. */
+export function useAddress(): [Address, (query: string) => void] {
+  const [address, set] = useState(() => readAddress(""));
   useLayoutEffect(() => {
-    const changed = (event: HashChangeEvent) => {
-      leave(event.oldURL, event.newURL);
-      set(readAddress());
-    };
+    const changed = (event: HashChangeEvent) => set(readAddress(new URL(event.oldURL).hash));
     addEventListener("hashchange", changed);
     return () => removeEventListener("hashchange", changed);
   }, []);
-  return address;
-}
-
-/** Writes into the address what is shown, without a step for the Back button. */
-export function remember(query: string) {
-  const path = location.hash.split("?")[0]!;
-  const hash = query === "" ? path : `${path.length > 2 ? path : "#/findings"}?${query}`;
-  try {
-    history.replaceState({ known: true }, "", hash || undefined);
-  } catch {
-    // Some browsers refuse after a hundred in half a minute: then the address is a little old.
-  }
+  const remember = (query: string) => {
+    try {
+      history.replaceState(null, "", query === "" ? "#/findings" : `#/findings?${query}`);
+    } catch {
+      // Some browsers refuse after a hundred in half a minute: then the address is a little old.
+    }
+    set({ ...readAddress(null), query: new URLSearchParams(query) });
+  };
+  return [address, remember];
 }

@@ -6,12 +6,9 @@ import { full, range, safe } from "../parts/words.ts";
 import { Answers } from "./answers.tsx";
 import { Prover } from "./certificate.tsx";
 import type { Case } from "./data.ts";
-import { wrongDistance } from "./distance.ts";
 import { Fact } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { PairView } from "./pair_view.tsx";
-import type { FullReport } from "./report.ts";
-import { WrongDistanceView } from "./wrong_distance.tsx";
 
 /** A vector in brackets, or a number; breaks between numbers, not in them. */
 const Numbers = ({ of }: { of: readonly number[] }) => (
@@ -77,24 +74,9 @@ const stageLabels: Record<string, string> = {
   exact: "rationals",
 };
 
-/** `method`: the one that is wrong; `kind`: how; `story`: what is known of its cause, beside the picture. */
-export function CaseView({
-  shown,
-  method,
-  kind,
-  report,
-  story,
-}: {
-  shown: Case;
-  method: string;
-  kind: string;
-  report: FullReport;
-  story?: ComponentChildren;
-}) {
+/** `method`: the one that is wrong; `story`: what is known of its cause, beside the picture. */
+export function CaseView({ shown, method, story }: { shown: Case; method: string; story?: ComponentChildren }) {
   const { truth } = shown,
-    distances = kind === "distance_outside",
-    claim = report.methods.find((m) => m.name === method)?.claim,
-    off = distances ? wrongDistance(shown, shown.answers[method], claim) : null,
     stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
   const isProved = Boolean(truth.direction || truth.point || truth.points || truth.near);
   const proof = isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>;
@@ -113,15 +95,13 @@ export function CaseView({
       )}
     </dl>
   );
-  const wrong = off && <WrongDistanceView of={off} {...(claim ? { claim } : {})} />,
-    answers = <Answers shown={shown} method={method} report={report} distances={distances} />;
+  const answers = <Answers shown={shown} method={method} />;
   return (
     <>
       <div class="case">
-        <div class="left">
+        <div>
           <PairView shown={shown} />
           {story && facts}
-          {story && wrong}
           <Solids pair={shown.pair} />
           {story && proof}
           <Copy label="Ask again" text={shown.replay} />
@@ -129,10 +109,13 @@ export function CaseView({
           {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
         </div>
         <div class="right">
-          {story ?? facts}
-          {!story && wrong}
-          {!story && proof}
-          {!story && answers}
+          {story ?? (
+            <>
+              {facts}
+              {proof}
+              {answers}
+            </>
+          )}
         </div>
       </div>
       {story && answers}

@@ -1,17 +1,68 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case.
 import { useState } from "preact/hooks";
-import { capital, grouped, leastRange, percent, plural, safe, short } from "../parts/words.ts";
+import { Copy } from "../parts/elements.tsx";
+import { capital, grouped, jsonLine, leastRange, percent, plural, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import { formatRun } from "./causes.tsx";
-import type { Cause, Finding } from "./data.ts";
-import { ClaimWords, Fact, Gone, Heads } from "./elements.tsx";
+import type { Cause, Finding, Night } from "./data.ts";
+import { ClaimWords, Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
-import { Handling } from "./handling.tsx";
-import { Nights } from "./nights.tsx";
 import type { FullReport } from "./report.ts";
 import { sentenceOf } from "./sentence.ts";
 import { kindLabel, severityLabels, standingLabel } from "./words.ts";
+
+/** The runs, the last one first. */
+const Nights = ({ nights }: { nights: Night[] }) => (
+  <div class="scroll">
+    <table class="plain nights">
+      <Heads of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]} />
+      <tbody>
+        {[...nights].reverse().map((n) => (
+          <tr key={n.run}>
+            <td>{safe(n.run)}</td>
+            <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
+            <td class="n">{grouped(n.count)}</td>
+            <td class="n">{grouped(n.asked)}</td>
+            <td class="n">
+              {short(n.per_million[0])} ({short(n.per_million[1])} to {short(n.per_million[2])})
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  </div>
+);
+
+const day = 86_400_000,
+  suppressedDays = 90;
+
+/** One line for suppressions.jsonl; a person fills in the empty fields. */
+function suppressionLine(key: string, started: string): string {
+  const begun = Date.parse(started);
+  const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressedDays * day);
+  const expires = end.toISOString().slice(0, 10);
+  return jsonLine({ bucket: key, reason: "", link: "", owner: "", expires });
+}
+
+function NextSteps({ report, b }: { report: FullReport; b: Cause }) {
+  const run = shellQuoted(report.run.folder),
+    key = shellQuoted(b.key);
+  return (
+    <section class="handling">
+      <h3>Next steps</h3>
+      <Copy label="Explain it" text={`./daylight explain ${run} ${key}`} />
+      <Copy
+        label="For the maintainers: a proof, the text of an issue, and a program or case"
+        text={`./daylight export ${run} ${key} --out upstream`}
+      />
+      <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
+      <p class="soft">
+        Its pair is in <code>{safe(b.file)}</code>.
+      </p>
+    </section>
+  );
+}
 
 /** What it is, since when, who shares it, and what to do. */
 function Story({ report, b }: { report: FullReport; b: Cause }) {
@@ -44,7 +95,6 @@ function Story({ report, b }: { report: FullReport; b: Cause }) {
         <Fact label="since earlier runs">
           <span title={about(b.standing ?? "")}>{standingLabel(b.standing)}</span>
         </Fact>
-        {b.chance !== null && <Fact label="chance">{short(b.chance)}</Fact>}
         <Fact label="seen">
           {formatRun(b, b.first_seen)}
           {b.last_seen !== b.first_seen && ` to ${formatRun(b, b.last_seen)}`}
@@ -80,14 +130,14 @@ function Story({ report, b }: { report: FullReport; b: Cause }) {
         </p>
       )}
       {b.nights.length > 0 && <Nights nights={b.nights} />}
-      <Handling report={report} b={b} />
+      <NextSteps report={report} b={b} />
     </>
   );
 }
 
 function Examples({ kept, b }: { kept: Finding[]; b: Cause }) {
   return (
-    <details class="print" open={kept.length <= 30}>
+    <details open={kept.length <= 30}>
       <summary>
         {plural(kept.length, "finding")} kept as examples, of {plural(b.families.length, "family", "families")}
       </summary>
@@ -122,7 +172,7 @@ export function CauseView({
   named: string;
 }) {
   const [worst, choose] = useState(false);
-  if (!b) return <Gone what="cause" named={named} />;
+  if (!b) return <p class="missing">This page has no cause {safe(named)}.</p>;
   const shown = worst ? b.worst : b.simplest;
   const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
   return (
@@ -143,13 +193,11 @@ export function CauseView({
       <CaseView
         shown={shown}
         method={b.method}
-        kind={b.kind}
-        report={report}
         story={<Story report={report} b={b} />}
         key={worst ? "worst" : "simplest"}
       />
       {b.merged.length > 0 && (
-        <details class="print">
+        <details>
           <summary>{plural(b.merged.length, "finer key")} that this cause merges</summary>
           <ul>
             {b.merged.map((k) => (

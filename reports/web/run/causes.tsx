@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The causes as rows: picture, sentence, runs. Sorted by the heads; on a narrow screen a card for each.
-import { useRef } from "preact/hooks";
+// The causes as rows: picture, sentence, runs.
 import { grouped, safe, short } from "../parts/words.ts";
-import type { Cause } from "./data.ts";
-import { causeColumns, type CauseEntry, type CauseColumn, type CauseOrder } from "./filter.ts";
+import type { Cause, Night } from "./data.ts";
+import { Heads } from "./elements.tsx";
+import type { CauseRow } from "./filter.ts";
 import { about } from "./glossary.ts";
-import { Sparkline } from "./nights.tsx";
 import { Thumbnail } from "./pair_view.tsx";
-import { useRoving } from "./roving.ts";
 import { sentenceOf } from "./sentence.ts";
 import { severityLabels, standingLabel } from "./words.ts";
 
-const titles: Record<CauseColumn, string> = {
-  key: "cause",
-  margin: "largest margin",
-  count: "findings",
-  standing: "since earlier runs",
-  seen: "first seen",
-};
-const numeric = new Set<CauseColumn>(["count", "margin"]);
-
 export const causeAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
-
 
 /** A run of its nights with the day on which it began. */
 export const formatRun = ({ nights }: Cause, run: string) => {
@@ -29,14 +17,28 @@ export const formatRun = ({ nights }: Cause, run: string) => {
   return night ? `${safe(night.started.slice(0, 10))} (${safe(run)})` : safe(run);
 };
 
-const standingHint = ({ standing, chance }: Cause) =>
-  [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
+/** Wrong pairs run by run: a bar a run, hollow if it has none. */
+function Sparkline({ nights }: { nights: Night[] }) {
+  const [bar, tall] = [5, 18],
+    shown = nights.slice(-16),
+    most = Math.max(...shown.map((n) => n.per_million[0])) || 1;
+  return (
+    <svg class="spark" width={bar * shown.length} height={tall} role="img" aria-label="Wrong pairs, run by run">
+      <title>{shown.map((n) => `${safe(n.run)}: ${grouped(n.count)}`).join("\n")}</title>
+      {shown.map((n, i) => {
+        const high = Math.max(2, (n.per_million[0] / most) * tall);
+        const kind = n.count === 0 ? "none" : i === shown.length - 1 ? "this" : "";
+        return <rect class={kind} x={i * bar} y={tall - high} width={bar - 1.5} height={high} key={i} />;
+      })}
+    </svg>
+  );
+}
 
-function CauseRow({ b }: { b: Cause }) {
+function Row({ b }: { b: Cause }) {
   const severity = severityLabels[b.severity] ?? safe(b.severity);
   return (
     <tr class={b.suppressed ? "suppressed" : ""}>
-      <td class="wrap" data-label={titles.key}>
+      <td class="wrap">
         <div class="cause">
           <Thumbnail shown={b.simplest} />
           <div>
@@ -54,59 +56,26 @@ function CauseRow({ b }: { b: Cause }) {
           </div>
         </div>
       </td>
-      <td class="n" data-label={titles.margin}>
-        {b.margin ? short(b.margin[1]) : "\u2013"}
-      </td>
-      <td class="n" data-label={titles.count}>
-        {grouped(b.count)}
-      </td>
-      <td data-label={titles.standing} title={standingHint(b)}>
+      <td class="n">{b.margin ? short(b.margin[1]) : "\u2013"}</td>
+      <td class="n">{grouped(b.count)}</td>
+      <td title={about(b.standing ?? "")}>
         {standingLabel(b.standing)}
         {b.nights.length > 1 && <Sparkline nights={b.nights} />}
       </td>
-      <td data-label={titles.seen}>{formatRun(b, b.first_seen)}</td>
+      <td>{formatRun(b, b.first_seen)}</td>
     </tr>
   );
 }
 
-export function Causes({
-  causes,
-  order,
-  setOrder,
-}: {
-  causes: CauseEntry[];
-  order: CauseOrder;
-  setOrder: (order: CauseOrder) => void;
-}) {
-  const table = useRef<HTMLTableElement>(null);
-  const roving = useRoving(table);
-  const turn = (column: CauseColumn) =>
-    setOrder({ column, down: order.column === column ? !order.down : numeric.has(column) });
-  return (
-    <div class="scroll">
-      <table class="plain sortable causes" ref={table} aria-label="Causes; arrow keys move, Enter opens" {...roving}>
-        <thead>
-          <tr>
-            {causeColumns.map((c) => (
-              <th
-                scope="col"
-                class={numeric.has(c) ? "n" : ""}
-                title={about(titles[c])}
-                aria-sort={order.column === c ? (order.down ? "descending" : "ascending") : "none"}
-                key={c}>
-                <button type="button" onClick={() => turn(c)}>
-                  {titles[c]}
-                </button>
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {causes.map(({ b }) => (
-            <CauseRow b={b} key={b.key} />
-          ))}
-        </tbody>
-      </table>
-    </div>
-  );
-}
+export const Causes = ({ causes }: { causes: CauseRow[] }) => (
+  <div class="scroll">
+    <table class="plain causes">
+      <Heads of={["cause", "n:largest margin", "n:findings", "since earlier runs", "first seen"]} />
+      <tbody>
+        {causes.map(({ b }) => (
+          <Row b={b} key={b.key} />
+        ))}
+      </tbody>
+    </table>
+  </div>
+);

@@ -9,9 +9,6 @@ export interface Columns {
 
 const anyColumn = ({ full, sparse }: Columns): unknown[] => Object.values(full)[0] ?? Object.values(sparse)[0] ?? [];
 
-export const countOf = (packed: unknown[] | Columns): number =>
-  Array.isArray(packed) ? packed.length : anyColumn(packed).length;
-
 /** The objects; those of a list that is not packed, as they are. */
 export function objectsOf<T>(packed: T[] | Columns): T[] {
   if (Array.isArray(packed)) return packed;

@@ -28,18 +28,9 @@ export interface Tally {
   contract: number;
   resolution: number;
   undecided: number;
-  nanoseconds: number;
 }
-/** "rare": seen in one of the runs only, by chance likely. */
+/** "rare": on so few pairs that its absence from the other runs may be chance. */
 export type Standing = "new" | "known" | "gone" | "back" | "rare";
-interface HistoryGroup {
-  method: string;
-  kind: string;
-  severity: string;
-  family: string;
-  count: number;
-  standing: Standing;
-}
 
 /** A pair with all that is known of it. */
 export interface Case {
@@ -110,7 +101,6 @@ export interface Cause {
   cause: string; // in words
   methods: string[]; // all that it makes wrong; `method` is one of them
   methods_of_kind: string[]; // those that fail in the way that `kind` names
-  chance: number | null; // probability that it is new or gone by chance, corrected for the number of causes
   nights: Night[]; // oldest first, this run last
   pairs: number; // on which one of its methods was wrong in this run
   first_version: string; // of its method's library, at first and last sight; may be empty
@@ -177,15 +167,6 @@ export interface SpeedPoint {
   digits: number | null;
   digits_low: number | null;
 }
-/** Stability of cost: nanoseconds against margin. */
-export interface CostPoint {
-  method: string;
-  decade: number;
-  p50: number;
-  p99: number;
-  max: number;
-}
-
 /** Along a path of pairs through touching or through parallel axes. */
 export interface PathStability {
   method: string;
@@ -212,7 +193,6 @@ export interface Report {
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];
-  history: { runs: number; groups: HistoryGroup[] } | null;
   /** Causes by how they stand against the runs named. */
   changes: ({ [standing in Standing]: number } & { against: string[] }) | null;
   buckets: (Omit<Cause, "worst"> & { worst: Case | null })[];
@@ -225,6 +205,5 @@ export interface Report {
   honesty: Calibration[];
   speed: SpeedPoint[];
   speed_on?: string; // the machine, compiler and date of these times
-  cost: CostPoint[];
   paths: PathStability[];
 }

@@ -4,10 +4,10 @@ import { safe } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import { causeAddress } from "./causes.tsx";
 import type { Finding } from "./data.ts";
-import { Gone } from "./elements.tsx";
+import { ClaimWords } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import type { FullReport } from "./report.ts";
-import { claimOrigin, formatClaim, kindLabel, severityLabels } from "./words.ts";
+import { kindLabel, severityLabels } from "./words.ts";
 
 export function FindingView({
   report,
@@ -18,7 +18,7 @@ export function FindingView({
   finding: Finding | undefined;
   named: string;
 }) {
-  if (!f) return <Gone what="finding" named={named} />;
+  if (!f) return <p class="missing">This page has no finding {safe(named)}.</p>;
   const at = report.findings.indexOf(f),
     claim = report.methods.find((m) => m.name === f.method)?.claim;
   const beside = (step: number) => report.findings[at + step];
@@ -48,14 +48,12 @@ export function FindingView({
         {claim && (
           <>
             {" "}
-            It claims to be {formatClaim(claim)} (
-            <b title={about(claimOrigin(claim))}>{claimOrigin(claim)}: </b>
-            {safe(claim.source)}).
+            It claims to be <ClaimWords of={claim} />: {safe(claim.source)}.
           </>
         )}
         {f.reason && ` The method reports: ${safe(f.reason)}`}
       </p>
-      <CaseView shown={f} method={f.method} kind={f.kind} report={report} />
+      <CaseView shown={f} method={f.method} />
     </>
   );
 }

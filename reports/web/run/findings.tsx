@@ -1,43 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The causes, and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
-import { useLayoutEffect, useMemo, useState } from "preact/hooks";
-import { Section } from "../parts/elements.tsx";
-import { grouped, plural } from "../parts/words.ts";
-import { remember, type Address } from "./address.ts";
-import { Causes } from "./causes.tsx";
-import { csvOf, jsonOf, save } from "./files.ts";
-import {
-  causesOf,
-  chipCounts,
-  filtered,
-  filteredCauses,
-  loneCounts,
-  queryOf,
-  rowsOf,
-  sorted,
-  sortedCauses,
-  viewOf,
-  worstFirst,
-  type View,
-} from "./filter.ts";
-import { FindingsTable } from "./findings_table.tsx";
+// The causes, and every finding that was kept, filtered by a text and selections.
+import { useMemo, useState } from "preact/hooks";
+import { Section, Select } from "../parts/elements.tsx";
+import { grouped, plural, safe, short } from "../parts/words.ts";
+import { Causes, causeAddress } from "./causes.tsx";
+import { Heads } from "./elements.tsx";
+import { causesOf, facets, filtered, filterOf, queryOf, rowsOf, valuesOf } from "./filter.ts";
+import type { Facet, Filter, Row } from "./filter.ts";
 import type { FullReport } from "./report.ts";
-import { Search } from "./search.tsx";
+import { kindLabel, severityLabels } from "./words.ts";
 
-/** The view that the address asks for; what is changed of it here is written there, so that it can be passed on. */
-function useView(address: Address): [View, (view: View) => void] {
-  const [view, set] = useState(() => viewOf(address.query));
-  useLayoutEffect(() => {
-    if (address.detail) return;
-    const asked = viewOf(address.query);
-    if ([...address.query].length === 0 && !address.again) remember(queryOf(view));
-    else set((was) => (queryOf(was) === queryOf(asked) ? was : asked));
-  }, [address]);
-  useLayoutEffect(() => {
-    if (!address.detail) remember(queryOf(view));
-  }, [view]);
-  return [view, set];
-}
+const facetLabels: Record<Facet, string> = {
+  severity: "Severity",
+  library: "Library",
+  family: "Family",
+  standing: "Since earlier runs",
+};
+const valueLabel = (value: string) => severityLabels[value] ?? kindLabel(safe(value));
 
 const ofAll = (shown: number, all: number, one: string) =>
   shown === all ? plural(all, one) : `${grouped(shown)} of ${plural(all, one)}`;
@@ -45,63 +24,97 @@ const ofAll = (shown: number, all: number, one: string) =>
 const lead = (report: FullReport) =>
   `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
   `and each later one that is worse. The margin of a wrong distance is its error over the size (r + h + r + h). The ` +
-  `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds.`;
+  `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds. ` +
+  `Those beyond a claim come first, then those of ordinary size, then those wrong by more.`;
 
-export function Findings({ report, address }: { report: FullReport; address: Address }) {
-  const all = useMemo(() => rowsOf(report), [report]);
-  const allCauses = useMemo(() => causesOf(report), [report]);
-  const [view, set] = useView(address);
-  const { filter, order } = view;
-  const passing = useMemo(() => filtered(all, filter), [all, filter]);
-  const shown = useMemo(() => {
-    const own = order.column === "margin" || order.column === "id";
-    return sorted(own ? passing : worstFirst(passing), order);
-  }, [passing, order]);
-  const causes = useMemo(
-    () => sortedCauses(filteredCauses(allCauses, passing, filter), view.causes),
-    [allCauses, passing, filter, view.causes],
-  );
-  const counts = useMemo(() => chipCounts(all, filter), [all, filter]);
-  const lone = useMemo(() => loneCounts(allCauses, filter), [allCauses, filter]);
-  const said = [
-    ofAll(shown.length, all.length, "finding"),
-    ...(allCauses.length > 0 ? [ofAll(causes.length, allCauses.length, "cause")] : []),
-  ].join(", ");
-  const any = all.length > 0 || allCauses.length > 0;
+const rowsAtFirst = 100;
+
+function FindingsTable({ rows }: { rows: Row[] }) {
+  const [whole, show] = useState(false);
   return (
-    <Section id="findings" title="All findings" lead={all.length === 0 ? undefined : lead(report)}>
-      {all.length === 0 && <p class="ok">No method was wrong, and none failed.</p>}
-      {any && (
-        <Search
-          filter={filter}
-          set={(filter) => set({ ...view, filter })}
-          counts={counts}
-          lone={lone}
-          said={said}
+    <>
+      <div class="scroll">
+        <table class="plain findings">
+          <Heads of={["n:#", "severity", "kind", "method", "family", "n:margin", "cause"]} />
+          <tbody>
+            {rows.slice(0, whole ? rows.length : rowsAtFirst).map(({ f }) => (
+              <tr key={f.id}>
+                <td class="n">
+                  <a href={`#/finding/${f.id}`}>{f.id}</a>
+                </td>
+                <td class={f.severity === "contract" ? "bad" : ""}>{valueLabel(f.severity)}</td>
+                <td>{safe(kindLabel(f.kind))}</td>
+                <td>{safe(f.method)}</td>
+                <td>{safe(kindLabel(f.family))}</td>
+                <td class="n">{short(f.margin?.[0])}</td>
+                <td>{f.bucket && <a href={causeAddress(f.bucket)}>{safe(f.bucket)}</a>}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {!whole && rows.length > rowsAtFirst && (
+        <button type="button" onClick={() => show(true)}>
+          Show all {plural(rows.length, "finding")}
+        </button>
+      )}
+    </>
+  );
+}
+
+export function Findings({
+  report,
+  query,
+  remember,
+}: {
+  report: FullReport;
+  query: URLSearchParams;
+  remember: (query: string) => void;
+}) {
+  const allRows = useMemo(() => rowsOf(report), [report]),
+    allCauses = useMemo(() => causesOf(report), [report]);
+  const filter = filterOf(query),
+    set = (part: Partial<Filter>) => remember(queryOf({ ...filter, ...part }));
+  const rows = useMemo(() => filtered(allRows, filter), [allRows, queryOf(filter)]),
+    causes = useMemo(() => filtered(allCauses, filter), [allCauses, queryOf(filter)]);
+  if (allRows.length + allCauses.length === 0)
+    return (
+      <Section id="findings" title="All findings">
+        <p class="ok">No method was wrong, and none failed.</p>
+      </Section>
+    );
+  return (
+    <Section id="findings" title="All findings" lead={lead(report)}>
+      <p class="tools filters">
+        <input
+          type="search"
+          placeholder="Words to find"
+          aria-label="Text of causes and findings"
+          value={filter.text}
+          onInput={(event) => set({ text: event.currentTarget.value })}
         />
-      )}
-      {allCauses.length > 0 && (
-        <Causes causes={causes} order={view.causes} setOrder={(order) => set({ ...view, causes: order })} />
-      )}
-      {all.length > 0 && (
-        <>
-          <p class="tools saving">
-            <span class="soft">Save the findings shown</span>
-            <button
-              type="button"
-              onClick={() => save(`${report.run.id}-findings.csv`, "text/csv", csvOf(shown, report))}>
-              CSV
-            </button>
-            <button
-              type="button"
-              onClick={() => save(`${report.run.id}-findings.json`, "application/json", jsonOf(shown, report))}>
-              JSON
-            </button>
-          </p>
-          <FindingsTable rows={shown} order={order} setOrder={(o) => set({ ...view, order: o })} />
-          <p class="only-print soft">Of {said}, only the rows that were on the screen are printed.</p>
-        </>
-      )}
+        {facets.map((facet) => {
+          const values = [...new Set([...valuesOf(allCauses, facet), ...valuesOf(allRows, facet)])].sort();
+          return values.length === 0 ? null : (
+            <Select
+              label={facetLabels[facet]}
+              value={filter[facet]}
+              onChange={(value) => set({ [facet]: value })}
+              options={[["", "all"], ...values.map((v) => [v, valueLabel(v)] as const)]}
+              key={facet}
+            />
+          );
+        })}
+        <button type="button" disabled={queryOf(filter) === ""} onClick={() => remember("")}>
+          Clear
+        </button>
+        <span role="status">
+          {ofAll(rows.length, allRows.length, "finding")}
+          {allCauses.length > 0 && `, ${ofAll(causes.length, allCauses.length, "cause")}`}
+        </span>
+      </p>
+      {causes.length > 0 && <Causes causes={causes} />}
+      {rows.length > 0 && <FindingsTable rows={rows} key={queryOf(filter)} />}
     </Section>
   );
 }

@@ -5,6 +5,7 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, percent, safe } from "../parts/words.ts";
 import type { FailureMap } from "./data.ts";
+import { ShareLegend } from "./elements.tsx";
 import { mapColours, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./map_plot.ts";
 import { inRunOrder, type FullReport } from "./report.ts";
 import { firstOfEach } from "./series.ts";
@@ -108,7 +109,7 @@ export function Maps({ report }: { report: FullReport }) {
       id="maps"
       title="Failure maps"
       lead={
-        "The share of wrong answers of a method, by properties of the pair. A stronger colour means a larger share. " +
+        "The share of wrong answers of a method, by properties of the pair. " +
         "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
         "A cell with a dot leads to a case."
       }>
@@ -118,24 +119,11 @@ export function Maps({ report }: { report: FullReport }) {
         <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />
       </p>
       <p class="legend" aria-hidden="true">
-        {(
-          [
-            [screen.heat, "beyond the claim or failed"],
-            [screen.within, "within the claim"],
-            [screen.unanswered, "undecided or declined"],
-          ] as const
-        ).map(([shades, words]) => (
-          <span key={words}>
-            {shades.map((background) => (
-              <i style={{ background }} key={background} />
-            ))}
-            {words}
-          </span>
-        ))}
-        <i style={{ background: "var(--clean)" }} />
-        none<i class="blank">∕</i>
-        {count === "only" ? "not visited, or another library is wrong here too" : "not visited"}; the five shades: a
-        share below 1e−4, from 1e−4, 1e−3, 0.01, 0.1 on
+        <i style={{ background: screen.heat[3] }} /> beyond the claim or failed
+        <i style={{ background: screen.within[3] }} /> within the claim
+        <i style={{ background: screen.unanswered[3] }} /> undecided or declined
+        <i style={{ background: "var(--clean)" }} /> none <i class="blank">∕</i>
+        {count === "only" ? "not visited, or another library is wrong here too" : "not visited"}. <ShareLegend />
       </p>
       <div class="maps">
         <div>

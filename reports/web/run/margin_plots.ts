@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What happens as the margin shrinks: the share of wrong answers, and the time for an answer.
+// What happens as the margin shrinks: the share of wrong answers.
 import * as Plot from "@observablehq/plot";
 import { common, decades, logTick, power, tips, type Options } from "../parts/plot.ts";
-import { groupBy, grouped, inOrder, percent, shareBounds, short, time } from "../parts/words.ts";
-import type { Calibration, CostPoint } from "./data.ts";
+import { grouped, percent, shareBounds, short } from "../parts/words.ts";
+import type { Calibration } from "./data.ts";
 import { seriesOf } from "./series.ts";
 
 /** A power of ten below `x`, which a logarithmic axis does not draw: only such ticks have a label. */
@@ -97,55 +97,6 @@ export function calibrationPlot(all: Calibration[], o: Options): Element {
           ariaLabel: words,
         }),
         ...tips(rows, o, words, { x, y: share, fx: "side" }),
-      ],
-    }),
-  );
-}
-
-export function costPlot(points: CostPoint[], o: Options): Element {
-  const methods = [...new Set(points.map((p) => p.method))];
-  const { colour, symbol } = seriesOf(methods, o.theme);
-  const byMethod = [...groupBy(points, (p) => p.method).values()].map((ps) =>
-    inOrder(ps, (x, y) => x.decade - y.decade),
-  );
-  const words = (p: CostPoint) =>
-    `${p.method}, margin 1e\u2212${p.decade}\nhalf within ${time(p.p50)}\n99 % within ${time(p.p99)}\nall within ` +
-    `${time(p.max)}`;
-  const last = Math.max(1, ...points.map((p) => p.decade)),
-    first = Math.min(0, ...points.map((p) => p.decade));
-  return Plot.plot(
-    common(o, 330, {
-      x: marginAxis(first, last, o.width - 90),
-      y: {
-        type: "log",
-        label: "\u2191 time a pair: line p50, band to p99, dot longest",
-        ticks: decades(points.flatMap((p) => [p.p50, p.max])),
-        tickFormat: time,
-        grid: true,
-        nice: true,
-      },
-      marks: [
-        ...byMethod.map((ps) =>
-          Plot.areaY(ps, {
-            x: "decade",
-            y1: "p50",
-            y2: "p99",
-            fill: colour(ps[0]!),
-            fillOpacity: 0.1,
-            stroke: colour(ps[0]!),
-            strokeWidth: 0.4,
-          }),
-        ),
-        ...byMethod.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
-        Plot.dot(points, {
-          x: "decade",
-          y: "max",
-          stroke: colour,
-          r: 2.2,
-          symbol,
-          ariaLabel: words,
-        }),
-        ...tips(points, o, words, { x: "decade", y: "p50" }),
       ],
     }),
   );

@@ -1,88 +1,153 @@
 // SPDX-License-Identifier: MIT
-// The answer first: what is new and wrong, its picture and its command; then what is known, rare or gone.
+// The answer first: what is new and wrong, its picture and its command. Then the causes by how they stand against
+// earlier runs: new, back, rare, known, gone.
 import { Copy } from "../parts/elements.tsx";
 import { grouped, plural, safe, shellQuoted } from "../parts/words.ts";
 import { causeAddress } from "./causes.tsx";
-import type { Cause, Standing } from "./data.ts";
-import { Missing } from "./elements.tsx";
-import { causesOf, sortedCauses } from "./filter.ts";
+import type { Case, Cause } from "./data.ts";
+import { causesOf, isOrdinary, rowsOf } from "./filter.ts";
 import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
 import { changesOf, type FullReport } from "./report.ts";
 import { sentenceOf } from "./sentence.ts";
+import { library } from "./words.ts";
 
+/** What a band names: a sentence, where it leads and its pair. */
+interface Named {
+  words: string;
+  address: string;
+  shown: Case;
+}
 const namedFaults = 3;
 
-/** The first of the faults with its picture and command, the next ones in a line each. */
-function Faults({ report, faults, word }: { report: FullReport; faults: Cause[]; word: string }) {
-  const [first, ...others] = faults;
-  const command = `./daylight explain ${shellQuoted(report.run.folder)} ${shellQuoted(first!.key)}`;
+/** The first with its picture and command, the next ones in a line each. */
+function Band({
+  kind,
+  head,
+  named,
+  all,
+  command,
+}: {
+  kind: "bad" | "warn";
+  head: string;
+  named: Named[];
+  all: string; // the address of all of them
+  command: [label: string, text: string];
+}) {
+  const [first, ...others] = named;
   return (
-    <div class="band bad">
+    <div class={`band picture ${kind}`}>
       <div>
         <p class="answer">
-          <b>
-            {plural(faults.length, `${word}fault`)}:{" "}
-          </b>
-          <a href={causeAddress(first!.key)}>{safe(sentenceOf(first!))}</a>.
+          <b class={kind}>{head} </b>
+          <a href={first!.address}>{safe(first!.words)}</a>.
         </p>
-        {others.slice(0, namedFaults - 1).map((b) => (
-          <p key={b.key}>
-            <a href={causeAddress(b.key)}>{safe(sentenceOf(b))}</a>.
+        {others.slice(0, namedFaults - 1).map(({ address, words }) => (
+          <p key={address}>
+            <a href={address}>{safe(words)}</a>.
           </p>
         ))}
-        {others.length >= namedFaults && (
+        {named.length > namedFaults && (
           <p>
-            <a href={`#/findings?severity=contract${word === "" ? "" : "&standing=new&standing=back"}`}>
-              All {faults.length}
-            </a>
+            <a href={all}>All {named.length}</a>
           </p>
         )}
-        <Copy label="Explain it" text={command} />
+        <Copy label={command[0]} text={command[1]} />
       </div>
-      <a class="band-picture" href={causeAddress(first!.key)} tabIndex={-1} aria-hidden="true">
-        <Thumbnail shown={first!.worst} />
+      <a class="band-picture" href={first!.address} tabIndex={-1} aria-hidden="true">
+        <Thumbnail shown={first!.shown} />
       </a>
     </div>
   );
 }
 
-const lineOf: Partial<Record<Standing, (n: number) => string>> = {
-  back: (n) => (n === 1 ? "cause is back" : "causes are back"),
-  known: (n) => (n === 1 ? "cause is known" : "causes are known"),
-  rare: (n) => (n === 1 ? "cause is rare" : "causes are rare"),
-  gone: (n) => (n === 1 ? "cause is gone" : "causes are gone"),
-};
+/** The answer of a run without causes: who is wrong, and the worst at ordinary sizes. */
+function Untold({ report }: { report: FullReport }) {
+  const wrong = rowsOf(report).filter(({ f }) => f.severity === "contract"),
+    libraries = [...new Set(wrong.map(({ f }) => library(f.method)))];
+  if (wrong.length === 0) return <p class="band ok answer">No method is wrong beyond its claim.</p>;
+  const worst = wrong.filter(({ f }, i) => wrong.findIndex((w) => library(w.f.method) === library(f.method)) === i);
+  const named = worst.map(({ f }) => ({
+    words: sentenceOf({ ...f, methods_of_kind: [f.method], margin: f.margin && [f.margin[0], f.margin[0]], worst: f }),
+    address: `#/finding/${f.id}`,
+    shown: f,
+  }));
+  const where = isOrdinary(worst[0]!.f.pair) ? "Worst at ordinary sizes: " : "Worst, at an extreme size: ";
+  return (
+    <Band
+      kind="bad"
+      head={
+        `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: ` +
+        `${safe(libraries.join(", "))}. ${where}`
+      }
+      named={named}
+      all="#/findings?severity=contract"
+      command={["Ask again", worst[0]!.f.replay]}
+    />
+  );
+}
+
+const namedCause = (b: Cause): Named => ({ words: sentenceOf(b), address: causeAddress(b.key), shown: b.worst });
+
+function Answer({ report }: { report: FullReport }) {
+  const compared = changesOf(report) !== null,
+    wrong = causesOf(report)
+      .map(({ b }) => b)
+      .filter((b) => b.count > 0 && !b.suppressed && b.severity === "contract"),
+    faults = wrong.filter((b) => !compared || b.standing === "new" || b.standing === "back"),
+    rare = wrong.filter((b) => compared && b.standing === "rare");
+  const explain = ({ key }: Cause): [string, string] => [
+    "Explain it",
+    `./daylight explain ${shellQuoted(report.run.folder)} ${shellQuoted(key)}`,
+  ];
+  if (faults.length > 0)
+    return (
+      <Band
+        kind="bad"
+        head={`${plural(faults.length, compared ? "new fault" : "fault")}:`}
+        named={faults.map(namedCause)}
+        all="#/findings?severity=contract"
+        command={explain(faults[0]!)}
+      />
+    );
+  if (rare.length > 0)
+    return (
+      <Band
+        kind="warn"
+        head={
+          `${plural(rare.length, "cause was", "causes were")} not seen before; chance cannot be excluded, because ` +
+          `each was found on so few pairs:`
+        }
+        named={rare.map(namedCause)}
+        all="#/findings?severity=contract&standing=rare"
+        command={explain(rare[0]!)}
+      />
+    );
+  return <p class="band ok answer">{compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."}</p>;
+}
 
 export function New({ report }: { report: FullReport }) {
-  const changes = changesOf(report),
-    causes = sortedCauses(causesOf(report), { column: "standing", down: false }).map(({ b }) => b),
-    here = causes.filter((b) => b.count > 0 && !b.suppressed);
-  const isNew = (b: Cause) => !changes || b.standing === "new" || b.standing === "back";
-  const faults = here.filter((b) => isNew(b) && b.severity === "contract"),
-    within = here.filter((b) => isNew(b) && b.severity !== "contract").length;
-  const untold = report.buckets.length === 0 && report.findings_total > 0;
+  const changes = changesOf(report);
+  if (report.buckets.length === 0 && report.findings_total > 0)
+    return (
+      <>
+        <Untold report={report} />
+        <p class="missing">
+          <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with its
+          simplest pair.
+        </p>
+      </>
+    );
   return (
     <>
-      {untold ? (
-        <Missing of="buckets" report={report} />
-      ) : faults.length > 0 ? (
-        <Faults report={report} faults={faults} word={changes ? "new " : ""} />
-      ) : (
-        <p class="band ok answer">{changes ? "Nothing is new and wrong." : "No method is wrong beyond its claim."}</p>
-      )}
+      <Answer report={report} />
       <ul class="changes">
-        {within > 0 && (
-          <li>
-            <b>{grouped(within)}</b> {changes ? "new " : ""}
-            {within === 1 ? "cause is" : "causes are"} within the claim
-          </li>
-        )}
         {changes?.counts.map(([standing, n]) =>
-          n > 0 && lineOf[standing] ? (
+          n > 0 ? (
             <li key={standing}>
               <a href={`#/findings?standing=${standing}`} title={about(standing)}>
-                <b>{grouped(n)}</b> {lineOf[standing]!(n)}
+                <b>{grouped(n)}</b> {n === 1 ? "cause is" : "causes are"}{" "}
+                {standing === "rare" ? "too rare to tell" : standing}
               </a>
             </li>
           ) : null,
@@ -90,9 +155,7 @@ export function New({ report }: { report: FullReport }) {
         <li class="soft" title={safe(changes?.against.join(", ") ?? "")}>
           {changes
             ? `Compared with ${plural(changes.against.length, "earlier run")}`
-            : report.history
-              ? "There are no causes of earlier runs to compare with"
-              : "There is no earlier run to compare with"}
+            : "There are no causes of earlier runs to compare with"}
         </li>
       </ul>
     </>

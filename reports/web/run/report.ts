@@ -2,15 +2,14 @@
 // The data of the page, put back to the form of data.ts: every finding with its case.
 import { shellQuoted, short } from "../parts/words.ts";
 import type { Answer, Truth } from "../parts/data.ts";
-import { countOf, objectsOf } from "./columns.ts";
+import { objectsOf, type Columns } from "./columns.ts";
 import type { Cause, Case, FailureMap, Finding, MapCell } from "./data.ts";
 import type { PackedCase, Report, Standing } from "./data.ts";
 import { library } from "./words.ts";
 
 export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names" | "maps"> {
-  readonly findings: Finding[]; // put back when first asked for, as maps are: what is seen first needs neither
-  readonly maps: FailureMap[];
-  findings_kept: number;
+  findings: Finding[];
+  maps: FailureMap[];
   buckets: Cause[];
 }
 
@@ -62,12 +61,6 @@ function findingsOf({ names, run, ...report }: Report): Finding[] {
   });
 }
 
-/** What `make` makes, once. */
-function lazily<T>(make: () => T): () => T {
-  let made: T | undefined;
-  return () => (made ??= make());
-}
-
 export function expand(report: Report): FullReport {
   const buckets = report.buckets.map((b) => ({
     ...b,
@@ -79,39 +72,26 @@ export function expand(report: Report): FullReport {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };
   });
-  const maps = lazily(() =>
-      report.maps.map((m) =>
-        inDegrees({ ...m, cells: objectsOf(m.cells).map((c): MapCell => ({ ...noCounts, ...c })) }),
-      ),
-    ),
-    findings = lazily(() => findingsOf(report));
+  const cellsOf = (cells: MapCell[] | Columns) => objectsOf(cells).map((c): MapCell => ({ ...noCounts, ...c }));
   return {
     ...report,
     methods,
     buckets,
-    findings_kept: countOf(report.findings),
-    get findings() {
-      return findings();
-    },
-    get maps() {
-      return maps();
-    },
+    findings: findingsOf(report),
+    maps: report.maps.map((m) => inDegrees({ ...m, cells: cellsOf(m.cells) })),
   };
 }
 
-/** How a finding stands against earlier runs: as its cause does, else as its group. */
-export function standings(report: FullReport): (f: Finding) => Standing | null {
+/** How a finding stands against earlier runs: as its cause does. */
+export function standingOf(report: FullReport): (f: Finding) => Standing | null {
   const ofCause = new Map(report.buckets.map((b) => [b.key, b.standing]));
-  const key = (g: { method: string; kind: string; severity: string; family: string }) =>
-    [g.method, g.kind, g.severity, g.family].join("\n");
-  const ofGroup = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
-  return (f) => (f.bucket !== null ? ofCause.get(f.bucket) : null) ?? ofGroup.get(key(f)) ?? null;
+  return (f) => (f.bucket === null ? null : (ofCause.get(f.bucket) ?? null));
 }
 
 /** Causes by standing; null if there is no earlier run. */
 export function changesOf({ changes }: FullReport): { counts: [Standing, number][]; against: string[] } | null {
   if (!changes || changes.against.length === 0) return null;
-  const order: Standing[] = ["new", "back", "known", "rare", "gone"];
+  const order: Standing[] = ["new", "back", "rare", "known", "gone"];
   return { counts: order.map((s) => [s, changes[s]]), against: changes.against };
 }
 

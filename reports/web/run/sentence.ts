@@ -4,9 +4,12 @@ import { short } from "../parts/words.ts";
 import type { Cause } from "./data.ts";
 import { kindLabel, library } from "./words.ts";
 
+/** What a sentence needs of a cause. */
+type Told = Pick<Cause, "method" | "methods_of_kind" | "kind" | "margin" | "worst">;
+
 /** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
  *  other libraries: the amount may be of any. */
-function whoOf({ method, methods_of_kind: methods }: Cause): [string, boolean] {
+function whoOf({ method, methods_of_kind: methods }: Told): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   const libraries = new Set(methods.map(library)).size;
   if (libraries === 1) return [`${library(methods[0]!)} (${methods.length} methods)`, false];
@@ -14,9 +17,9 @@ function whoOf({ method, methods_of_kind: methods }: Cause): [string, boolean] {
 }
 
 /** The largest margin that is proved of a finding of the cause, and of its kind. */
-export const largestOf = ({ margin }: Cause) => margin?.[1] ?? 0;
+const largestOf = ({ margin }: Told) => margin?.[1] ?? 0;
 
-export function sentenceOf(b: Cause): string {
+export function sentenceOf(b: Told): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
     { a, b: other } = b.worst.pair,

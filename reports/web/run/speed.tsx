@@ -13,37 +13,38 @@ const queryLabels: Record<string, string> = {
   verdict: "yes or no, one pair",
   batch: "yes or no, many pairs at once",
   certificate: "with a proof",
-  distance: "signed distance",
 };
 
 export function Speed({ report }: { report: FullReport }) {
+  const speed = useMemo(() => report.speed.filter((p) => p.query in queryLabels), [report]);
   const families = useMemo(
     () =>
-      [...new Set(report.speed.map((p) => p.family))].sort(
+      [...new Set(speed.map((p) => p.family))].sort(
         (x, y) => Number(y === "all") - Number(x === "all") || (x < y ? -1 : 1),
       ),
-    [report],
+    [speed],
   );
-  const queries = useMemo(() => [...new Set(report.speed.map((p) => p.query))], [report]);
+  const queries = useMemo(() => [...new Set(speed.map((p) => p.query))], [speed]);
   const [family, choose] = useState(families[0] ?? "all");
   const [query, ask] = useState<string>(queries.includes("verdict") ? "verdict" : (queries[0] ?? "verdict"));
   const points = useMemo(
-    () => report.speed.filter((p) => p.family === family && p.query === query),
-    [report, family, query],
+    () => speed.filter((p) => p.family === family && p.query === query),
+    [speed, family, query],
   );
   const draw = useCallback(
     (width: number) => speedPlot(points, { width, theme: screen, link: toFindings }, claimedDigits(report)),
     [points],
   );
   const front = pareto(bestOfEach(points.filter((p) => p.digits !== null)));
-  if (report.speed.length === 0) return null;
+  if (speed.length === 0) return null;
   return (
     <Section
       id="speed"
       title="Speed against accuracy"
       lead={
-        "One mark for each library, at its most accurate setting. Accuracy is a margin: d correct digits mean that " +
-        "the method was right on every pair with a signed distance of at least 1e\u2212d of the size."
+        "One mark for each library, at its most accurate setting. Accuracy is a margin: the method was right about " +
+        "yes or no on every pair with a signed distance of at least that part of the size. It says nothing about the " +
+        "error of distances."
       }>
         <>
           <p class="tools">
@@ -66,11 +67,11 @@ export function Speed({ report }: { report: FullReport }) {
             <Figure
               draw={draw}
               height={420}
-              label="Correct digits against time a pair, one mark a library"
+              label="The margin down to which a library is right, against time a pair"
               caption={
                 <>
                   A filled mark is the accuracy that the answers show with 95 % confidence, and the hollow mark above it
-                  is the accuracy that was observed. A thin line joins the settings of one method. No library is
+                  is the accuracy that was observed. A thin line joins the settings of one method, and the grey band is what engines claim. No library is
                   both faster and more accurate than{" "}
                   {front.map((p, i) => (
                     <>

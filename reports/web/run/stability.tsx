@@ -4,15 +4,12 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, inOrder, safe, short } from "../parts/words.ts";
-import { Cost } from "./calibration.tsx";
 import { Heads } from "./elements.tsx";
 import type { FullReport } from "./report.ts";
 import { tracePlot } from "./stability_plots.ts";
 
 /** How often the verdict should turn: once where the path goes through touching. */
 const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
-
-const printedRows = 12; // as style.css has it
 
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(
@@ -64,11 +61,6 @@ function Paths({ report }: { report: FullReport }) {
               ))}
             </tbody>
           </table>
-          {paths.length > printedRows && (
-            <p class="only-print soft">
-              Only the first {printedRows} of {grouped(paths.length)} rows are printed.
-            </p>
-          )}
         </div>
         <div>
           <h3>
@@ -91,10 +83,9 @@ function Paths({ report }: { report: FullReport }) {
 }
 
 export function Stability({ report }: { report: FullReport }) {
-  if (report.cost.length === 0 && report.paths.length === 0) return null;
+  if (report.paths.length === 0) return null;
   return (
     <Section id="stability" title="Stability">
-      <Cost report={report} />
       <Paths report={report} />
     </Section>
   );

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The answers of a method along a path.
 import * as Plot from "@observablehq/plot";
-import { common, tips, type Options } from "../parts/plot.ts";
+import { common, decades, logTick, tips, type Options } from "../parts/plot.ts";
 import { short } from "../parts/words.ts";
 import type { PathStability } from "./data.ts";
+
+/** What changes along a path, and its unit. */
+const alongOf = (path: string) =>
+  path.startsWith("touching")
+    ? "gap (overlap below 0), part of the size"
+    : path.startsWith("coaxial")
+      ? "offset of the axes, part of the size"
+      : "angle from the special position, radians";
 
 export function tracePlot(path: PathStability, o: Options): Element {
   const trace = path.trace ?? [];
@@ -13,9 +21,12 @@ export function tracePlot(path: PathStability, o: Options): Element {
   const shape = (t: { verdict: string }) =>
     ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
   const known = trace.some((t) => t.distance !== null);
-  // Steps go by decades towards 0.
+  // Steps go by decades towards 0, and the axis with them.
   const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
-  const farthest = Math.max(...trace.map((t) => Math.abs(t.at)));
+  const farthest = Math.max(nearest, ...trace.map((t) => Math.abs(t.at)));
+  const within = decades([nearest, farthest]).filter((v) => v >= 0.99 * nearest && v <= 1.01 * farthest),
+    skip = Math.max(1, Math.ceil((2 * within.length * 60) / o.width)),
+    sides = within.filter((_, i) => (within.length - 1 - i) % skip === 0);
   const y = (t: (typeof trace)[number]) =>
     known ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
   const words = (t: (typeof trace)[number]) =>
@@ -28,13 +39,13 @@ export function tracePlot(path: PathStability, o: Options): Element {
       x: {
         type: "symlog",
         constant: nearest,
-        label: "along the path \u2192",
+        label: `${alongOf(path.path)}, logarithmic on both sides of 0 \u2192`,
         grid: true,
-        ticks: [-farthest, 0, farthest],
-        tickFormat: (v: number) => short(v),
+        ticks: [...sides.map((v) => -v), 0, ...sides],
+        tickFormat: (v: number) => (v < 0 ? `\u2212${logTick(-v)}` : v === 0 ? "0" : logTick(v)),
       },
       y: known
-        ? { label: "\u2191 distance it returns", grid: true, tickFormat: (v: number) => short(v) }
+        ? { label: "\u2191 distance it returns, a length", grid: true, tickFormat: (v: number) => short(v) }
         : {
             label: null,
             domain: [-1.6, 1.6],
