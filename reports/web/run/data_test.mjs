@@ -200,5 +200,5 @@ test("every plot is drawn as a whole SVG", () => {
 test("the axis of a path is logarithmic, has a unit and a tick for decades", () => {
   const svg = [...charts(expand(sample()), plainDocument())].find(([name]) => /path-touching_/.test(name))[1];
   assert.match(svg, /gap \(overlap below 0\), part of the size, logarithmic/);
-  assert.ok(svg.match(/>\u2212?1e\u2212\d+</g).length >= 6, "ticks");
+  assert.ok(svg.match(/>\u2212?[13]e-\d+</g).length >= 4, "ticks");
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The answers of a method along a path.
 import * as Plot from "@observablehq/plot";
-import { common, decades, logTick, tips, type Options } from "../parts/plot.ts";
+import { common, decades, tips, type Options } from "../parts/plot.ts";
 import { short } from "../parts/words.ts";
 import type { PathStability } from "./data.ts";
 
@@ -24,7 +24,9 @@ export function tracePlot(path: PathStability, o: Options): Element {
   // Steps go by decades towards 0, and the axis with them.
   const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
   const farthest = Math.max(nearest, ...trace.map((t) => Math.abs(t.at)));
-  const within = decades([nearest, farthest]).filter((v) => v >= 0.99 * nearest && v <= 1.01 * farthest),
+  const reached = (v: number) => v >= 0.99 * nearest && v <= 1.01 * farthest,
+    powers = decades([nearest, farthest]),
+    within = (powers.filter(reached).length > 2 ? powers : powers.flatMap((v) => [v, 3 * v])).filter(reached),
     skip = Math.max(1, Math.ceil((2 * within.length * 60) / o.width)),
     sides = within.filter((_, i) => (within.length - 1 - i) % skip === 0);
   const y = (t: (typeof trace)[number]) =>
@@ -42,7 +44,7 @@ export function tracePlot(path: PathStability, o: Options): Element {
         label: `${alongOf(path.path)}, logarithmic on both sides of 0 \u2192`,
         grid: true,
         ticks: [...sides.map((v) => -v), 0, ...sides],
-        tickFormat: (v: number) => (v < 0 ? `\u2212${logTick(-v)}` : v === 0 ? "0" : logTick(v)),
+        tickFormat: (v: number) => short(v, 1),
       },
       y: known
         ? { label: "\u2191 distance it returns, a length", grid: true, tickFormat: (v: number) => short(v) }
