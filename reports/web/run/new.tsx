@@ -123,7 +123,8 @@ function Answer({ report }: { report: FullReport }) {
         command={explain(rare[0]!)}
       />
     );
-  return <p class="band ok answer">{compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."}</p>;
+  const text = compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim.";
+  return <p class="band ok answer">{text}</p>;
 }
 
 export function New({ report }: { report: FullReport }) {
