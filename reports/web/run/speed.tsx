@@ -71,9 +71,8 @@ export function Speed({ report }: { report: FullReport }) {
               caption={
                 <>
                   A filled mark is the accuracy that the answers show with 95 % confidence, and the hollow mark above it
-                  is the accuracy that was observed. A thin line joins the settings of one method, and the grey band is what
-                  engines claim. No library is
-                  both faster and more accurate than{" "}
+                  is the accuracy that was observed. A thin line joins the settings of one method, and the grey band is
+                  what engines claim. No library is both faster and more accurate than{" "}
                   {front.map((p, i) => (
                     <>
                       {i > 0 && ", "}
