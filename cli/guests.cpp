@@ -44,14 +44,17 @@ void add_documents(MethodSet& set, std::string_view spec) {
                      std::make_move_iterator(named.begin()), std::make_move_iterator(named.end()));
 }
 
-/// Throws if `spec` selects none of the guests from `first` on, which were named on this command line.
-void refuse_if_left_out(const MethodSet& set, std::size_t first, std::string_view spec) {
+/// Throws if `spec` selects none of the guests in [first, next), which one option of this command line
+/// loaded.
+void refuse_if_left_out(const MethodSet& set, std::size_t first, std::size_t next, std::string_view spec) {
   if (spec.empty()) return;
   std::vector<std::string> names;
   for (const auto& method : set.methods) names.emplace_back(method->name());
   const std::size_t first_guest = set.methods.size() - set.guests.size();
   const auto selected = select_names(names, spec);
-  if (std::ranges::any_of(selected, [&](std::size_t i) { return i >= first_guest + first; })) return;
+  if (std::ranges::any_of(selected,
+                          [&](std::size_t i) { return i >= first_guest + first && i < first_guest + next; }))
+    return;
   throw UsageError(
       fmt::format("--methods leaves out '{}': add its name, {}, or drop the option that loads it",
                   set.guests[first].what, set.guests[first].name));
@@ -117,12 +120,15 @@ MethodSet with_guests(const GuestOptions& options, std::string_view spec) {
     std::vector<Guest> guests;
     for (const std::string& text : options.plugins) guests.push_back(read_guest(GuestKind::plugin, text));
     for (const std::string& text : options.commands) guests.push_back(read_guest(GuestKind::command, text));
+    std::vector<std::size_t> loaded{set.guests.size()};
     for (Guest& guest : guests) {
       set_claim(guest, options.claims);
-      const std::size_t first = set.guests.size();
       add(set, guest);
-      refuse_if_left_out(set, first, spec);
+      loaded.push_back(set.guests.size());
     }
+    // `spec` may name any of them, so all are loaded first.
+    for (std::size_t i = 0; i + 1 < loaded.size(); ++i)
+      refuse_if_left_out(set, loaded[i], loaded[i + 1], spec);
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());
   }
