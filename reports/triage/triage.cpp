@@ -133,7 +133,8 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (!guest.newly_wrong.empty()) triage.remarks.push_back(in_words(guest));
   }
   compare_with_earlier(
-      run, earlier, [&](const Cause& b) { return out_of_time() ? std::nullopt : fails_today(b, methods); },
+      run, earlier,
+      [&](const Cause& b) { return context.out_of_time() ? std::nullopt : fails_today(b, methods); },
       certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
