@@ -26,7 +26,7 @@ const char* kind_in_words(FindingKind kind) {
                              "answers invalid for valid pairs",
                              "returns a witness that proves nothing",
                              "returns a wrong distance",
-                             "returns no usable number: infinite, not a number, or the largest double",
+                             "returns a number that is infinite, the largest double, or not a number",
                              "throws an exception",
                              "crashes",
                              "hangs",
