@@ -118,7 +118,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // The path is absolute, because the run may be resumed from another folder.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
-  MethodSet set = with_guests(arguments.guests, arguments.methods);
+  MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   options.guests = format_guests(set.guests);
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())

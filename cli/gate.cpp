@@ -164,7 +164,7 @@ int gate(const GateArguments& arguments) {
     return exit_pass;
   }
   GateOptions options;
-  MethodSet set = with_guests(arguments.guests, arguments.methods);
+  MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
   const auto places = places_of(arguments.annotate, guests);
@@ -181,6 +181,7 @@ int gate(const GateArguments& arguments) {
     options.amount = known.base.amount;
   }
   known.suppressions = read_suppressions(arguments.suppressions, in_source_tree("suppressions.jsonl"));
+  const StopSignals signals;  // before the first line, after which a caller may stop the gate
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
 
@@ -189,7 +190,6 @@ int gate(const GateArguments& arguments) {
     return known.base.buckets.contains(failure.bucket) ||
            find_suppression(known.suppressions, failure.bucket, today()) != nullptr;
   };
-  const StopSignals signals;
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
   std::vector<std::unique_ptr<Method>> everyone;

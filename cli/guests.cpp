@@ -107,7 +107,7 @@ std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, st
   return std::move(methods);
 }
 
-MethodSet with_guests(const GuestOptions& options, std::string_view spec) {
+MethodSet with_guests(const GuestOptions& options, std::string_view spec, bool refuse_left_out) {
   MethodSet set{all_methods(), {}};
   add_documents(set, spec);
   if (!options.plugins.empty() && !can_confine()) {
@@ -127,7 +127,7 @@ MethodSet with_guests(const GuestOptions& options, std::string_view spec) {
       loaded.push_back(set.guests.size());
     }
     // `spec` may name any of them, so all are loaded first.
-    for (std::size_t i = 0; i + 1 < loaded.size(); ++i)
+    for (std::size_t i = 0; refuse_left_out && i + 1 < loaded.size(); ++i)
       refuse_if_left_out(set, loaded[i], loaded[i + 1], spec);
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());

@@ -32,8 +32,8 @@ struct MethodSet {
 };
 
 /// Returns every method of this build, the ones of errata_methods() that `spec` names, and the guests. Throws
-/// UsageError if a guest does not start or its name is taken.
-MethodSet with_guests(const GuestOptions& options, std::string_view spec = {});
+/// UsageError if a guest does not start, its name is taken, or `spec` leaves it out and that is refused.
+MethodSet with_guests(const GuestOptions& options, std::string_view spec = {}, bool refuse_left_out = false);
 
 /// Adds the guests and errata_methods() of the run in this folder, except those that are present by that
 /// name. A guest that this user has not started before (known_guests.hpp) starts only if the options allow

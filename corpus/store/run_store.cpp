@@ -14,8 +14,8 @@
 namespace cyl {
 namespace {
 
-/// Of the tables below, in PRAGMA user_version. A file is refused if its tables differ in a single character,
-/// so a change of any needs a new version.
+/// The version of the tables below, in PRAGMA user_version. A file is refused if its tables differ in a
+/// single character, so a change of any needs a new version.
 constexpr int store_version = 3;
 
 /// A judged pair takes 2 to 4 KB. SQLite's usual pages of 4096 bytes would be a third empty.

@@ -22,10 +22,14 @@ constexpr std::size_t batch_cap = 32;
 
 using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 
-/// The number of radii and heights that are 0. Solids without a length are special cases of many libraries,
-/// with faults of their own. So a simpler pair has no more of them than the pair as found.
-int zero_lengths(const Pair& p) {
-  return (p.a.radius == 0) + (p.a.height == 0) + (p.b.radius == 0) + (p.b.height == 0);
+/// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height.
+unsigned zeros(const Cylinder& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
+
+/// Returns whether a pair has a radius or height of 0 that the pair as found has not, in whatever order its
+/// solids are. Solids without a length are special cases of many libraries, with faults of their own.
+bool has_new_zeros(const Pair& p, const Pair& found) {
+  const unsigned a = zeros(p.a), b = zeros(p.b), of_a = zeros(found.a), of_b = zeros(found.b);
+  return ((a & ~of_a) | (b & ~of_b)) != 0 && ((a & ~of_b) | (b & ~of_a)) != 0;
 }
 
 /// Returns the bits of the numbers, which are equal only for the same pair.
@@ -34,7 +38,7 @@ Bits bits_of(const Pair& p) { return std::bit_cast<Bits>(numbers_of(p)); }
 class Search {
  public:
   Search(const Pair& pair, const StillFails& still_fails, std::size_t cap)
-      : best_(pair), still_fails_(still_fails), cap_(cap), zero_lengths_(zero_lengths(pair)) {}
+      : best_(pair), still_fails_(still_fails), cap_(cap), found_(pair) {}
 
   Simplified run() {
     using Move = Pairs (*)(const Pair&);
@@ -76,7 +80,7 @@ class Search {
     const Complexity now = complexity(best_);
     std::vector<Ranked> ranked;
     for (const Pair& p : pairs) {
-      if (!is_legal(p) || zero_lengths(p) > zero_lengths_) continue;
+      if (!is_legal(p) || has_new_zeros(p, found_)) continue;
       const Complexity c = complexity(p);
       if (c < now && asked_.insert(bits_of(p)).second) ranked.push_back({c, p});
     }
@@ -102,7 +106,7 @@ class Search {
   Pair best_;
   const StillFails& still_fails_;
   std::size_t cap_, questions_ = 0;
-  int zero_lengths_;  ///< of the pair as found
+  const Pair found_;
   bool at_cap_ = false;
   std::set<std::array<std::uint64_t, 2 * cylinder_number_count>> asked_;
 };

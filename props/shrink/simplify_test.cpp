@@ -95,17 +95,17 @@ struct Planted {
 void PrintTo(const Planted& p, std::ostream* out) { *out << p.name; }
 
 constexpr Planted planted[] = {
-    {"parallel", "axes_nearly_parallel", nearly_parallel, 2, 1000},
-    {"nearly_parallel", "axes_nearly_parallel", nearly_parallel_not_quite, 3, 1000},
-    {"fat", "random", fat, 3, 1000},
-    {"far_out", "far", far_out, 3, 1000},
+    {"parallel", "axes_nearly_parallel", nearly_parallel, 6, 1000},
+    {"nearly_parallel", "axes_nearly_parallel", nearly_parallel_not_quite, 7, 1000},
+    {"fat", "random", fat, 7, 1000},
+    {"far_out", "far", far_out, 7, 1000},
     {"shallow", "random", shallow, 12, 2000},
     {"tiny_gap_side_side", "touching_side_side", tiny_gap, 20, 2000},
     {"tiny_gap_rim_rim", "touching_rim_rim", tiny_gap, 20, 2000},
     {"oblique_tiny_gap", "touching_rim_rim", oblique_tiny_gap, 20, 2000},
     {"tiny_overlap", "touching_side_rim", tiny_overlap, 20, 2000},
-    {"apart", "random", apart, 3, 1000},
-    {"long_axes", "raw_axes", long_axes, 2, 1000},
+    {"apart", "random", apart, 7, 1000},
+    {"long_axes", "raw_axes", long_axes, 6, 1000},
     {"chaotic", "random", chaotic, 272, 4000},
 };
 

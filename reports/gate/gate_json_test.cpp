@@ -145,7 +145,9 @@ TEST(GateJson, AFailureOfTheBaseThatIsGoneIsSaid) {
   const auto remarks = [&](JudgedGate now) {
     const std::size_t before = now.remarks.size();
     now.report.methods[1].name = parse_json(gate_json(gate))["methods"][1]["name"];
-    note_gaps(now, read_base(file.path));
+    GateBase base = read_base(file.path);
+    std::erase_if(base.buckets, [](const auto& b) { return b.first.starts_with("fake"); });  // not UTF-8
+    note_gaps(now, base);
     std::vector<std::string> said;
     for (std::size_t i = before; i < now.remarks.size(); ++i) said.push_back(now.remarks[i].text);
     return said;

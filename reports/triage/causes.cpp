@@ -291,7 +291,9 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const auto shown_last = std::ranges::find(last, key, &Cause::key);
     if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
       causes.push_back(*shown_last);
-      causes.back().history.clear();  // compare_with_earlier() makes it
+      causes.back().history.clear();  // compare_with_earlier() makes these three
+      causes.back().status.reset();
+      causes.back().chance.reset();
       continue;
     }
     choose_simplest(group, of.methods, out_of_time);

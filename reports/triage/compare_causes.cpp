@@ -196,7 +196,7 @@ std::string what_changed(const std::vector<Cause>& causes) {
     const auto n =
         std::count_if(causes.begin(), causes.end(), [&](const Cause& b) { return b.status == status; });
     if (n == 0 && status != Recurrence::fresh) continue;
-    const std::string word = status == Recurrence::rare ? "too rare to tell" : to_string(status);
+    const std::string word = status == Recurrence::rare ? "too rare to judge" : to_string(status);
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", n, word,
                         !text.empty() ? ""
                         : n == 1      ? " cause"

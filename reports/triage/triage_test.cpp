@@ -271,7 +271,7 @@ TEST(Causes, NewComesFirstAndIsNoChance) {
   EXPECT_LT(run.causes[0].chance, 1e-9);
   EXPECT_EQ(run.causes[1].first_version, "1");
   EXPECT_EQ(run.causes[2].status, Recurrence::rare);
-  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 too rare to tell");
+  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 too rare to judge");
   EXPECT_EQ(what_changed({Cause{}, Cause{}}), "2 causes");
 }
 

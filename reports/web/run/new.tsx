@@ -148,7 +148,7 @@ export function New({ report }: { report: FullReport }) {
             <li key={standing}>
               <a href={`#/findings?standing=${standing}`} title={about(standing)}>
                 <b>{grouped(n)}</b> {n === 1 ? "cause is" : "causes are"}{" "}
-                {standing === "rare" ? "too rare to tell" : standing}
+                {standing === "rare" ? "too rare to judge" : standing}
               </a>
             </li>
           ) : null,
