@@ -107,7 +107,7 @@ class Lint(unittest.TestCase):
         for change, of, why in (
                 (put('result', 'intersecting'), result('disjoint'), 'malformed'),
                 (put('result', 'disjoint'), result('intersecting'), 'does not separate'),
-                (put('result', 'touching'), result('intersecting'), 'touching at a distance'),
+                (put('result', 'touching'), result('intersecting'), 'they overlap at this point'),
                 (put('result', 'invalid'), result('disjoint'), 'called invalid'),
                 (put('a', 'radius', lambda r: r + 1e-9), result('disjoint'), 'the id'),
                 (put('certificate', 'direction', 0, lambda x: x + 1e-4), result('disjoint'), 'lower end'),
