@@ -153,7 +153,7 @@ void read(Row& row, int& at, std::optional<T>& value) {
   }
 }
 
-/// What one query may do. A damaged file can name a page many times, so that its rows never end.
+/// The limits of one query. A damaged file can name a page many times, so that its rows never end.
 class Work {
  public:
   explicit Work(std::string file) : file_(std::move(file)) {}

@@ -72,8 +72,8 @@ struct FailedPair {
   std::string reason;
 };
 
-/// Of Objective::error, the error over its bound, at most. Of Objective::time, the ns of one call, the least
-/// of a few.
+/// The score is the error over its bound, at most, for Objective::error. For Objective::time it is the ns of
+/// one call, the least of a few.
 struct ScoredPair {
   Pair pair;
   double score;

@@ -86,7 +86,9 @@ Guest read_guest(GuestKind kind, const std::string& text) {
 std::string options_for(const Guest& guest) {
   const std::string of = guest.method.empty() ? "" : ':' + guest.method;
   const std::string claim = guest.claim ? " --claim " + guest.name + '=' + format_double(*guest.claim) : "";
-  return option_of(guest.kind) + (' ' + shell_quoted(guest.name + of + '=' + guest.what)) + claim;
+  const std::string word = guest.name + of + '=' + guest.what;  // a name needs no quotes
+  return option_of(guest.kind) +
+         (' ' + (shell_quoted(guest.what) == guest.what ? word : shell_quoted(word))) + claim;
 }
 
 std::string format_guests(const std::vector<Guest>& guests) {

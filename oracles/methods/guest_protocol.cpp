@@ -46,7 +46,7 @@ Verdict verdict_of(const std::string& word) {
   throw std::invalid_argument("the verdict is " + shown(word));
 }
 
-/// Throws if the object has another key than these: a misspelt key would be a promise that nobody keeps.
+/// Throws if the object has another key than these: a misspelt key would be ignored.
 void refuse_other_keys(const json& object, const char* what, std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : object.items())
     if (std::ranges::find(known, key) == known.end())

@@ -286,8 +286,8 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
 }
 
 // A width that is relative to the size may be wider than the distance. Then the certificate itself has a
-// bound of the right sign: the gap that its direction shows, or the radius of the ball around its point that
-// is in both solids. not covered within: for `check --distance`. The gate asks at its own widths.
+// bound of the right sign. It is the gap that its direction shows, or the radius of a ball in both solids.
+// not covered within: for `check --distance`. The gate asks at its own widths.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) return {0, 0};
   const bool disjoint = truth.verdict == Verdict::disjoint;

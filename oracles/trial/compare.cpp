@@ -145,14 +145,15 @@ bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& ans
 /// The largest distance of two points of a solid.
 double diameter_of(const Cylinder& c) { return std::hypot(2 * c.radius, c.height) + 2 * c.rounding; }
 
-// What a claim of the length t explains of a witness that proves nothing.
+// The claim of a length t may explain a witness that proves nothing.
 //
 // A point may lie outside a solid by t.
 //
 // A direction is the difference of two nearest points. Errors of t in both move that difference, whose length
 // is the gap g, by at most 2t. So they turn it by an angle with a sine of at most s = 2t/g, or by any angle
-// if 2t >= g. Let n be the true unit direction, and D = n cos(angle) + m sin(angle) with a unit vector m
-// square to n. f(D) is the greatest D.z over the differences z = x - y of a point x of a and a point y of b.
+// if 2t >= g. Let n be the true unit direction, and m a unit vector square to it.
+// Then D is n cos + m sin.
+// f(D) is the greatest D.z over the differences z = x - y of a point x of a and a point y of b.
 // All of them have n.z <= -g, and -g n is one of them. So z = -g n + w, with |w| at most the sum W of both
 // diameters, and
 //     D.z = n.z cos + m.w sin <= -g cos + W sin <= W s - g sqrt(1 - s^2).

@@ -25,8 +25,8 @@ using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 /// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height.
 unsigned zeros(const Cylinder& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
 
-/// Returns whether a pair has a radius or height of 0 that the pair as found has not, in whatever order its
-/// solids are. Solids without a length are special cases of many libraries, with faults of their own.
+/// Returns whether a pair has a radius or height of 0 that the pair as found has not, in either order of
+/// the solids. Solids without a length are special cases of many libraries, with faults of their own.
 bool has_new_zeros(const Pair& p, const Pair& found) {
   const unsigned a = zeros(p.a), b = zeros(p.b), of_a = zeros(found.a), of_b = zeros(found.b);
   return ((a & ~of_a) | (b & ~of_b)) != 0 && ((a & ~of_b) | (b & ~of_a)) != 0;

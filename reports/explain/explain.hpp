@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why one method fails on one pair: the ranges of the pair's properties in which it fails, and the changes of
-// the pair or of the method's settings that make it right.
+// Explains why one method fails on one pair. Names the ranges of the pair's properties in which it fails.
+// Names the changes of the pair, or of the method's settings, that make it right.
 #pragma once
 
 #include <memory>

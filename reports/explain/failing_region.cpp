@@ -266,7 +266,7 @@ class Search {
     return values;
   }
 
-  /// Goes outwards through the answers to the first that does not fail. Of the first round, it also counts
+  /// Goes outwards through the answers to the first that does not fail. In the first round, it also counts
   /// those beyond.
   void take(double value, const Trial& said) {
     // Thin solids that were moved through each other are apart again.

@@ -338,7 +338,7 @@ TEST(Export, NothingThatIsSentKnowsThisMachine) {
   const std::size_t reported = place_of(FindingKind::reported);
   const std::string script = faulty.command("").folder + "/faulty.sh";
   for (const auto& [guest, option] : std::vector<std::pair<Guest, std::string>>{
-           {faulty.plugin(), "--plugin 'faulty=libfaulty.so'"},
+           {faulty.plugin(), "--plugin faulty=libfaulty.so"},
            {faulty.command("/bin/sh " + script), "--command 'faulty=sh faulty.sh'"}}) {
     const Export files = faulty.exported(reported, guest);
     for (const auto& [name, text] : files)

@@ -128,7 +128,7 @@ std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string&
 }
 constexpr const char* none_beyond = "never wrong beyond its claim on";
 
-/// What one sample shows about the combinations that a method claims.
+/// Lines on what one sample shows about the combinations that a method claims.
 struct Sample {
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
   std::uint64_t combinations = 0, empty = 0;  ///< those with decided pairs, and those without

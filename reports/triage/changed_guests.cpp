@@ -28,7 +28,7 @@ std::string version_of(const std::vector<MethodRecord>& methods, const std::stri
   return {};
 }
 
-/// The pairs on which the earlier version was right, as far as the run tells.
+/// The pairs on which the earlier version was right, as far as the run shows.
 std::vector<Pair> pairs_it_had_right(const RunStore& run, const std::string& method) {
   const auto seed = number_in<std::uint64_t>(value_of(run.config(), "seed"));
   if (!seed) return {};
@@ -92,7 +92,7 @@ std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
       return !version_of(run.methods, name).empty();
     });
     const std::string version = version_of(now, name);
-    // What is here must be what the run asked.
+    // The version that is here must be the one that the run asked.
     if (past == earlier.rend() || version != context.methods[m]->version()) continue;
     ChangedGuest guest{name, version, version_of(past->methods, name), past->id, 0, {}};
     if (guest.earlier_version == version) continue;

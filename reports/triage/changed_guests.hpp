@@ -21,7 +21,7 @@ struct ChangedGuest {
 };
 
 /// Compares each guest of the run with the last earlier run that asked another version of it. Asks about the
-/// pairs that the earlier run drew for it, again from seed and index, and leaves out the families in which
+/// pairs that the earlier run drew for it. Seed and index give them again. Leaves out the families in which
 /// that version was wrong on pairs that were not kept. Stops when that part of the budget is used up.
 std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
                                             const std::vector<TriagedRun>& earlier, double part);

@@ -44,7 +44,7 @@ void put_in_order(std::vector<Waiting>& cause) {
                    [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
 }
 
-/// What a simpler pair has in common with the finding, besides the way to fail and the cause.
+/// The properties that a simpler pair shares with the finding, besides the way to fail and the cause.
 struct Likeness {
   std::optional<ContactFeature> feature;
   std::optional<bool> too_far;  ///< of a wrong distance: it is greater than the true one

@@ -15,8 +15,8 @@
 namespace cyl {
 namespace {
 
-/// The most files that one scene includes, where a file may count twice, and the most in each other: the
-/// content of a file is copied into each file around it.
+/// The most files that one scene includes, and the most in each other. A file may count twice. The content of
+/// a file is copied into each file around it.
 constexpr std::size_t include_cap = 1000, include_depth_cap = 50;
 /// The most values in all classes of defaults: a class holds those of all classes around it.
 constexpr std::size_t default_cap = 1'000'000;

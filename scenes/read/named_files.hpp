@@ -26,7 +26,7 @@ inline constexpr int depth_cap = 1000;
 /// The most tags in all descriptions of a scene, and the most attributes of an element: urdfdom compares each
 /// attribute with all others.
 inline constexpr std::size_t tag_cap = 300'000, attribute_cap = 100;
-/// The most links, and the most shapes of a URDF: urdfdom frees a chain of links recursively, some walks
+/// The most links, and the most shapes of a URDF. urdfdom frees a chain of links recursively. Some walks
 /// visit all links above each link, and a shape is compared with all others of its link.
 inline constexpr std::size_t link_cap = 10'000;
 

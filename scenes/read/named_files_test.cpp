@@ -27,7 +27,7 @@ class NamedFilesTest : public testing::Test, protected Scratch {
                              "bare/a.obj", "secret"})
       write(name, "v 1 2 3\n");
   }
-  /// Returns where a robot's file finds a name, from `folder`, or why not.
+  /// Returns the path at which a robot's file finds a name, from `folder`, or the reason if there is none.
   std::string found(const std::string& name, const std::string& robot = "ws/src/arm/urdf/arm.urdf",
                     const std::vector<std::string>& permitted = {}) const {
     try {
