@@ -296,7 +296,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   EXPECT_EQ(findings[0]["reason"], safe);
   EXPECT_EQ(report["methods"][0]["claim"]["source"], safe);
   EXPECT_EQ(report["run"]["seed"], safe);
-  EXPECT_EQ(report["cases"][0]["note"], safe + "; " + safe + "; " + safe);
+  EXPECT_EQ(report["cases"][0]["note"], hostile + "; " + hostile + "; " + hostile);
   EXPECT_EQ(report["cases"][1]["truth"]["verdict"], "undecided");
   EXPECT_EQ(report["cases"][1]["said"], json::array());
 }
