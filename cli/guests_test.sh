@@ -152,7 +152,7 @@ causes
 for key in bad/wrong_disjoint bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
   holds 'triage' out "^\* $key"
 done
-page_data runs/three/report.html | grep -E -- "--plugin '?bad=" >/dev/null || failed 'the page does not say how to bring the guests'
+page_data runs/three/report.html | grep -F -- "--plugin bad=" >/dev/null || failed 'the page does not say how to bring the guests'
 expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/buckets/*.jsonl | head -n 1)" --methods bad
 expect 0 'explain' "$daylight" explain runs/three bad/wrong_disjoint
 holds 'explain' out '^bad '
