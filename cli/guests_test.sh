@@ -98,6 +98,21 @@ assert method['rounded']['pairs'] >= 2900 and method['counts']['declined'] == 0,
 END
 expect 0 'campaign of spheres' "$daylight" campaign --plugin ./libballs.so --methods balls --pairs 300 --seed 1 --cases '' --table --out runs/of_balls
 holds 'campaign of spheres' out '^balls +300 '
+# A new version is asked about the pairs that an earlier run drew: the eight of its own run are right.
+mkdir -p nights
+sed 's/  return more\[0\] >/  if (a[8] > 5 * b[8]) return DAYLIGHT_DISJOINT;\n&/' balls.c >newer.c
+cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 newer.c -lm -o libnewer.so
+for night in balls:1000:1 newer:8:2; do
+  IFS=: read -r version pairs seed <<<"$night"
+  expect 0 "a night of $version" "$daylight" campaign --plugin "balls=./lib$version.so" --methods balls --cases '' --pairs "$pairs" --seed "$seed" \
+    --out "nights/$version"
+done
+expect 0 'a night' "$daylight" triage nights/balls
+expect 2 'a fault of the new version' "$daylight" triage nights/newer
+holds 'a fault of the new version' out '^1 new cause$'
+holds 'a fault of the new version' out '^balls \([0-9a-f]+\) is wrong beyond its claim on [1-9][0-9]+ of [0-9]+ pairs of balls, on which version \([0-9a-f]+\) was right$'
+expect 0 'its pair' "$daylight" export nights/newer balls/wrong_disjoint --out newer
+expect 0 'the version before' "$daylight" replay newer/case.jsonl --methods balls --plugin balls=./libballs.so
 # A suppression of a guest's cause holds while a stored case shows the cause.
 sed 's/  more\[0\] = /  if (a[0] == b[0] \&\& a[1] == b[1] \&\& a[2] == b[2]) return DAYLIGHT_DISJOINT;\n&/' balls.c >centred.c
 cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 centred.c -lm -o libcentred.so

@@ -281,6 +281,31 @@ std::string file_name_of(std::string_view key) {
   return replaced ? name + '.' + letter_hash(key) : name;
 }
 
+Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMethods& of,
+                 const std::string& run_folder, const std::function<bool()>& out_of_time) {
+  const std::string method(of.methods[fault.method]->name());
+  const FindingKind kind = fault.finding.kind;
+  Cause b;
+  b.key = key;
+  b.method = method;
+  b.kind = kind;
+  b.methods = b.methods_of_kind = {method};
+  b.families = {fault.family};
+  b.severity = fault.finding.severity;
+  b.count = b.pairs = fault.pairs;
+  b.margin = fault.finding.margin;
+  b.description = cause_in_words(key, b.mechanism, {{kind, ""}});
+  const FailingMethod failing{fault.method, kind};
+  CauseFindings group;
+  group.simplest = ShownCandidate{true, complexity(fault.pair), nullptr, fault.pair};
+  group.seen_again = fails_alone(of.methods, failing, fault.pair);
+  const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
+  show_simplest(b, group, shown, of.methods, run_folder, !out_of_time());
+  b.ordinary = is_ordinary(fault.pair);
+  b.labels = labels_of(b, group, shown.trial, of);
+  return b;
+}
+
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);

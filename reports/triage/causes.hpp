@@ -115,6 +115,21 @@ Cause cause_from_json(const nlohmann::json& stored);
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time);
 
+/// A failure that no stored finding of the run has: on pairs that only an earlier run drew.
+struct NewFault {
+  std::uint64_t pairs = 0;
+  Pair pair = {};  ///< the simplest of them
+  std::size_t method = 0;
+  Finding finding = {};
+  std::string family = {};
+};
+/// Makes its cause, about which every method is asked.
+Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMethods& methods,
+                 const std::string& run_folder, const std::function<bool()>& out_of_time);
+
+/// Returns the version of the method, or an empty text.
+std::string version_in(const std::vector<MethodRecord>& methods, const std::string& name);
+
 /// Returns whether the stored pair of an earlier run's cause fails now as it did then, or nothing if that is
 /// unknown.
 using FailsToday = std::function<std::optional<bool>(const Cause&)>;

@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "reports/triage/causes.hpp"
+
 namespace cyl {
 
 struct TriageContext;
-struct TriagedRun;
 
 /// A method of a guest that changed, and what it gets wrong beyond its claim on pairs that it had right.
 struct ChangedGuest {
   std::string method, version, earlier_version, earlier_run;
-  std::uint64_t asked = 0;                           ///< pairs of the earlier run
-  std::map<std::string, std::uint64_t> newly_wrong;  ///< pairs by the key of the cause
+  std::uint64_t asked = 0;                      ///< pairs of the earlier run
+  std::map<std::string, NewFault> newly_wrong;  ///< by the key of the cause
 };
 
 /// Compares each guest of the run with the last earlier run that asked another version of it. Asks about the

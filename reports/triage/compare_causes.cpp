@@ -84,15 +84,9 @@ Observation observation_of(const Seen& seen, const Places& places) {
   return sight;
 }
 
-std::string version_in(const TriagedRun& run, const std::string& method) {
-  for (const MethodRecord& m : run.methods)
-    if (m.name == method) return m.version;
-  return {};
-}
-
 void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& earlier, std::size_t compared) {
   b.first_seen = b.last_seen = run.id;
-  b.first_version = b.last_version = version_in(run, b.method);
+  b.first_version = b.last_version = version_in(run.methods, b.method);
   std::vector<Seen> seen;
   for (const TriagedRun& past : earlier) seen.push_back(seen_in(past, b));
   seen.push_back(seen_in(run, b));
@@ -104,7 +98,8 @@ void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& ear
     const Cause* const found = find(past, b);
     if (found == nullptr || b.first_seen != run.id) continue;
     b.first_seen = found->first_seen;
-    b.first_version = found->first_version.empty() ? version_in(past, b.method) : found->first_version;
+    b.first_version =
+        found->first_version.empty() ? version_in(past.methods, b.method) : found->first_version;
   }
   const Observation here = observation_of(seen.back(), places);
   b.history.push_back({run.id, run.started, here});
@@ -130,7 +125,7 @@ std::optional<Cause> missed(Cause b, const TriagedRun& run, const std::vector<Tr
   compare(b, run, earlier, compared);
   b.first_seen = first_seen;
   b.last_seen = last_seen;
-  b.last_version = last_version.empty() ? version_in(earlier.back(), b.method) : last_version;
+  b.last_version = last_version.empty() ? version_in(earlier.back().methods, b.method) : last_version;
   const std::optional<bool> fails = fails_today(b);
   if (fails) {
     b.status = *fails ? Recurrence::known : Recurrence::gone;
@@ -148,6 +143,12 @@ int place_of(const Cause& b) {
 }
 
 }  // namespace
+
+std::string version_in(const std::vector<MethodRecord>& methods, const std::string& name) {
+  for (const MethodRecord& m : methods)
+    if (m.name == name) return m.version;
+  return {};
+}
 
 ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
                                const std::vector<FindingHead>& findings,
@@ -178,7 +179,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
     if (auto now = missed(*b, run, earlier, compared, fails_today)) not_met.push_back(std::move(*now));
   for (Cause& b : run.causes) {
     compare(b, run, earlier, compared);
-    if (b.status != Recurrence::rare || !certainly_new.contains(b.key)) continue;
+    if (b.status == Recurrence::known || !certainly_new.contains(b.key)) continue;
     b.status = Recurrence::fresh;
     b.chance.reset();
   }

@@ -129,7 +129,11 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
                            context.grouped(), run.causes, out_of_time);
   std::set<std::string> certainly_new;
   for (const ChangedGuest& guest : changed) {
-    for (const auto& [key, n] : guest.newly_wrong) certainly_new.insert(key);
+    for (const auto& [key, fault] : guest.newly_wrong) {
+      certainly_new.insert(key);
+      if (std::ranges::find(run.causes, key, &Cause::key) == run.causes.end())
+        run.causes.push_back(make_cause(key, fault, context.grouped(), options.folder, out_of_time));
+    }
     if (!guest.newly_wrong.empty()) triage.remarks.push_back(in_words(guest));
   }
   compare_with_earlier(

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
@@ -408,6 +409,26 @@ TEST(Causes, TheWordsOfAFailureStandByItsKind) {
       "(answers disjoint for pairs that meet; returns a number that is infinite, the "
       "largest double, or not a number: the witness is not finite)"))
       << causes[0].description;
+}
+
+TEST(Causes, TheMarginIsOfFindingsOfTheKind) {
+  TriageRecords records;
+  records.findings = {finding("intersect", "f", huge(1)), finding("decide", "f", huge(2))};
+  records.findings[1].kind = FindingKind::bad_witness;
+  records.findings[1].margin = Enclosure{0.41, 0.42};
+  for (std::int64_t id : {1, 2}) {
+    records.findings[static_cast<std::size_t>(id) - 1].id = id;
+    records.causes.push_back({id, "x", Mechanism::unclassified, ""});
+  }
+  const auto methods = select_methods(own_methods(), "intersect,decide");
+  const auto causes =
+      make_causes(records, {methods, std::vector<std::size_t>{0, 1}}, {}, [] { return true; });
+  ASSERT_EQ(causes.size(), 1u);
+  const bool verdict = causes[0].kind == FindingKind::wrong_disjoint;
+  EXPECT_EQ(causes[0].methods.size(), 2u);
+  EXPECT_EQ(causes[0].methods_of_kind, (std::set<std::string>{verdict ? "intersect" : "decide"}));
+  EXPECT_EQ(causes[0].margin->hi, verdict ? 0.1 : 0.41);
+  EXPECT_EQ(parse_json(causes[0].worst->page)["pair"], pair_to_json(huge(verdict ? 1 : 2)));
 }
 
 TEST(Causes, GiveAGroupsCountAsItsKeptOnesAre) {
