@@ -208,6 +208,7 @@ double share_done(const CampaignOptions& options, const CampaignProgress& p) {
 
 std::string numbers(const CampaignProgress& p) {
   const double seconds = std::max(1e-3, static_cast<double>(p.session_time.count()) / 1000);
+  if (p.session_done == 0) return fmt::format("{:.0f} s, the first batch of pairs is under way", seconds);
   return fmt::format("{:.0f} s, {} pairs, {:.0f}/s; beyond claim {}, failed {}, within claim {}", seconds,
                      p.done, static_cast<double>(p.session_done) / seconds, p.contract, p.failed,
                      p.resolution);

@@ -139,6 +139,12 @@ holds 'interface 2' out 'crash'
 expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100
 holds 'shapes that are none' err 'its shapes are not a sum of DaylightShapes'
 
+# A program that crashes on every pair is not started for each of 3,000 pairs.
+printf '%s\n' 'echo start >>starts' 'read -r _' "echo '{\"verdict\":\"disjoint\"}'" 'read -r _' 'exit 1' >dies.sh
+expect 2 'a program that crashes' "$daylight" gate --command 'sh dies.sh' --pairs 3000 --cases '' --json dies.json
+holds 'a program that crashes' out "^NOT ASKED: dies, after it had crashed too often: a program that catches exceptions"
+(($(wc -l <starts) < 400)) || failed "a program that crashes: $(wc -l <starts) starts"
+
 expect 2 'gate' "$daylight" gate --plugin ./libbad.so --pairs 100 --cases ''
 holds 'gate' out '^bad +1 \([0-9a-f]{8}\) '
 holds 'gate' out "\| .*replay - --methods bad --plugin '?bad="

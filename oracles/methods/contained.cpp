@@ -86,6 +86,7 @@ class Asker::Parts {
   std::vector<ContainedAnswer> ask(std::span<const Pair> pairs, std::span<const Question> questions) {
     std::vector<ContainedAnswer> answers(questions.size());
     hangs_.assign(methods_.size(), 0);
+    crashes_.assign(methods_.size(), 0);
     // The questions for one worker stay together, so that blocks are full.
     std::map<Worker*, std::vector<std::size_t>> of_worker;
     std::vector<Worker*> in_order;
@@ -111,10 +112,13 @@ class Asker::Parts {
     return &guests_.try_emplace(m, methods_, true, caps_).first->second;
   }
 
-  bool given_up(std::size_t m) const { return hangs_[m] >= caps_.hangs; }
-  ContainedAnswer gave_up() const {
+  bool given_up(std::size_t m) const {
+    return hangs_[m] >= caps_.hangs || crashes_[m] >= caps_.program_crashes;
+  }
+  ContainedAnswer gave_up(std::size_t m) const {
     ContainedAnswer said;
-    said.answer.set_reason("not asked any more after " + std::to_string(caps_.hangs) + " hangs");
+    said.answer.set_reason("not asked any more after " + std::to_string(hangs_[m]) + " hangs and " +
+                           std::to_string(crashes_[m]) + " crashes");
     return said;
   }
   void count_hang(std::size_t m, ContainedAnswer& said) {
@@ -134,7 +138,7 @@ class Asker::Parts {
       for (; next < queue.size() && block.size() < block_cap; ++next) {
         const Question& q = questions[queue[next]];
         if (given_up(q.method)) {
-          answers[queue[next]] = gave_up();
+          answers[queue[next]] = gave_up(q.method);
           continue;
         }
         block.push_back(next);
@@ -160,7 +164,7 @@ class Asker::Parts {
              questions[queue[end]].method == q.method && questions[queue[end]].mode == q.mode)
         ++end;
       if (given_up(q.method)) {
-        answers[queue[at++]] = gave_up();
+        answers[queue[at++]] = gave_up(q.method);
         continue;
       }
       std::vector<Pair> asked;
@@ -171,6 +175,7 @@ class Asker::Parts {
         answers[queue[at + i]] = said[i];
         count_hang(q.method, answers[queue[at + i]]);
         broke = broke || said[i].answer.status == Status::failed;
+        crashes_[q.method] += said[i].answer.failure == Failure::crash;
       }
       at += said.size();
       stretch = broke ? 1 : std::min(ahead_cap, 2 * stretch);
@@ -197,7 +202,7 @@ class Asker::Parts {
   const Caps caps_;
   Worker common_;
   std::map<std::size_t, Worker> guests_;
-  std::vector<unsigned> hangs_;
+  std::vector<unsigned> hangs_, crashes_;  ///< of the methods, in this call of ask()
 };
 
 Asker::Asker(std::span<const std::unique_ptr<Method>> methods, const Caps& caps)

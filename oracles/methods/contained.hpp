@@ -60,6 +60,8 @@ struct Caps {
   /// Hangs of one method in one call of ask(). After these, its questions are declined, with that
   /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
+  /// Likewise the crashes of a program. It is started again after each, which may take a second.
+  unsigned program_crashes = std::numeric_limits<unsigned>::max();
 };
 
 /// Returns the caps of commands that people wait for, such as gate, triage and explain. The CPU time is that

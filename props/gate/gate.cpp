@@ -47,9 +47,13 @@ constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_rerun = 10
 /// A hang counts as this many questions. It takes half a second, and a question takes some tenths of a
 /// millisecond.
 constexpr std::uint64_t hang_cost = 1000;
+/// Likewise a crash of a program, which is started again.
+constexpr std::uint64_t program_crash_cost = 50;
 
 /// A method that hangs this often is not asked any more. This is 8 s of CPU time, or half a minute of sleep.
 constexpr std::uint64_t hang_cap = 16;
+/// A program that crashes this often is not asked any more. At half a second a start this is half a minute.
+constexpr std::uint64_t program_crash_cap = 64;
 
 bool is_of_answer(const Law& law) { return law.kind == LawKind::answer; }
 
@@ -111,8 +115,16 @@ class Gate {
       in_phase(GatePhase::simplify, [&] { simplify_failures(); });
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
-      method.remark = given_up(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
-      if (skipped_[m]) report_.not_asked.push_back(method.name + ", after it had hung too often");
+      const bool hung = method.counts.hangs >= options_.caps.hangs;
+      method.remark = given_up(m)
+                          ? fmt::format("{}, and was not asked to the end", hung ? "hangs" : "crashes")
+                          : remark_on(method.counts);
+      if (skipped_[m])
+        report_.not_asked.push_back(
+            hung ? method.name + ", after it had hung too often"
+                 : method.name +
+                       ", after it had crashed too often: a program that catches exceptions can answer "
+                       "{\"error\":\"why\"} and go on");
     }
     return std::move(report_);
   }
@@ -199,16 +211,22 @@ class Gate {
       AnswerCounts& all = report_.methods[m].counts;
       if (again) {
         all.hangs += counts[m].hangs;
+        all.crashes += counts[m].crashes;
         all.hung_seconds += counts[m].hung_seconds;
       } else {
         all += counts[m];
       }
-      skipped_[m] = skipped_[m] || given_up(m) || counts[m].hangs >= options_.caps.hangs;
+      skipped_[m] = skipped_[m] || given_up(m) || counts[m].hangs >= options_.caps.hangs ||
+                    (is_program(m) && counts[m].crashes >= options_.caps.program_crashes);
     }
   }
 
+  bool is_program(std::size_t m) const { return methods_[m]->is_out_of_process(); }
   /// A method that hangs again and again is not asked any more. Otherwise the gate would not end.
-  bool given_up(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
+  bool given_up(std::size_t m) const {
+    const AnswerCounts& counts = report_.methods[m].counts;
+    return counts.hangs >= hang_cap || (is_program(m) && counts.crashes >= program_crash_cap);
+  }
   Examined examine_all(std::span<const Pair> pairs, const LawFilter& wanted) {
     return examine(
         methods_, pairs, [&](std::size_t m, const Law& law) { return !given_up(m) && wanted(m, law); },
@@ -307,7 +325,10 @@ class Gate {
     const LawFilter this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     std::vector<bool> fails(pairs.size(), false);
     const Examined examined = examine(method_of(failure), pairs, this_law, asker);
-    questions_left_ -= std::min(questions_left_, pairs.size() + hang_cost * examined.counts[0].hangs);
+    const AnswerCounts& counts = examined.counts[0];
+    const bool program = method_of(failure)[0]->is_out_of_process();
+    questions_left_ -= std::min(questions_left_, pairs.size() + hang_cost * counts.hangs +
+                                                     (program ? program_crash_cost * counts.crashes : 0));
     for (const LawViolation& b : examined.violations)
       fails[b.pair] =
           b.violation.severity == failure.severity && violation_kind(*b.law, b.violation) == failure.kind;

@@ -38,6 +38,9 @@ struct GateAmount {
 /// and of rounded solids if some guest supports them. Each has whole rounds, and at least one.
 GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
 
+/// After four hangs, or three crashes of a program, the gate asks about another batch.
+inline constexpr Caps gate_caps{.call_wall = 4 * call_cpu_cap, .hangs = 4, .program_crashes = 3};
+
 struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t pairs = gate_pairs;  ///< to be drawn; the corpus is run in full beside them
@@ -51,8 +54,8 @@ struct GateOptions {
   bool first_failure = false;
   /// Returns whether a failure is known. A known failure is not the first.
   std::function<bool(const GateFailure&)> known = [](const GateFailure&) { return false; };
-  bool as_found = false;         ///< the gate neither reruns nor simplifies failures at its end
-  Caps caps = attended_caps(4);  ///< `hangs` counts those in one batch
+  bool as_found = false;  ///< the gate neither reruns nor simplifies failures at its end
+  Caps caps = gate_caps;  ///< the numbers of hangs and crashes are those in one batch
 };
 
 struct GateProgress {

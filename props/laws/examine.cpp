@@ -26,7 +26,8 @@ void count(AnswerCounts& counts, const MethodAnswer& answer) {
   if (answer.status == Status::answered) ++counts.said[static_cast<std::size_t>(answer.verdict)];
 }
 
-void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
+void count_loss(AnswerCounts& counts, const ContainedAnswer& said) {
+  counts.crashes += said.answer.failure == Failure::crash;
   if (said.answer.failure != Failure::hang) return;
   ++counts.hangs;
   counts.hung_seconds += said.nanoseconds * 1e-9;
@@ -74,7 +75,7 @@ class Examination {
     for (std::size_t q = 0; q < questions.size(); ++q) {
       answer(questions[q].method, questions[q].pair) = said[q].answer;
       count(result_.counts[questions[q].method], said[q].answer);
-      count_hang(result_.counts[questions[q].method], said[q]);
+      count_loss(result_.counts[questions[q].method], said[q]);
     }
   }
 
@@ -106,7 +107,7 @@ class Examination {
     const std::vector<ContainedAnswer> said = asker_.ask(changed_, further_);
     for (std::size_t q = 0; q < further_.size(); ++q) {
       further_answers_.push_back(said[q].answer);
-      count_hang(result_.counts[further_[q].method], said[q]);
+      count_loss(result_.counts[further_[q].method], said[q]);
     }
   }
 
@@ -152,6 +153,7 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
   declined += other.declined;
   failed += other.failed;
   hangs += other.hangs;
+  crashes += other.crashes;
   hung_seconds += other.hung_seconds;
   for (std::size_t i = 0; i < said.size(); ++i) said[i] += other.said[i];
   return *this;

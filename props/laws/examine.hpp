@@ -30,9 +30,9 @@ struct LawViolation {
 /// Counts of a method's answers to the pairs themselves.
 struct AnswerCounts {
   std::uint64_t asked = 0, declined = 0, failed = 0;
-  std::uint64_t hangs = 0;              ///< changed pairs included
-  double hung_seconds = 0;              ///< that these took in all
-  std::array<std::uint64_t, 5> said{};  ///< by Verdict
+  std::uint64_t hangs = 0, crashes = 0;  ///< changed pairs included
+  double hung_seconds = 0;               ///< that these took in all
+  std::array<std::uint64_t, 5> said{};   ///< by Verdict
   AnswerCounts& operator+=(const AnswerCounts& other);
 };
 
