@@ -19,8 +19,10 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string counted(std::uint64_t n, std::string_view thing) {
+  if (n == 1) return fmt::format("1 {}", thing);
+  if (thing.ends_with('y')) return fmt::format("{} {}ies", grouped(n), thing.substr(0, thing.size() - 1));
   const bool hisses = thing.ends_with('x') || thing.ends_with("sh");
-  return fmt::format("{} {}{}", grouped(n), thing, n == 1 ? "" : hisses ? "es" : "s");
+  return fmt::format("{} {}{}", grouped(n), thing, hisses ? "es" : "s");
 }
 
 }  // namespace cyl

@@ -91,6 +91,9 @@ void run(const BenchArguments& options) {
     queries = summarise(rows);
     fmt::print("{}{}", format_bench_table(rows), format_comparisons(queries));
   }
+  for (const auto& method : methods)
+    if (std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
+      fmt::print("{}: no row, because it does not support these pairs\n", method->name());
   fmt::print("{}", pipes);
   if (!options.json.empty()) write_json(options.json, rows, queries);
 }

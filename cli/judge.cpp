@@ -80,7 +80,7 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
   for (const GroupRecord& g : judged.groups()) worst[{g.severity, g.kind}].second += g.count;
   for (const auto& [key, value] : worst) {
     const auto& [f, count] = value;
-    fmt::print("\n{}: {} findings. The worst has the id {}", describe_finding(f->finding), count,
+    fmt::print("\n{}: {}. The worst has the id {}", describe_finding(f->finding), counted(count, "finding"),
                one_line(f->question.id));
     fmt::print("{}:\n", f->line == 0 ? "" : fmt::format(", {}:{}", one_line(options.answers), f->line));
     fmt::print("  {}\n  truth: {}. {}\n", format_pair(f->question.pair), to_string(f->truth.verdict),

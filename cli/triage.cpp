@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
 #include "base/times.hpp"
 #include "base/usage_error.hpp"
@@ -68,11 +69,11 @@ int triage(const TriageArguments& arguments) {
   const auto others = result.causes.size() - static_cast<std::size_t>(here);
   fmt::print("{}\n\n", what_changed(result.causes));
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
-  fmt::print("{}{} causes, {} stored findings", format_causes(result.causes), here,
-             result.progress.classified);
-  if (others > 0) fmt::print(", {} more causes only in earlier runs", others);
-  fmt::print("\n{} pairs simplified, {} causes searched for a worse pair (--for gives more time)\n",
-             result.progress.simplified, result.progress.searched);
+  fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
+             counted(result.progress.classified, "stored finding"));
+  if (others > 0) fmt::print(", and {} only in earlier runs", counted(others, "cause"));
+  fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
+             counted(result.progress.simplified, "pair"), counted(result.progress.searched, "cause"));
   const TriageProgress& p = result.progress;
   if (p.classified + p.absent < p.findings)
     fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);

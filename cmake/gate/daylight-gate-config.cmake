@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # find_package(daylight-gate), or FetchContent with SOURCE_SUBDIR cmake/gate. Neither builds daylight or needs its libraries.
 #   daylight::plugin         the folder of plugin.h
-#   daylight_add_gate(NAME name PLUGIN target [CLAIM 1e-6] [PAIRS 20000, default 500000] [ANNOTATE src/gjk.cpp:10] [AGAINST base.json])
+#   daylight_add_gate(NAME name PLUGIN target | COMMAND "python3 mine.py" [CLAIM 1e-6] [PAIRS 20000, default 500000] [FOR 5m]
+#                     [SEED 1] [SUPPRESSIONS known.jsonl] [ANNOTATE src/gjk.cpp:10] [AGAINST base.json])
 # adds a test that runs the gate once, name.gate, and one that reads the result for each contact feature: name.side-rim ..
 # Skipped is a feature on which the gate decided nothing. DAYLIGHT_PROGRAM is the program: of this installation, of PATH, or
 # the launcher of the source tree, which builds the program at the first test.
@@ -18,17 +19,21 @@ if(NOT TARGET daylight::plugin)
 endif()
 
 function(daylight_add_gate)
-  cmake_parse_arguments(it "" "NAME;PLUGIN;CLAIM;PAIRS;ANNOTATE;AGAINST" "" ${ARGN})
+  cmake_parse_arguments(it "" "NAME;PLUGIN;COMMAND;CLAIM;PAIRS;FOR;SEED;SUPPRESSIONS;ANNOTATE;AGAINST" "" ${ARGN})
   if(it_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "daylight_add_gate: unknown arguments ${it_UNPARSED_ARGUMENTS}")
-  elseif(NOT it_NAME OR NOT it_PLUGIN)
-    message(FATAL_ERROR "daylight_add_gate: give NAME and PLUGIN")
-  elseif(NOT TARGET "${it_PLUGIN}")
+  elseif(NOT it_NAME OR (it_PLUGIN AND it_COMMAND) OR NOT (it_PLUGIN OR it_COMMAND))
+    message(FATAL_ERROR "daylight_add_gate: give NAME, and either PLUGIN or COMMAND")
+  elseif(it_PLUGIN AND NOT TARGET "${it_PLUGIN}")
     message(FATAL_ERROR "daylight_add_gate: PLUGIN ${it_PLUGIN} is not a target")
   endif()
   set(json ${CMAKE_CURRENT_BINARY_DIR}/${it_NAME}.gate.json)
-  set(words gate --plugin $<TARGET_FILE:${it_PLUGIN}> --json ${json})
-  foreach(option CLAIM PAIRS ANNOTATE AGAINST)
+  if(it_PLUGIN)
+    set(words gate --plugin $<TARGET_FILE:${it_PLUGIN}> --json ${json})
+  else()
+    set(words gate --command ${it_COMMAND} --json ${json})
+  endif()
+  foreach(option CLAIM PAIRS FOR SEED SUPPRESSIONS ANNOTATE AGAINST)
     if(it_${option})
       string(TOLOWER ${option} name)
       list(APPEND words --${name} ${it_${option}})

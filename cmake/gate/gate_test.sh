@@ -58,8 +58,15 @@ chmod +x bin/daylight
 try fetched -DDAYLIGHT_PROGRAM="$scratch/bin/daylight"
 cp fetched/build/mine.gate.json base.json
 echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
+printf '{"bucket":"told/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >told.jsonl
+printf '%s\n' 'echo "{\"name\":\"told\"}"' 'while read -r _; do echo "{\"verdict\":\"disjoint\"}"; done' >told.sh
+cat >>fetched/CMakeLists.txt <<END_OF_FILE
+daylight_add_gate(NAME told COMMAND "sh $scratch/told.sh" PAIRS 1200 FOR 100s SEED 5 SUPPRESSIONS $scratch/told.jsonl)
+END_OF_FILE
 expect 0 'configured again' cmake -S fetched -B fetched/build
 expect 0 'nothing is new' ctest --test-dir fetched/build -R '^again'
+expect 0 'a command' ctest --test-dir fetched/build -R '^told.gate'
+expect 0 'its seed' grep -q '"seed": *5' fetched/build/told.gate.json
 
 # As cmake --install lays it out; install_test looks whether it does.
 mkdir -p prefix/lib/x/cmake/daylight-gate prefix/share/daylight/oracles

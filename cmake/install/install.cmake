@@ -1,34 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What can be installed, a component at a time. `program` is the program with what it reads. What other programs may link
-# are three libraries of the objects of the folders, each with its headers and a component of the CMake package `daylight`:
-#   solver    the decision and the distance; needs Eigen alone
+# What can be installed beside the solver, a component at a time. `program` is the program with what it reads. Other programs
+# may link the solver (library.cmake) and two more libraries:
 #   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
 #   oracles   every method, compare and the readers behind them; everything
 # The fifth, `python`, is in python/python.cmake.
 # Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
 # "solver/cylinder.hpp" in it are both found.
-include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
-set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/daylight)
-
-# daylight_library(NAME OBJECTS .. HEADERS .. LINKS ..)
-function(daylight_library name)
-  cmake_parse_arguments(it "" "" "OBJECTS;HEADERS;LINKS" ${ARGN})
-  set(library installed_${name})
-  add_library(${library} STATIC ${it_OBJECTS})
-  set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name} OUTPUT_NAME daylight_${name}
-                        ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/library)
-  target_link_libraries(${library} INTERFACE ${it_LINKS})
-  target_compile_features(${library} INTERFACE cxx_std_20)
-  target_include_directories(${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/daylight>)
-  install(TARGETS ${library} EXPORT ${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name})
-  install(EXPORT ${name} NAMESPACE daylight:: FILE daylight-${name}.cmake DESTINATION ${package_folder} COMPONENT ${name})
-  foreach(header ${it_HEADERS})
-    get_filename_component(folder ${header} DIRECTORY)
-    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/daylight/${folder} COMPONENT ${name})
-  endforeach()
-endfunction()
 
 # Which objects are in which library: every library is made of whole rooms, but for `exact`, which the readers belong to.
 function(daylight_objects_of result)
@@ -39,12 +16,9 @@ function(daylight_objects_of result)
   endforeach()
   set(${result} ${all} PARENT_SCOPE)
 endfunction()
-daylight_objects_of(solver_objects solver)
 daylight_objects_of(exact_objects corpus/pairs oracles/referee)
 daylight_objects_of(oracles_objects base base/process solver/literature corpus/store oracles/methods oracles/trial)
 
-daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen
-  HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
 daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
   HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
           corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp corpus/pairs/size_range.hpp corpus/pairs/solid_kind.hpp
@@ -54,12 +28,6 @@ daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt:
   HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
           oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
           corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)
-
-configure_file(cmake/install/daylight-config.cmake.in ${CMAKE_BINARY_DIR}/library/daylight-config.cmake @ONLY)
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
-                                 VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
-        DESTINATION ${package_folder} COMPONENT solver)
 
 # The program finds these by their names in the source tree (base/source_tree.hpp). Its page is inside it. Not installed: what
 # fuzzes, which is made of the sources and tells so when it is asked for.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "corpus/pairs/finding.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
@@ -85,9 +86,9 @@ std::string format_summary(const RunData& run) {
   }
   std::string text = fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
   if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
-  text += fmt::format("wrong beyond the claim: {} methods, {} answers\n  most: {}\n", beyond.size(),
-                      all_beyond, most_of(beyond));
-  text += fmt::format("wrong within the claim: {} answers\n", all_within);
+  text += fmt::format("wrong beyond the claim: {}, {}\n  most: {}\n", counted(beyond.size(), "method"),
+                      counted(all_beyond, "answer"), most_of(beyond));
+  text += fmt::format("wrong within the claim: {}\n", counted(all_within, "answer"));
   text += fmt::format("failed: {}\n", most_of(failures_of(run)));
   if (misstated > 0) text += fmt::format("cases with a wrong verdict: {}\n", misstated);
   if (own > 0)

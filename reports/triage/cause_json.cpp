@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/number_text.hpp"
+#include "base/safe_text.hpp"
 #include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
@@ -101,19 +102,14 @@ std::string some_of(const std::set<std::string>& names) {
   return text;
 }
 
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string format_cause(const Cause& b) {
   std::string text =
       fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
                   b.status ? std::string(", ") + to_string(*b.status) : "",
                   b.chance && *b.chance < chance_margin ? fmt::format(" (chance {:.1g})", *b.chance) : "",
                   b.suppressed ? ", suppressed" : "", b.description);
-  text += fmt::format("    {} in {}, of {}", counted(b.count, "finding", "findings"),
-                      counted(b.families.size(), "family", "families"),
-                      counted(b.methods.size(), "method", "methods"));
+  text += fmt::format("    {} in {}, of {}", counted(b.count, "finding"),
+                      counted(b.families.size(), "family"), counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);

@@ -198,10 +198,8 @@ std::string what_changed(const std::vector<Cause>& causes) {
         std::count_if(causes.begin(), causes.end(), [&](const Cause& b) { return b.status == status; });
     if (n == 0 && status != Recurrence::fresh) continue;
     const std::string word = status == Recurrence::rare ? "too rare to judge" : to_string(status);
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", n, word,
-                        !text.empty() ? ""
-                        : n == 1      ? " cause"
-                                      : " causes");
+    text += text.empty() ? counted(static_cast<std::uint64_t>(n), word + " cause")
+                         : fmt::format(", {} {}", n, word);
   }
   return text;
 }
