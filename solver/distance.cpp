@@ -30,10 +30,11 @@ constexpr int settle_cap = 12;      // of them if direction and points do not be
 
 // If the axes are nearly parallel and the rims nearly touch, f is flat from the poles to the circles.
 // Newton's method starts in that valley, from points that are each a quarter as far from the pole as the one
-// before. These are its steps from each, and how often a step is shortened.
+// before. These are its steps from each, and how often a step is shortened. From a best direction that is not
+// stationary it takes up to 16 steps.
 constexpr double valley_tol = 0x1p-6;         // sine of the angle between the axes
 constexpr double valley_depth_tol = 0x1p-34;  // of the reach; if rims show it, deeper, section 3 finds it
-constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6;
+constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6, finish_step_cap = 24;
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
@@ -296,7 +297,7 @@ class Search {
     for (const double side : {1.0, -1.0}) {
       double sine = 0.5;
       for (int i = 0; i < valley_start_cap; ++i, sine /= 4)
-        descend(std::sqrt((1 - sine) * (1 + sine)) * side * f_.w0 + (sine / size) * out);
+        descend(std::sqrt((1 - sine) * (1 + sine)) * side * f_.w0 + (sine / size) * out, valley_step_cap);
     }
   }
 
@@ -304,10 +305,10 @@ class Search {
   // perpendicular to D. The second derivative is sum r/s t t^T - f. Here t is perpendicular to the axis and
   // to D, and s is the sine of their angle. b0 lies along the valley. A step along it ends at half of the way
   // to the pole.
-  void descend(Vector3 d) noexcept {
+  void descend(Vector3 d, int step_cap) noexcept {
     const Scaled& p = p_;
     double value = support_gap(p, d);
-    for (int step = 0; step < valley_step_cap; ++step) {
+    for (int step = 0; step < step_cap; ++step) {
       ++steps_;
       const Vector3 radial0 = d - dot(d, p.w0) * p.w0, radial1 = d - dot(d, p.w1) * p.w1;
       const double s0 = length(radial0), s1 = length(radial1);
@@ -380,28 +381,39 @@ class Search {
   }
 
   // Moved along the direction by the depth, b touches a in the plane perpendicular to it. A common point is
-  // then a's deepest. The anchor is such a point, with two exceptions. It may go with another direction that
-  // is as good within rounding. Or it is the end of a side that lies in the plane as a whole. Then steps go
-  // from the point farthest along the direction, from each solid to the other and back. If that takes long, b
-  // is moved a little less, and decide() finds the point.
+  // then a's deepest. The anchor is such a point, with three exceptions.
+  // * It may go with another direction that is as good within rounding.
+  // * It is the end of a side that lies in the plane as a whole. Then steps go from the point farthest along
+  //   the direction, from each solid to the other and back.
+  // * The search for the direction ended early, before a minimum. Then it goes on.
+  // If that takes long, b is moved a little less, and decide() finds the point.
   void touch() noexcept {
+    if (come_to_plane()) return;
+    if (const double before = low_; overlap_ && before > 0) {
+      descend(direction_, finish_step_cap);
+      low_ = larger(0, low_);  // below 0 is rounding
+      if (low_ < before && come_to_plane()) return;
+    }
     const Vector3 moved = p_.delta + low_ * direction_;
-    const double error = tie_error * reach_;
-    high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
-    if (come_together(on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_, moved, error) ||
-        come_together(farthest(direction_, p_.w0, p_.r0, p_.h0, error), moved, error) ||
-        come_together(moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error), moved, error))
-      return;
     Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false, 0}, b = a;
     b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, 0};
     for (const double overlap : touch_tols) {
       b.center = moved - overlap * reach_ * direction_;
       const Answer answer = decide(a, b);
       if (answer.proof == Proof::point) {
-        come_together(answer.point_head + answer.point_tail, moved, error);
+        come_together(answer.point_head + answer.point_tail, moved, tie_error * reach_);
         return;
       }
     }
+  }
+
+  bool come_to_plane() noexcept {
+    const Vector3 moved = p_.delta + low_ * direction_;
+    const double error = tie_error * reach_;
+    high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
+    return come_together(on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_, moved, error) ||
+           come_together(farthest(direction_, p_.w0, p_.r0, p_.h0, error), moved, error) ||
+           come_together(moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error), moved, error);
   }
 
   // From a point to one solid and to the other and back, keeping what is nearest.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/proofs.hpp"
 
+#include <cstdlib>
+#include <string>
+
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/tangency.hpp"
 
@@ -108,6 +111,21 @@ Rational3 simplest_near(const Pair& pair, const Rational3& point, int bits) {
     return times_power(simplest_within(times_power(x, -unit), tolerance), unit);
   };
   return {simple(point.x), simple(point.y), simple(point.z)};
+}
+
+Rational3 short_near(const Pair& pair, const Rational3& point, int digits) {
+  const double size = size_of(pair);
+  const int places = digits - (size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 0);
+  mpz_class ten;
+  mpz_ui_pow_ui(ten.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(places)));
+  const auto rounded = [&](const mpq_class& x) {
+    const mpq_class scaled = (places < 0 ? mpq_class(x / ten) : mpq_class(x * ten)) + mpq_class(1, 2);
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+    const double near = std::strtod((whole.get_str() + "e" + std::to_string(-places)).c_str(), nullptr);
+    return std::isfinite(near) ? mpq_class(near) : x;
+  };
+  return {rounded(point.x), rounded(point.y), rounded(point.z)};
 }
 
 }  // namespace cyl

@@ -18,7 +18,10 @@ namespace cyl {
 inline constexpr double no_tail[3] = {0, 0, 0};
 inline constexpr int first_multiprecision_bits = 128;
 inline constexpr int tangency_bits = 256;  ///< up to which contacts at simple rationals show themselves
-inline constexpr int near_bits = 512;      ///< enough for a point within 2^-200 size of both solids
+/// Decimal digits of the size to try for a short point. 3 are enough to stay in the middle of a contact, 21
+/// show every coordinate above a 10,000th of the size.
+inline constexpr int short_digits[] = {3, 6, 9, 12, 15, 18, 21};
+inline constexpr int near_bits = 512;  ///< enough for a point within 2^-200 size of both solids
 
 bool finite(const double v[3]);
 Rational3 sum(const double head[3], const double tail[3]);
@@ -48,5 +51,8 @@ mpq_class exact_size(const Pair& pair);
 mpq_class times_power(mpq_class x, int exponent);
 /// Returns the simplest rationals whose distance from each coordinate is at most 2^-(bits/4) times the size.
 Rational3 simplest_near(const Pair& pair, const Rational3& point, int bits);
+/// Rounds each coordinate to so many decimal digits of the size, then to the nearest double. A coordinate
+/// stays as it is if there is none.
+Rational3 short_near(const Pair& pair, const Rational3& point, int digits);
 
 }  // namespace cyl

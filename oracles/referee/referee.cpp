@@ -124,17 +124,28 @@ Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& p
 
 // Proves touching. The contact is guessed as the simplest rationals near the result of the search, then
 // proved by algebra. This finds contacts at rational points in rational directions.
+// The certificate is the shortest common point found.
 std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, const Rational3& direction,
                                     int bits) {
   const Rational3 guess = simplest_near(pair, point, bits);
   const auto tangency = prove_tangency(pair, guess, guess, direction);
   if (!tangency || !tangency->meet) return std::nullopt;
   Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
+  for (const int digits : short_digits)
+    if (const Rational3 simple = short_near(pair, point, digits); in_both_exact(pair, simple)) {
+      t.certificate.vector = exact_vector(simple);
+      return t;
+    }
   for (const Rational3& x : {guess, point})
     if (auto common = common_point(pair, x)) {
       t.certificate.vector = common->written;
       return t;
     }
+  if (const auto contact = contact_points(pair, tangency->direction);
+      contact && in_both_exact(pair, contact->first)) {
+    t.certificate.vector = exact_vector(contact->first);
+    return t;
+  }
   // No rational point was found. A search at this precision returns one within 2^-200 size of both solids.
   Rational3 near_point, near_direction;
   // not covered: touching solids show their point at any precision

@@ -171,15 +171,15 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
 }
 
 TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
-  // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis. The middle of the segment
-  // has irrational coordinates.
-  const Pair pair = {{{0, 0, 0}, {0, 12.5, 33}, 2, 40}, {{5, 12.5, 33}, {0, 12.5, 33}, 3, 45}};
+  // A wall along (1, 4, 1) lies on a cap. The point of the contact nearest to the cap's middle is the wall's
+  // end, whose coordinates are irrational.
+  const Pair pair = {{{0, 0, 0}, {2, -1, 2}, 3, 6}, {{5, 2, 5}, {1, 4, 1}, 3, 8}};
   const Truth truth = judge(pair);
   ASSERT_EQ(truth.verdict, Verdict::touching);
   ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
   // The point is inside both solids once they have grown by 2^-200 of the size. The plane separates them
   // once they have shrunk by it.
-  const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
+  const mpq_class slack = mpq_class(20) / (mpz_class(1) << 200);
   const Rational3 x = exact(truth.certificate.vector);
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const Rational3 r = x - exact(c->center), w = exact(c->axis), side = cross(r, w);

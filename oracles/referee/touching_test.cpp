@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/random_stream.hpp"
@@ -115,6 +117,43 @@ void simplify(std::uint64_t index) {
   check_that(simplest_within(near, mpq_class(0x1p-29)) == simple, "touching: the simplest rational");
   check_that(simplest_within(any, 0) == any && abs(simplest_within(any, mpq_class(0x1p-9)) - any) <= 0x1p-9,
              "touching: a rational far off");
+}
+
+// The shortest common point is in the certificate: short decimals if they are in both solids.
+TEST(RefereeTouching, HasAShortCommonPoint) {
+  const Vector3 up(0, 0, 1);
+  const struct {
+    Pair pair;
+    std::array<double, 3> point;
+  } all[] = {
+      // A cap on a cap, coins in one plane, walls along each other and crossed, a coin on a cap at a level of
+      // 17
+      // digits.
+      {{{{0, 0, 0}, up, 1, 1}, {{0.3, 0.2, 1}, up, 1, 1}}, {0.15, 0.1, 0.5}},
+      {{{{0.1, 0.2, 0.3}, up, 0.3, 0}, {{0.15, 0.2, 0.3}, up, 0.2, 0}}, {0.15, 0.2, 0.3}},
+      {{{{0, 0, 0}, up, 0.014, 0.5}, {{0.024, 0, 0}, up, 0.01, 0.35}}, {0.014, 0, 0}},
+      {{{{0, 0, 0}, up, 0.3, 1}, {{0.6, 0, 0}, {0, 1, 0}, 0.3, 1}}, {0.3, 0, 0}},
+      {{{{-0.78, -0.24, -0.86}, up, 0.125, 1.8}, {{-0.826, -0.24, 0.040000000000000036}, up, 0.25, 0}},
+       {-0.78, -0.24, 0.040000000000000036}},
+      // The same in a large unit and far off.
+      {{{{0, 0, 0}, up, 0x1p600, 0x1p600}, {{0, 0, 0x1p600}, up, 0x1p600, 0x1p600}}, {0, 0, 0x1p599}},
+      {{{{1e9, 0, 0}, up, 1, 1}, {{1e9, 0.25, 1}, up, 1, 1}}, {1e9, 0.13, 0.5}},
+  };
+  for (const auto& [pair, point] : all) {
+    const Truth truth = judge(pair);
+    EXPECT_EQ(truth.verdict, Verdict::touching);
+    EXPECT_EQ(truth.certificate.kind, CertificateKind::point);
+    EXPECT_TRUE(truth.certificate.vector.in_doubles());
+    EXPECT_EQ(truth.certificate.vector.head, point);
+    EXPECT_EQ(truth.certificate.vector.tail, (std::array<double, 3>{0, 0, 0}));
+  }
+  // 3 digits of this radius exceed the largest double.
+  const Truth huge = judge({{{0, 0, 0}, up, 1.796e308, 1}, {{1.796e308, 0, 0}, up, 0, 1}});
+  EXPECT_EQ(huge.certificate.vector.head[0], 1.796e308);
+  // Rounding leaves the plane of these caps. A fraction in the middle of what they share is exact.
+  const Truth tilted = judge({{{0, 0, 0}, {2, -1, 2}, 3, 6}, {{5, 2, 5}, {2, -1, 2}, 6, 6}});
+  EXPECT_EQ(tilted.certificate.kind, CertificateKind::point);
+  EXPECT_EQ(tilted.certificate.vector.exact, (std::array<std::string, 3>{"7/3", "1/3", "7/3"}));
 }
 
 TEST(RefereeTouching, IsProved) {
