@@ -46,7 +46,7 @@ struct CheckOptions {
   std::string method;
   bool text = false;
   bool distance = false;
-  double clearance = 0;  ///< in the unit of the pairs; negative: minus the tolerated depth
+  double clearance = 0;  ///< in the unit of the pairs. If negative, minus the tolerated depth
   GuestOptions guests;
   bool asks_somebody() const { return !method.empty() || guests.any(); }
 };
@@ -293,10 +293,8 @@ void add_check(Program& program) {
   command.section("Question");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command
-      .option(
-          "--clearance LENGTH", options->clearance,
-          "decide whether the gap is at most this length, which is added to the rounding of a in doubles; "
-          "-LENGTH decides whether an overlap is deeper than that")
+      .option("--clearance LENGTH", options->clearance,
+              "decide if the gap is at most this length; if negative, if an overlap is deeper than that")
       .not_empty("a length is expected");
   command.section("Methods");
   command
