@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +21,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/methods/contained.hpp"
+#include "oracles/referee/interval.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -32,12 +33,20 @@ namespace {
 /// them.
 constexpr std::size_t batch_cap = 1000;
 
+/// Decimals are read as the nearest doubles. Each length and coordinate is off by up to 2^-53 of itself, that
+/// is 1.1e-16, and so are the components of the axes. A gap or overlap of less than this part of all lengths
+/// and coordinates may be such an error.
+constexpr double decimal_rounding_error = 1e-15;
+
+/// The relative widths of the enclosures that are asked for, until one decides.
+constexpr double decisive_widths[] = {1e-2, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string method;
   bool text = false;
   bool distance = false;
-  double clearance = 0;  ///< in the unit of the pairs
+  double clearance = 0;  ///< in the unit of the pairs. If negative, minus the tolerated depth
   GuestOptions guests;
   bool asks_somebody() const { return !method.empty() || guests.any(); }
 };
@@ -57,32 +66,106 @@ Reply malformed(const CaseLine& c, const std::string& file, bool text) {
                                  : fmt::format(R"({{"verdict":"invalid","error":{}}})", quote_json(error))};
 }
 
-std::string describe(Verdict verdict, const Enclosure& d) {
-  if (verdict == Verdict::touching) return "";
-  const bool apart = verdict == Verdict::disjoint;
+std::string describe(const Enclosure& d) {
+  if (d.lo == 0 && d.hi == 0) return "";
+  if (d.lo < 0 && d.hi > 0) return fmt::format(", {} deep to {} apart", format_end(-d.lo), format_end(d.hi));
+  const bool apart = d.lo >= 0;
   return fmt::format(", {} to {} {}", format_end(apart ? d.lo : 0 - d.hi),
                      format_end(apart ? d.hi : 0 - d.lo), apart ? "apart" : "deep");
 }
 
-/// Adds the clearance, so that the line answers the question that was asked.
-std::string with_clearance(std::string line, const CheckOptions& options) {
-  if (options.clearance == 0) return line;
+/// Returns what the verdict means for the solids themselves.
+std::string in_words(Verdict verdict, double clearance) {
+  if (clearance == 0 || verdict == Verdict::undecided) return to_string(verdict);
+  const std::string length = format_double(std::abs(clearance));
+  const bool meet = verdict == Verdict::intersecting;
+  if (clearance < 0) return (meet ? "deeper than " : "not deeper than ") + length;
+  if (meet) return "within " + length;
+  return (verdict == Verdict::touching ? "exactly " : "more than ") + length + " apart";
+}
+
+/// Adds members to the object of a line.
+std::string with_members(std::string line, const std::string& members) {
+  if (members.empty()) return line;
   line.back() = ',';
-  return line + "\"clearance\":" + format_double(options.clearance) + '}';
+  return line + members.substr(0, members.size() - 1) + '}';
+}
+
+/// Returns the clearance as a member, so that the line answers the question that was asked.
+std::string clearance_member(const CheckOptions& options) {
+  return options.clearance == 0 ? "" : "\"clearance\":" + format_double(options.clearance) + ',';
+}
+
+/// Adds a length to both ends, rounded outward.
+Enclosure shifted(const Enclosure& d, const Interval& length) {
+  const Interval sum = Interval(d.lo, d.hi) + length;
+  return {sum.lo, sum.hi};
+}
+
+/// Returns whether |distance| may be as small as the rounding of the decimals of a pair. `distance` encloses
+/// it at a relative width.
+bool is_within_rounding(const Pair& pair, const std::function<Enclosure(double)>& distance) {
+  double error = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    for (const double x : {c->center.x(), c->center.y(), c->center.z(), c->radius, c->height, c->rounding})
+      error += decimal_rounding_error * std::abs(x);
+  for (const double width : decisive_widths) {
+    const Enclosure d = distance(width);
+    if (std::max(d.lo, -d.hi) > error) return false;
+    if (std::max(-d.lo, d.hi) <= error) return true;
+  }
+  return true;
+}
+
+/// Returns the pair whose verdict answers the question: the clearance is added to the rounding of a, because
+/// all roundings count alike.
+Pair widened(Pair pair, double clearance) {
+  if (clearance > 0) pair.a.rounding += clearance;
+  return pair;
+}
+
+/// Decides by the distance whether the solids overlap by more than the tolerated depth. Sets the verdict,
+/// which then has no certificate but the enclosure. Returns the enclosure, less the clearance.
+Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
+  Enclosure beyond{};
+  for (const double width : decisive_widths) {
+    beyond = shifted(enclose_distance(pair, truth, width), Interval(-clearance));
+    if (beyond.lo > 0 || beyond.hi < 0) break;
+  }
+  truth.verdict = beyond.lo > 0   ? Verdict::disjoint
+                  : beyond.hi < 0 ? Verdict::intersecting
+                                  : Verdict::undecided;
+  truth.certificate = {};
+  return beyond;
 }
 
 /// Returns the verdict that the referee proves. It tries the certificate of the solver first.
 Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) {
-  const Pair& pair = c.value->pair;
+  const Pair pair = widened(c.value->pair, options.clearance);
   const MethodAnswer offered[] = {solver.ask(pair)};
-  const Truth truth = judge(pair, offered);
+  Truth truth = judge(pair, offered);
   std::optional<Enclosure> distance;
-  if (options.distance) distance = enclose_distance(pair, truth);
+  if (options.clearance < 0)
+    distance = decide_depth(pair, truth, options.clearance);
+  else if (options.distance)
+    distance = enclose_distance(pair, truth);
+  const bool rounded = (truth.verdict == Verdict::disjoint || truth.verdict == Verdict::intersecting) &&
+                       is_within_rounding(pair, [&](double width) {
+                         return options.clearance < 0 ? *distance : enclose_distance(pair, truth, width);
+                       });
   if (!options.text)
-    return {truth.verdict, with_clearance(format_truth(truth, distance ? &*distance : nullptr), options)};
-  return {truth.verdict, fmt::format("{}: {}{}, proof {}", label(c), to_string(truth.verdict),
-                                     distance ? describe(truth.verdict, *distance) : "",
-                                     format_certificate(truth.certificate))};
+    return {truth.verdict,
+            with_members(format_truth(truth, distance ? &*distance : nullptr),
+                         clearance_member(options) + (rounded ? "\"within_rounding\":true," : ""))};
+  const Interval added = options.clearance < 0
+                             ? Interval(options.clearance)
+                             : Interval(pair.a.rounding) - Interval(c.value->pair.a.rounding);
+  const Certificate& proof = truth.certificate;
+  return {truth.verdict,
+          fmt::format("{}: {}{}{}{}", label(c), in_words(truth.verdict, options.clearance),
+                      distance ? describe(shifted(*distance, added)) : "",
+                      proof.kind == CertificateKind::none ? "" : ", proof " + format_certificate(proof),
+                      rounded ? ". The rounding of decimals to doubles may decide this" : "")};
 }
 
 /// Returns the method's own answer, which has no proof.
@@ -93,8 +176,8 @@ Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answ
     std::string said = format_method_answer(answer);
     if (text) return {answer.verdict, fmt::format("{}: {} answers {}", label(c), method.name(), said)};
     said.back() = ',';
-    return {answer.verdict,
-            with_clearance(fmt::format(R"({}"method":{}}})", said, quote_json(method.name())), options)};
+    return {answer.verdict, with_members(fmt::format(R"({}"method":{}}})", said, quote_json(method.name())),
+                                         clearance_member(options))};
   }
   const std::string error = fmt::format(
       "{} {}: {}", method.name(), answer.status == Status::declined ? "declined" : "failed", answer.reason);
@@ -130,7 +213,7 @@ class Checker {
       do {
         std::optional<CaseLine> line = reader.next();
         more = line.has_value();
-        if (more) batch.push_back(widened(std::move(*line)));
+        if (more) batch.push_back(checked(std::move(*line)));
       } while (more && batch.size() < batch_cap && in.rdbuf()->in_avail() > 0);
       answer(batch, file);
       if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
@@ -141,11 +224,10 @@ class Checker {
   int exit_code() const { return invalid_ ? exit_invalid_input : undecided_ ? exit_undecided : exit_pass; }
 
  private:
-  /// Adds the clearance to the rounding of a, because all roundings count alike.
-  CaseLine widened(CaseLine line) const {
+  /// Returns the line, with an error if the solid a is too large for the clearance.
+  CaseLine checked(CaseLine line) const {
     if (!line.value || options_.clearance == 0) return line;
-    Cylinder& a = line.value->pair.a;
-    a.rounding += options_.clearance;
+    const Cylinder a = widened(line.value->pair, options_.clearance).a;
     if (find_defect(a) == Defect::none) return line;
     return {line.line, std::nullopt,
             fmt::format("line {}: the clearance: {}", line.line, to_string(find_defect(a)))};
@@ -159,7 +241,7 @@ class Checker {
       for (const CaseLine& c : batch) {
         if (!c.value) continue;
         questions.push_back({0, pairs.size()});
-        pairs.push_back(c.value->pair);
+        pairs.push_back(widened(c.value->pair, options_.clearance));
       }
       said = ask_contained(methods_, pairs, questions);
     }
@@ -185,9 +267,10 @@ class Checker {
 };
 
 int check(const CheckOptions& options) {
-  if (!(options.clearance >= 0 && options.clearance <= std::numeric_limits<double>::max()))
-    throw UsageError(
-        fmt::format("--clearance {} is not a length: give a finite number, 0 or more", options.clearance));
+  if (!std::isfinite(options.clearance))
+    throw UsageError(fmt::format("--clearance {} is not a length: give a finite number", options.clearance));
+  if (options.clearance < 0 && options.asks_somebody())
+    throw UsageError("a --clearance below 0 is decided by proved distances, not by a method");
   Checker checker(options);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back("-");
@@ -211,7 +294,7 @@ void add_check(Program& program) {
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command
       .option("--clearance LENGTH", options->clearance,
-              "decide whether the gap is at most this length, which is added to the rounding of a in doubles")
+              "decide if the gap is at most this length; if negative, if an overlap is deeper than that")
       .not_empty("a length is expected");
   command.section("Methods");
   command

@@ -134,6 +134,23 @@ for normal in 'b[0] - a[0], more[2] = b[1] - a[1], more[3] = b[2] - a[2]' 'b[1] 
   expect "$([[ $normal == 'b[0]'* ]] && echo 0 || echo 2)" "the normal $normal" \
     "$daylight" gate --plugin ./libnormal.so --pairs 300 --cases ''
 done
+# A library may limit positions, return upper bounds of depths, and stop measuring at a length.
+# bounds NAME BEYOND DEPTH: measures up to 2, but says so of gaps above BEYOND. Its depths are DEPTH times the true ones.
+bounds() {
+  sed "s/abort();/&\n  for (int i = 0; i < 3; ++i) if (fabs(a[i]) > 50 || fabs(b[i]) > 50) abort();/
+    s/  return more\[0\] > 0/  if (more[0] > 5.001) abort();\n  if (more[0] > $2) { more[0] = 2; return DAYLIGHT_BEYOND; }\n  if (more[0] < 0) more[0] *= $3;\n&/
+    s/= ABI,/= 4, .greatest_coordinate = 50, .greatest_gap = 5, .depth = DEPTH,/" balls.c >bounds.c
+  cc -shared -fPIC -I "$source_tree/oracles" -DDEPTH="${4:-1}" -DSHAPES=0 bounds.c -lm -o "$1.so"
+}
+asked() { expect "$1" "$2" "$daylight" gate --plugin "./$2.so" --pairs 3000 --cases ''; }
+bounds kept 2 3 && asked 0 kept
+bounds not_so_far 1.5 3 && asked 2 not_so_far
+holds 'apart by more than 2' out 'distance_at_least|distance'
+bounds deeper 2 0.5 && asked 2 deeper
+bounds exact 2 3 0 && asked 2 exact
+bounds other 2 3 7
+expect 64 'a depth that is none' "$daylight" gate --plugin ./other.so --pairs 100
+holds 'a depth that is none' err 'its depth is not one of DaylightDepth'
 expect 2 'interface 2' "$daylight" gate --plugin ./libballs2.so --pairs 100 --cases ''
 holds 'interface 2' out 'crash'
 expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100

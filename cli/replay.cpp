@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -107,7 +108,9 @@ class Replayer {
     std::iota(wrong_first.begin(), wrong_first.end(), std::size_t{0});
     std::stable_partition(wrong_first.begin(), wrong_first.end(),
                           [&](std::size_t m) { return now.findings[m].has_value(); });
+    const bool brief = std::ranges::count_if(now.answers, declined) > 1;
     for (const std::size_t m : wrong_first) {
+      if (brief && declined(now.answers[m])) continue;
       const bool wrong = now.findings[m].has_value();
       fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),
                  wrong ? "  <- " + describe_finding(*now.findings[m]) : "");
@@ -115,12 +118,30 @@ class Replayer {
       if (const std::string miss = miss_in_words(target.pair, now.answers[m]); !miss.empty())
         fmt::print("  {:<26} {}\n", "", miss);
     }
+    if (brief) print_declined(now);
     if (target.finding) {
       const std::string what = outcome(*target.finding, methods_, now);
       fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, to_string(target.finding->kind),
                  in_words(target.finding->severity), what);
     }
     undecided_ += now.truth.verdict == Verdict::undecided;
+  }
+
+  static bool declined(const MethodAnswer& answer) { return answer.status == Status::declined; }
+
+  /// Prints one line for all methods that decline, with their reasons.
+  static void print_declined(const Trial& now) {
+    std::map<std::string, std::size_t> reasons;
+    std::size_t count = 0;
+    for (const MethodAnswer& answer : now.answers) {
+      if (!declined(answer)) continue;
+      ++reasons[answer.reason];
+      ++count;
+    }
+    std::string line;
+    for (const auto& [reason, times] : reasons)
+      line += fmt::format("{}{} ({})", line.empty() ? "" : ", ", quote_json(reason), times);
+    fmt::print("  {} methods decline: {}\n", count, line);
   }
 
   void print(const LawViolation& b) const {

@@ -67,8 +67,11 @@ int triage(const TriageArguments& arguments) {
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
   const auto others = result.causes.size() - static_cast<std::size_t>(here);
-  fmt::print("{}\n\n", what_changed(result.causes));
+  const std::string changed = what_changed(result.causes);
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
+  if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
+  write_page(read_run(arguments.run, campaign_families()));
+  fmt::print("{}\n\n", changed);  // after the files, because a pager that ends takes this process with it
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(result.progress.classified, "stored finding"));
   if (others > 0) fmt::print(", and {} only in earlier runs", counted(others, "cause"));
@@ -79,8 +82,6 @@ int triage(const TriageArguments& arguments) {
     fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
-  if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
-  write_page(read_run(arguments.run, campaign_families()));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }

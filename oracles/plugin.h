@@ -13,20 +13,26 @@
 #ifndef DAYLIGHT_PLUGIN_H
 #define DAYLIGHT_PLUGIN_H
 
+#include <math.h>
 #include <stddef.h>
 
-#define DAYLIGHT_PLUGIN_ABI 3 /* plug-ins built for interface 1 or 2 still load */
+#define DAYLIGHT_PLUGIN_ABI 4 /* plug-ins built for interface 1, 2 or 3 still load */
 
 enum DaylightVerdict {
   DAYLIGHT_DISJOINT = 0,
   DAYLIGHT_INTERSECTING = 1, /* also touching, if your library does not distinguish the two */
   DAYLIGHT_TOUCHING = 2,
   DAYLIGHT_UNDECIDED = 3,
+  DAYLIGHT_BEYOND = 4,    /* disjoint by more than more[0] (0 or more), not measured further */
   DAYLIGHT_DECLINED = -1, /* the pair is not supported; this is not a fault */
   DAYLIGHT_FAILED = -2    /* the library tried and failed; this is a fault */
 };
 
 enum DaylightShapes { DAYLIGHT_SPHERE = 1, DAYLIGHT_CAPSULE = 2, DAYLIGHT_CYLINDER = 4, DAYLIGHT_ROUNDED_CYLINDER = 8 };
+
+/* AT_MOST: a depth that you return is an upper bound, as of a separating axis among a few. It is a fault only if the
+ * true depth is greater. */
+enum DaylightDepth { DAYLIGHT_DEPTH_EXACT = 0, DAYLIGHT_DEPTH_AT_MOST = 1 };
 
 struct DaylightMethod {
   int abi;             /* DAYLIGHT_PLUGIN_ABI */
@@ -72,7 +78,35 @@ struct DaylightMethod {
   double greatest_aspect;
   /* 1: no disks and segments, that is, no cylinders with a radius or height of 0. */
   int no_zero_lengths;
+
+  /* The rest of interface 4. The first two limit the pairs that are passed to it. 0 means no limit. */
+
+  /* The greatest coordinate of a centre, in absolute value. */
+  double greatest_coordinate;
+  /* The greatest gap between the balls around the solids, which have the same centres. The solids are at least as far
+   * apart as these balls. */
+  double greatest_gap;
+  /* One of DaylightDepth. */
+  int depth;
 };
+
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
+/* Fills `rotation` with a rotation, row by row. It takes the coordinate axis `along` (0 is x, 1 is y, 2 is z) to the
+ * direction of `axis`, which has any length but 0. Column `along`, that is rotation[along], rotation[along + 3] and
+ * rotation[along + 6], is the unit vector of the axis, within 4e-16. No length of the axis overflows or vanishes. */
+static inline void daylight_rotation(const double axis[3], int along, double rotation[9]) {
+  /* Duff et al., Building an Orthonormal Basis, Revisited (2017). s is the sign of n[2], so s + n[2] is never 0. */
+  const double most = fmax(fabs(axis[0]), fmax(fabs(axis[1]), fabs(axis[2])));
+  double n[3] = {axis[0] / most, axis[1] / most, axis[2] / most};
+  const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; ++i) n[i] /= length;
+  const double s = copysign(1, n[2]), t = -1 / (s + n[2]), u = n[0] * n[1] * t;
+  const double columns[3][3] = {
+      {1 + s * n[0] * n[0] * t, s * u, -s * n[0]}, {u, s + n[1] * n[1] * t, -n[1]}, {n[0], n[1], n[2]}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) rotation[3 * i + (along + 1 + j) % 3] = columns[j][i];
+}
+#endif
 
 #ifdef __cplusplus
 extern "C"

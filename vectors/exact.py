@@ -12,8 +12,8 @@ to it show a gap. A point proves that they meet if it lies in both cores; two `p
 they are no farther apart than both roundings together. `hulls` names with a point the subspaces that it is to be
 taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. They touch if they
 meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
-proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. Of an
-interval of the distance, the order, the sign and what the direction shows are checked. A pair that is not valid has no
+proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. If
+it is negative, only the sign of the interval is checked. Of an interval of the distance, the order, the sign and what the direction shows are checked. A pair that is not valid has no
 other answer than `invalid`.
 """
 import json
@@ -225,8 +225,12 @@ def fault(pair, answer):
     if verdict not in ('disjoint', 'intersecting', 'touching', 'undecided'):
         return f'no verdict: {verdict!r}'
     if 'clearance' in answer:
-        if not is_number(answer['clearance']) or answer['clearance'] < 0:
+        if not is_number(answer['clearance']):
             return 'the clearance is not a length'
+        if answer['clearance'] < 0:
+            low, high = map(exact, answer['distance'])
+            agrees = {'disjoint': 0 < low, 'intersecting': high < 0}.get(verdict, verdict == 'undecided')
+            return None if low <= high and agrees else 'the distance contradicts the verdict'
         pair = dict(pair, a=dict(pair['a'], rounding=exact(pair['a'].get('rounding', 0)) + exact(answer['clearance'])))
     hulls = answer.get('hulls', SPACE)
     if verdict == 'disjoint' and not separates(pair, answer['direction']):

@@ -12,6 +12,12 @@ void MethodAnswer::set_reason(std::string_view text) noexcept {
   std::memset(reason + length, 0, sizeof reason - length);
 }
 
+void MethodAnswer::bound_depth() noexcept {
+  if (!has_distance || distance > 0 || verdict == Verdict::disjoint) return;
+  has_distance = false;
+  at_least = true;
+}
+
 void MethodAnswer::note(SideEffect effect, std::string_view what) noexcept {
   if (side_effect != SideEffect::none) return;
   side_effect = effect;
@@ -53,7 +59,7 @@ MethodAnswer declined_shape(SolidKind kind) noexcept {
 
 MethodAnswer declined_size() noexcept {
   MethodAnswer answer;
-  answer.set_reason("it does not support these sizes");
+  answer.set_reason("it does not support these sizes or positions");
   return answer;
 }
 

@@ -41,8 +41,11 @@ struct MethodAnswer {
   Failure failure = Failure::none;
   Verdict verdict = Verdict::undecided;  ///< meaningful if status == answered
   bool has_distance = false;
+  /// The signed distance is at least `distance`, and has_distance is false. The method stops measuring there,
+  /// or its depth is an upper bound.
+  bool at_least = false;
   CertificateKind witness = CertificateKind::none;  ///< never `near` or `near_points`
-  double distance = 0;  ///< signed, > 0 apart, in the scene's unit; meaningful if has_distance
+  double distance = 0;  ///< signed, > 0 apart, in the scene's unit; meaningful if states_distance()
   /// The method's own bound of its distance error, or 0. It holds in both directions for disjoint solids. For
   /// overlapping solids it bounds how much deeper they are than returned.
   double error_bound = 0;
@@ -56,6 +59,10 @@ struct MethodAnswer {
   SideEffect side_effect = SideEffect::none;
   char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated
 
+  bool states_distance() const noexcept { return has_distance || at_least; }
+  void forget_distance() noexcept { has_distance = at_least = false; }
+  /// Takes the depth, if there is one, as an upper bound.
+  void bound_depth() noexcept;
   void set_reason(std::string_view text) noexcept;  ///< truncates
   /// The first effect counts. It is the reason if there is no other.
   void note(SideEffect effect, std::string_view what) noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sizes of solids that a method states it supports.
+// The sizes and positions of solids that a method states it supports.
 #pragma once
 
 #include <limits>
@@ -16,8 +16,14 @@ struct SizeRange {
   double aspect = std::numeric_limits<double>::infinity();  ///< the greatest length divided by the least
   bool zero_lengths = true;  ///< includes cylinders, rounded or not, with a radius or height of 0
 
+  /// The greatest coordinate of a centre in absolute value.
+  double coordinate = std::numeric_limits<double>::infinity();
+  /// The greatest gap between the balls around the two solids, with the same centres. The solids are at least
+  /// as far apart as these balls.
+  double gap = std::numeric_limits<double>::infinity();
+
   bool holds(const Cylinder& solid) const;
-  bool holds(const Pair& pair) const { return holds(pair.a) && holds(pair.b); }
+  bool holds(const Pair& pair) const;
   bool operator==(const SizeRange&) const = default;
 };
 

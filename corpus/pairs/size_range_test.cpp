@@ -42,6 +42,24 @@ TEST(SizeRange, ScalesAPairIntoTheRange) {
   EXPECT_FALSE(fitted(small, {.least = 0.1, .greatest = 0.2, .zero_lengths = false}));
 }
 
+TEST(SizeRange, LimitsCoordinatesAndGaps) {
+  const SizeRange range{.coordinate = 8, .gap = 4};
+  const auto at = [](double x, double y) {
+    Pair pair{solid(3, 8), solid(0, 0, 1)};  // their balls have the radii 5 and 1
+    pair.a.center.x() = x;
+    pair.b.center.x() = y;
+    return pair;
+  };
+  EXPECT_TRUE(range.holds(at(-2, 8)));
+  EXPECT_FALSE(range.holds(at(-2.1, 8))) << "the gap";
+  EXPECT_FALSE(range.holds(at(0, 8.1))) << "the coordinate";
+  EXPECT_TRUE(SizeRange{}.holds(at(-1.7e308, 1.7e308)));
+  EXPECT_FALSE(fitted(at(-1.7e308, 1.7e308), {.gap = 4}));
+  EXPECT_EQ(numbers_of(*fitted(at(-2, 60), range)), numbers_of(scaled(at(-2, 60), -4)));
+  EXPECT_FALSE(fitted(at(-2, 60), {.least = 1, .coordinate = 8})) << "too small once the coordinates are";
+  EXPECT_EQ(common_range(range, {.coordinate = 9, .gap = 1}), (SizeRange{.coordinate = 8, .gap = 1}));
+}
+
 TEST(SizeRange, OfTwoMethodsIsWhatBothHold) {
   const SizeRange x{.least = 0.1, .greatest = 10}, y{.least = 1, .aspect = 5, .zero_lengths = false};
   EXPECT_EQ(common_range(x, y), (SizeRange{.least = 1, .greatest = 10, .aspect = 5, .zero_lengths = false}));

@@ -100,6 +100,7 @@ std::string format_method_answer(const MethodAnswer& answer) {
   }
   std::string s = verdict_member(answer.verdict);
   if (answer.has_distance) s.append(",\"distance\":").append(number(answer.distance));
+  if (answer.at_least) s.append(",\"distance_at_least\":").append(number(answer.distance));
   append(s, answer.certificate());
   return s += '}';
 }

@@ -188,6 +188,7 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   if (text.size() > line_cap) said.error = "longer than a line may be";
   if (first && said.hello) {
     if (name_.empty()) name_ = said.hello->name;
+    depth_at_most_ = said.hello->depth_at_most;
     if (who_.relative) return;
     claim_source_ = said.hello->claim_source;
     claim_ = {said.hello->relative, said.hello->absolute, claim_source_};
@@ -197,8 +198,8 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
   if (!object.is_object()) return skip(file, line, said.error.empty() ? "no object" : said.error);
   const std::optional<std::string> id = id_of(object);
-  const MethodAnswer answer =
-      said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
+  const MethodAnswer answer = said.answer ? method_answer(*said.answer, depth_at_most_)
+                                          : failed_answer(Failure::malformed, said.error);
   if (!questions_) {  // a whole number as an id is legal here
     if (id) object["id"] = *id;
     const CaseLine own = parse_case(id ? object.dump() : std::string(text), line);

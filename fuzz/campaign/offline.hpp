@@ -127,6 +127,7 @@ class OfflineJudge {
   AnswerSource who_;
   Questions* questions_;
   OnBadLine on_bad_line_;
+  bool depth_at_most_ = false;  ///< as the hello states
   std::string name_, claim_source_;
   Claim claim_;
   bool begun_ = false;

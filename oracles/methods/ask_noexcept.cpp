@@ -11,7 +11,7 @@ namespace {
 
 bool all_finite(const MethodAnswer& a) {
   const auto finite = [](double x) { return std::isfinite(x); };
-  return (!a.has_distance || finite(a.distance)) &&
+  return (!a.states_distance() || finite(a.distance)) &&
          (a.witness == CertificateKind::none ||
           (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite) &&
            std::all_of(a.other_head, a.other_head + 3, finite) &&
@@ -37,7 +37,7 @@ MethodAnswer checked(MethodAnswer answer) {
   if (answer.status == Status::answered && !all_finite(answer)) {
     answer.status = Status::failed;
     answer.failure = Failure::non_finite;
-    answer.set_reason(answer.has_distance && !std::isfinite(answer.distance)
+    answer.set_reason(answer.states_distance() && !std::isfinite(answer.distance)
                           ? "distance is " + std::to_string(answer.distance)
                           : "the witness is not finite");
   }

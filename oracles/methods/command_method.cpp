@@ -210,7 +210,8 @@ class CommandMethod final : public Method {
         break;
     }
     if (said.hello) return failed_answer(Failure::malformed, "a second hello");
-    return said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
+    return said.answer ? method_answer(*said.answer, hello_.depth_at_most)
+                       : failed_answer(Failure::malformed, said.error);
   }
 
   Guest guest_;

@@ -5,7 +5,7 @@
 
 namespace cyl {
 
-MethodAnswer method_answer(const GuestAnswer& said) {
+MethodAnswer method_answer(const GuestAnswer& said, bool depth_at_most) {
   if (!said.verdict && !said.declined) return failed_answer(Failure::reported, said.reason);
   MethodAnswer answer;
   if (said.declined) {
@@ -15,7 +15,9 @@ MethodAnswer method_answer(const GuestAnswer& said) {
   answer.status = Status::answered;
   answer.verdict = *said.verdict;
   answer.has_distance = said.distance.has_value();
-  answer.distance = said.distance.value_or(0);
+  answer.at_least = said.at_least.has_value();
+  answer.distance = said.distance.value_or(said.at_least.value_or(0));
+  if (depth_at_most) answer.bound_depth();
   const bool meet = answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
   if (said.point && (meet || !said.direction)) {
     answer.witness = CertificateKind::point;

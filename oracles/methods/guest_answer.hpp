@@ -7,7 +7,8 @@
 
 namespace cyl {
 
+/// With `depth_at_most`, a depth is an upper bound.
 /// Returns the answer; of a point and a direction, the one that goes with the verdict.
-MethodAnswer method_answer(const GuestAnswer& said);
+MethodAnswer method_answer(const GuestAnswer& said, bool depth_at_most);
 
 }  // namespace cyl

@@ -57,6 +57,10 @@ GuestAnswer answer_of(const json& line) {
   GuestAnswer answer;
   answer.verdict = verdict_of(text_of(line, "verdict"));
   if (const auto d = line.find("distance"); d != line.end()) answer.distance = number(*d, "distance");
+  if (const auto d = line.find("distance_at_least"); d != line.end())
+    answer.at_least = number(*d, "distance_at_least");
+  if (answer.distance && answer.at_least)
+    throw std::invalid_argument("both a distance and a distance_at_least");
   if (const auto d = line.find("direction"); d != line.end()) {
     answer.direction.emplace();
     for (std::size_t i = 0; i < 3; ++i)
@@ -76,10 +80,12 @@ GuestAnswer answer_of(const json& line) {
 
 SizeRange sizes_of(const json& sizes) {
   if (!sizes.is_object()) throw std::invalid_argument("sizes is not an object");
-  refuse_other_keys(sizes, "sizes", {"least", "greatest", "aspect", "zero"});
+  refuse_other_keys(sizes, "sizes", {"least", "greatest", "aspect", "zero", "coordinate", "gap"});
   SizeRange range;
-  for (const auto& [key, limit] : {std::pair("least", &range.least), std::pair("greatest", &range.greatest),
-                                   std::pair("aspect", &range.aspect)}) {
+  for (const auto& [key, limit] :
+       {std::pair("least", &range.least), std::pair("greatest", &range.greatest),
+        std::pair("aspect", &range.aspect), std::pair("coordinate", &range.coordinate),
+        std::pair("gap", &range.gap)}) {
     if (const auto found = sizes.find(key); found != sizes.end()) *limit = number(*found, key);
     if (!(*limit >= 0)) throw std::invalid_argument(std::string(key) + " of sizes is negative");
   }
@@ -92,7 +98,8 @@ SizeRange sizes_of(const json& sizes) {
 }
 
 GuestHello hello_of(const json& line) {
-  refuse_other_keys(line, "the hello", {"name", "version", "claim", "takes", "sizes", "rounded_rims"});
+  refuse_other_keys(line, "the hello",
+                    {"name", "version", "claim", "takes", "sizes", "rounded_rims", "depth"});
   GuestHello hello;
   hello.name = text_of(line, "name");
   hello.version = text_of(line, "version");
@@ -108,6 +115,11 @@ GuestHello hello_of(const json& line) {
   if (const auto sizes = line.find("sizes"); sizes != line.end()) hello.sizes = sizes_of(*sizes);
   if (const auto rims = line.find("rounded_rims"); rims != line.end())
     hello.rounded_rims = number(*rims, "rounded_rims");
+  if (const std::string depth = text_of(line, "depth"); !depth.empty()) {
+    if (depth != "exact" && depth != "at_most")
+      throw std::invalid_argument("depth is neither exact nor at_most");
+    hello.depth_at_most = depth == "at_most";
+  }
   const auto claim = line.find("claim");
   if (claim == line.end()) return hello;
   if (!claim->is_object()) throw std::invalid_argument("claim is no object");

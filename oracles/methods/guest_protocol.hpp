@@ -3,9 +3,11 @@
 // for each pair. The questions are lines of pair_io.
 //
 //   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"},
-//    "takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false}}
+//    "takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false,
+//    "coordinate":1e6,"gap":10},"depth":"at_most"}
 //   {"verdict":"disjoint","distance":0.5,"direction":[1,0,0]}
 //   {"verdict":"intersecting","distance":-0.1,"point":[0,0,1]}
+//   {"verdict":"disjoint","distance_at_least":0.5}
 //   {"declined":"no disks"}
 //   {"error":"no convergence"}
 //
@@ -28,7 +30,8 @@ struct GuestHello {
   std::string name, version;  ///< empty if the hello has none
   double relative = 0, absolute = 0;
   std::string claim_source;
-  double rounded_rims = 0;  ///< the radius by which it rounds the edges of cylinders, inwards
+  double rounded_rims = 0;     ///< the radius by which it rounds the edges of cylinders, inwards
+  bool depth_at_most = false;  ///< its depths are upper bounds
   /// The kinds of solids that it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
   SizeRange sizes;  ///< of the solids that it is asked about
@@ -38,7 +41,7 @@ struct GuestAnswer {
   std::optional<Verdict> verdict;  ///< empty if it declined or failed; `reason` has the reason
   bool declined = false;
   std::string reason;
-  std::optional<double> distance;
+  std::optional<double> distance, at_least;  ///< at_least is a lower bound of the signed distance
   std::optional<std::array<double, 3>> direction;
   std::optional<std::array<double, 6>> point;  ///< the three heads, then the three tails
 };

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "corpus/pairs/truth_io.hpp"
+#include "oracles/methods/guest_answer.hpp"
+
 namespace cyl {
 namespace {
 
@@ -15,6 +18,32 @@ TEST(GuestLines, AnAnswer) {
   EXPECT_EQ(line.answer->distance, -0.25);
   EXPECT_EQ(line.answer->point, (std::array<double, 6>{1, 2, -3, 0, 1e-20, 0}));
   EXPECT_EQ(line.answer->direction, (std::array<double, 3>{0, 0, 1}));
+}
+
+TEST(GuestLines, ALowerBoundOfTheDistance) {
+  const GuestLine line = parse_guest_line(R"({"verdict":"disjoint","distance_at_least":0.5})");
+  ASSERT_TRUE(line.answer) << line.error;
+  EXPECT_EQ(line.answer->at_least, 0.5);
+  const MethodAnswer beyond = method_answer(*line.answer, false);
+  EXPECT_FALSE(beyond.has_distance);
+  EXPECT_TRUE(beyond.at_least);
+  EXPECT_EQ(beyond.distance, 0.5);
+  EXPECT_EQ(format_method_answer(beyond), R"({"verdict":"disjoint","distance_at_least":0.5})");
+  EXPECT_NE(parse_guest_line(R"({"verdict":"disjoint","distance":1,"distance_at_least":0.5})").error, "");
+}
+
+TEST(GuestLines, ADepthThatIsAnUpperBound) {
+  const auto is_bound = [](const char* text, bool depth_at_most) {
+    return method_answer(*parse_guest_line(text).answer, depth_at_most).at_least;
+  };
+  const char* deep = R"({"verdict":"intersecting","distance":-0.5})";
+  EXPECT_TRUE(is_bound(deep, true));
+  EXPECT_FALSE(is_bound(deep, false));
+  EXPECT_FALSE(is_bound(R"({"verdict":"intersecting"})", true));
+  EXPECT_FALSE(is_bound(R"({"verdict":"disjoint","distance":0.5})", true)) << "gaps stay exact";
+  EXPECT_TRUE(parse_guest_line(R"({"name":"x","depth":"at_most"})").hello->depth_at_most);
+  EXPECT_FALSE(parse_guest_line(R"({"name":"x","depth":"exact"})").hello->depth_at_most);
+  EXPECT_NE(parse_guest_line(R"({"name":"x","depth":"at_least"})").error, "");
 }
 
 TEST(GuestLines, AVerdictAlone) {
@@ -53,8 +82,11 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   EXPECT_EQ(line.hello->supports, (std::array{true, true, false, false}));
   EXPECT_EQ(line.hello->sizes, (SizeRange{0.01, 100, 50, false}));
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"least":1}})").hello->sizes, (SizeRange{.least = 1}));
+  EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"coordinate":9,"gap":2}})").hello->sizes,
+            (SizeRange{.coordinate = 9, .gap = 2}));
   for (const char* wrong :
        {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
+        R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",
         R"({"name":"x","sizes":{"least":2,"greatest":1}})", R"({"name":"x","sizes":{"zero":1}})"})
     EXPECT_NE(parse_guest_line(wrong).error, "") << wrong;
 }

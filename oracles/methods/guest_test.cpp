@@ -16,6 +16,7 @@
 #include "base/scratch_test.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/fake_method_test.hpp"
+#include "oracles/plugin.h"
 
 namespace cyl {
 namespace {
@@ -231,6 +232,39 @@ TEST(GuestCommand, WhatCannotBeAskedIsRefusedAtOnce) {
   EXPECT_NE(refusal("/nowhere/at/all").find("ended with status 127, after printing: "), std::string::npos);
   EXPECT_NE(refusal("echo hello").find("not JSON"), std::string::npos);
   EXPECT_NE(refusal("cat").find("neither a verdict"), std::string::npos);
+}
+
+TEST(GuestRotation, TakesACoordinateAxisToAnyAxis) {
+  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  constexpr double tiny = 5e-324, huge = 1.7e308;
+  for (const Vector3& direction :
+       {Vector3(0, 0, 1), Vector3(0, 0, -1), Vector3(1, 0, 0), Vector3(1e-9, 0, -1), Vector3(-0.3, 0.4, 0),
+        Vector3(1, -2, 3), Vector3(1, 1e-200, -0.0)})
+    for (const double length : {1.0, tiny, 1e-162, huge / 4})
+      for (int along = 0; along < 3; ++along) {
+        const Vector3 axis = length == tiny ? Vector3(direction.array().ceil() * tiny) : direction * length;
+        if (axis.isZero(0)) continue;
+        Rotation rotation;
+        daylight_rotation(axis.data(), along, rotation.data());
+        EXPECT_LE((rotation.col(along) - Vector3(axis / axis.cwiseAbs().maxCoeff()).normalized()).norm(),
+                  4e-16)
+            << axis.transpose();
+        EXPECT_LE((rotation * rotation.transpose() - Rotation::Identity()).norm(), 4e-15);
+        EXPECT_GT(rotation.determinant(), 0) << "a reflection";
+      }
+}
+
+TEST(GuestCommand, ItsHelloLimitsPositionsAndDepths) {
+  const auto method = command(say(R"({"name":"x","sizes":{"coordinate":4.5,"gap":1.5},"depth":"at_most"})") +
+                              "; " + each_line(say(R"({"verdict":"intersecting","distance":-9})")));
+  EXPECT_FALSE(method->supports(numbered_pairs(1)[0])) << "a center at 5";
+  Pair pair = numbered_pairs(1)[0];
+  pair.b.center.x() = 4;
+  EXPECT_TRUE(method->supports(pair));
+  EXPECT_TRUE(method->ask(pair).at_least);
+  pair.a.center.x() = -1;
+  EXPECT_FALSE(method->supports(pair)) << "a gap of 5 - sqrt 8";
+  EXPECT_STREQ(method->ask(pair).reason, "it does not support these sizes or positions");
 }
 
 TEST(GuestNames, GivenOrDerived) {

@@ -65,6 +65,7 @@ struct Label {
   bool rounding = false;  ///< a cylinder is nine numbers
   int shapes = 0;         ///< the sum of its DaylightShapes
   SizeRange sizes;
+  bool depth_at_most = false;  ///< its depths are upper bounds
 };
 
 /// The caps on the bytes that are read from a library's texts.
@@ -74,11 +75,12 @@ std::string text_of(const char* text, std::size_t cap) {
   return text ? std::string(text, strnlen(text, cap)) : "";
 }
 
-/// Interface 1 ends with `ask_all`, interface 2 with `takes_rounding`.
-constexpr int first_interface = 1, second_interface = 2;
+/// Interface 1 ends with `ask_all`, interface 2 with `takes_rounding`, interface 3 with `no_zero_lengths`.
+constexpr int first_interface = 1, second_interface = 2, third_interface = 3;
 
 bool has_second_part(const DaylightMethod& method) { return method.abi > first_interface; }
 bool has_third_part(const DaylightMethod& method) { return method.abi > second_interface; }
+bool has_fourth_part(const DaylightMethod& method) { return method.abi > third_interface; }
 
 constexpr int all_shapes = DAYLIGHT_SPHERE | DAYLIGHT_CAPSULE | DAYLIGHT_CYLINDER | DAYLIGHT_ROUNDED_CYLINDER;
 
@@ -100,6 +102,12 @@ void check(const DaylightMethod* method) {
     if (!(limit >= 0) || std::isinf(limit)) throw std::runtime_error("a limit of its sizes is not a length");
   if (method->greatest_length != 0 && method->greatest_length < method->least_length)
     throw std::runtime_error("its greatest_length is less than its least_length");
+  if (!has_fourth_part(*method)) return;
+  for (const double limit : {method->greatest_coordinate, method->greatest_gap})
+    if (!(limit >= 0) || std::isinf(limit))
+      throw std::runtime_error("a limit of its positions is not a length");
+  if (method->depth != DAYLIGHT_DEPTH_EXACT && method->depth != DAYLIGHT_DEPTH_AT_MOST)
+    throw std::runtime_error("its depth is not one of DaylightDepth");
 }
 
 int shapes_of(const DaylightMethod& method) {
@@ -108,7 +116,7 @@ int shapes_of(const DaylightMethod& method) {
 }
 
 /// In the interface, 0 means no limit.
-double limit_or_none(double limit) { return limit == 0 ? std::numeric_limits<double>::max() : limit; }
+double limit_or_none(double limit) { return limit == 0 ? std::numeric_limits<double>::infinity() : limit; }
 
 /// Returns all methods of a library.
 std::vector<const DaylightMethod*> load(const std::string& file) {
@@ -131,14 +139,17 @@ std::vector<const DaylightMethod*> load(const std::string& file) {
 nlohmann::json describe(const std::string& file) try {
   nlohmann::json labels = nlohmann::json::array();
   for (const DaylightMethod* method : load(file)) {
-    const bool third = has_third_part(*method);
+    const bool third = has_third_part(*method), fourth = has_fourth_part(*method);
     labels.push_back(
         {text_of(method->name, name_cap), text_of(method->version, name_cap),
          text_of(method->claim_source, source_cap), method->claim_relative, method->claim_absolute,
          method->ask_all != nullptr, has_second_part(*method) && method->ask_many,
          has_second_part(*method) && method->takes_rounding == 1, shapes_of(*method),
          third ? method->least_length : 0, limit_or_none(third ? method->greatest_length : 0),
-         limit_or_none(third ? method->greatest_aspect : 0), !(third && method->no_zero_lengths == 1)});
+         limit_or_none(third ? method->greatest_aspect : 0), !(third && method->no_zero_lengths == 1),
+         limit_or_none(fourth ? method->greatest_coordinate : 0),
+         limit_or_none(fourth ? method->greatest_gap : 0),
+         fourth && method->depth == DAYLIGHT_DEPTH_AT_MOST});
   }
   return labels;
 } catch (const std::exception& error) {
@@ -191,7 +202,8 @@ std::vector<Label> read_labels(const std::string& file) {
   std::vector<Label> labels;
   for (const nlohmann::json& of : read)
     labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6), of.at(7),
-                      of.at(8), SizeRange{of.at(9), of.at(10), of.at(11), of.at(12)}});
+                      of.at(8), SizeRange{of.at(9), of.at(10), of.at(11), of.at(12), of.at(13), of.at(14)},
+                      of.at(15)});
   return labels;
 }
 
@@ -201,6 +213,7 @@ bool any_given(const double* three) {
 
 /// Returns a value out of range for an unknown word. contained.cpp finds it.
 Verdict verdict_of(int word) {
+  if (word == DAYLIGHT_BEYOND) return Verdict::disjoint;
   return word >= 0 && word <= DAYLIGHT_UNDECIDED ? static_cast<Verdict>(word) : static_cast<Verdict>(255);
 }
 
@@ -319,20 +332,24 @@ class Plugin final : public Method {
     return has_second_part(method) && method.reason ? method.reason() : nullptr;
   }
 
-  static MethodAnswer answer_of(const Pair& pair, int word, const double* more, const char* reason) {
+  MethodAnswer answer_of(const Pair& pair, int word, const double* more, const char* reason) const {
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
       answer.set_reason(words_or(reason, "declined"));
       return answer;
     }
     if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, words_or(reason, "no reason given"));
-    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED)
+    if (word == DAYLIGHT_BEYOND && !(more[0] >= 0))
+      return failed_answer(Failure::malformed, "no answer: beyond what, more[0] does not state");
+    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_BEYOND)
       return failed_answer(Failure::malformed,
                            "no answer: " + std::to_string(word) + " is no word of plugin.h");
     answer.status = Status::answered;
     answer.verdict = verdict_of(word);
-    answer.has_distance = !std::isnan(more[0]);
-    if (answer.has_distance) answer.distance = more[0];
+    answer.at_least = word == DAYLIGHT_BEYOND;
+    answer.has_distance = !answer.at_least && !std::isnan(more[0]);
+    if (answer.states_distance()) answer.distance = more[0];
+    if (label_.depth_at_most) answer.bound_depth();
     const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
     if (any_given(more + 4) && !is_rounded(pair) && (meet || !any_given(more + 1))) {
       answer.witness = CertificateKind::point;

@@ -80,6 +80,11 @@ Enclosure error_of(double said, const Enclosure& real) {
   return {std::max({0.0, real.lo - said, said - real.hi}), std::max(real.hi - said, said - real.lo)};
 }
 
+/// Returns the error of a lower bound: by how much the distance is less than it.
+Enclosure shortfall_of(double said, const Enclosure& real) {
+  return {std::max(0.0, said - real.hi), std::max(0.0, said - real.lo)};
+}
+
 // If an enclosure proves the distance neither right nor wrong, the narrowest one is asked for. So a finding
 // never depends on how narrow earlier questions made the enclosure. If one is much wider than asked for, it
 // ended at the rounding of doubles or at its cap on cells, and would do so again.
@@ -93,7 +98,7 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
   for (const double width : {part, narrowest}) {
     const bool touching = trial.truth.verdict == Verdict::touching;
     const Enclosure real = touching ? Enclosure{0, 0} : trial.distance_at(width);
-    const Enclosure off = error_of(said, real);
+    const Enclosure off = answer.at_least ? shortfall_of(said, real) : error_of(said, real);
     if (off.lo > most) {
       // Some libraries return the largest double, or its negative, if they found no distance.
       const bool is_number = std::abs(said) < std::numeric_limits<double>::max();
@@ -115,7 +120,7 @@ bool finite(const double (&v)[3]) {
 }
 
 bool finite(const MethodAnswer& answer) {
-  if (answer.has_distance && !std::isfinite(answer.distance)) return false;
+  if (answer.states_distance() && !std::isfinite(answer.distance)) return false;
   return answer.witness == CertificateKind::none || (finite(answer.head) && finite(answer.tail) &&
                                                      finite(answer.other_head) && finite(answer.other_tail));
 }
@@ -221,7 +226,7 @@ Enclosure magnitude_against(double length, Trial& trial) {
 
 Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer) {
   if (answer.distance > 0) return error_of(answer.distance, real);
-  return {std::max(0.0, answer.distance - real.hi), std::max(0.0, answer.distance - real.lo)};
+  return shortfall_of(answer.distance, real);
 }
 
 namespace {
@@ -233,7 +238,7 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
   if (!trial.decided()) return {};
   if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;
-  if (answer.has_distance)
+  if (answer.states_distance())
     if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
   if (witness_holds(trial.pair, trial.truth, answer)) return {};
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
@@ -260,7 +265,8 @@ bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   if (x.status != y.status || x.failure != y.failure) return false;
   if (x.status != Status::answered) return true;
   if (x.verdict != y.verdict || x.has_distance != y.has_distance || x.witness != y.witness) return false;
-  if (x.has_distance && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
+  if (x.at_least != y.at_least) return false;
+  if (x.states_distance() && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
   return x.witness == CertificateKind::none ||
          (same_bits(x.head, y.head) && same_bits(x.tail, y.tail) && same_bits(x.other_head, y.other_head) &&
           same_bits(x.other_tail, y.other_tail) && same_hulls(x.hulls, y.hulls));

@@ -135,6 +135,39 @@ TEST(Compare, DisjointOfATouchingPairHasMarginZero) {
   EXPECT_EQ(judged(Verdict::touching, 0, none, said(Verdict::disjoint))->severity, Severity::contract);
 }
 
+TEST(Compare, ALowerBoundOfTheDistanceIsWrongOnlyIfTheDistanceIsLess) {
+  const auto bound = [](Verdict truth, double distance, double said, const Claim& claim = none) {
+    MethodAnswer answer = said_distance(truth, said);
+    answer.has_distance = false;
+    answer.at_least = true;
+    return judged(truth, distance, claim, answer);
+  };
+  EXPECT_FALSE(bound(Verdict::disjoint, 0.75, 0.5)) << "apart by more than 0.5";
+  EXPECT_FALSE(bound(Verdict::intersecting, -0.5, -0.75)) << "a depth of at most 0.75";
+  const auto apart = bound(Verdict::disjoint, 0.25, 0.5), deep = bound(Verdict::intersecting, -0.75, -0.5);
+  for (const auto& wrong : {apart, deep}) {
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->kind, FindingKind::distance_outside);
+    EXPECT_EQ(wrong->severity, Severity::contract);
+    EXPECT_LE(wrong->margin->lo, 0.25 / size);
+    EXPECT_GE(wrong->margin->hi, 0.25 / size);
+  }
+  EXPECT_FALSE(bound(Verdict::intersecting, -0.75, -0.5, {0, 0.26, ""})) << "within the claim";
+  EXPECT_FALSE(bound(Verdict::touching, 0, 0));
+  EXPECT_TRUE(bound(Verdict::touching, 0, 0.5));
+}
+
+TEST(Compare, TwoBoundsAreTheSameOnlyIfTheirLengthsAre) {
+  MethodAnswer x = said_distance(Verdict::disjoint, 0.5), y = x;
+  y.has_distance = false;
+  y.at_least = true;
+  EXPECT_FALSE(same_answer(x, y));
+  x = y;
+  EXPECT_TRUE(same_answer(x, y));
+  x.distance = 0.25;
+  EXPECT_FALSE(same_answer(x, y));
+}
+
 TEST(Compare, TouchingIsWrongOnlyWhereTheDistanceIsCertainlyNotZero) {
   EXPECT_FALSE(judged(Verdict::intersecting, -1e-8, none, said(Verdict::touching)));
   const auto deep = judged(Verdict::intersecting, -0.5, none, said(Verdict::touching));

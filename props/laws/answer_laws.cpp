@@ -53,7 +53,7 @@ std::optional<Violation> break_answers(const LawCase& c) {
 std::optional<Violation> break_verdict(const LawCase& c) {
   if (c.first.status != Status::answered) return {};
   MethodAnswer verdict = c.first;
-  verdict.has_distance = false;
+  verdict.forget_distance();
   verdict.witness = CertificateKind::none;
   return refuted(c, verdict,
                  {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting, FindingKind::wrong_touching,
@@ -63,12 +63,12 @@ std::optional<Violation> break_verdict(const LawCase& c) {
 std::optional<Violation> break_certificate(const LawCase& c) {
   if (c.first.status != Status::answered || c.first.witness == CertificateKind::none) return {};
   MethodAnswer certificate = c.first;
-  certificate.has_distance = false;
+  certificate.forget_distance();
   return refuted(c, certificate, {FindingKind::bad_witness});
 }
 
 std::optional<Violation> break_distance(const LawCase& c) {
-  if (c.first.status != Status::answered || !c.first.has_distance) return {};
+  if (c.first.status != Status::answered || !c.first.states_distance()) return {};
   MethodAnswer distance = c.first;
   distance.verdict = Verdict::undecided;
   distance.witness = CertificateKind::none;

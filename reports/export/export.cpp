@@ -55,9 +55,9 @@ bool within_claim(const Trial& p) { return p.finding()->severity == Severity::re
 struct Recipient {
   std::string what;     ///< name in titles: `fcl::collide`, or the guest's name
   std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
-  std::string hulls;    ///< the solids that replace cylinders in the question, if any do
+  std::string hulls = {};    ///< the solids that replace cylinders in the question, if any do
   std::string how;      ///< steps that show the answer
-  std::string closing;  ///< last lines of the issue
+  std::string closing = {};  ///< last lines of the issue
   AxesGiven axes;
   Export files;  ///< what these steps need
 };

@@ -14,6 +14,7 @@ export interface Claim {
 }
 export interface Method {
   name: string;
+  library: string;
   version: string;
   claim: Claim;
   own: boolean;

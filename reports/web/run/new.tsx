@@ -10,7 +10,7 @@ import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
 import { changesOf, type FullReport } from "./report.ts";
 import { sentenceOf } from "./sentence.ts";
-import { library } from "./words.ts";
+import { isText, library } from "./words.ts";
 
 /** What a band names: a sentence, where it leads and its pair. */
 interface Named {
@@ -63,7 +63,8 @@ function Band({
 
 /** The answer of a run without causes: who is wrong, and the worst at ordinary sizes. */
 function Untold({ report }: { report: FullReport }) {
-  const wrong = rowsOf(report).filter(({ f }) => f.severity === "contract"),
+  const rows = rowsOf(report).filter(({ f }) => f.severity === "contract"),
+    wrong = [...rows.filter(({ f }) => !isText(f.method)), ...rows.filter(({ f }) => isText(f.method))],
     libraries = [...new Set(wrong.map(({ f }) => library(f.method)))];
   if (wrong.length === 0) return <p class="band ok answer">No method is wrong beyond its claim.</p>;
   const worst = wrong.filter(({ f }, i) => wrong.findIndex((w) => library(w.f.method) === library(f.method)) === i);

@@ -5,7 +5,7 @@ import type { Answer, Truth } from "../parts/data.ts";
 import { objectsOf, type Columns } from "./columns.ts";
 import type { Cause, Case, FailureMap, Finding, MapCell } from "./data.ts";
 import type { PackedCase, Report, Standing } from "./data.ts";
-import { library } from "./words.ts";
+import { library, nameLibraries } from "./words.ts";
 
 export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names" | "maps"> {
   findings: Finding[];
@@ -68,6 +68,7 @@ export function expand(report: Report): FullReport {
     simplest: withEnds(b.simplest),
     worst: withEnds(b.worst ?? b.simplest), // a hang is not searched for a worse one
   }));
+  nameLibraries(report.methods);
   const methods = report.methods.map((m) => {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };

@@ -2,7 +2,7 @@
 // Which methods a plot shows first, and the colour and symbol of each.
 import type { Theme } from "../parts/plot.ts";
 import { inOrder } from "../parts/words.ts";
-import { library } from "./words.ts";
+import { isText, library } from "./words.ts";
 
 const symbols = [
   "circle",
@@ -23,7 +23,7 @@ export const shownCap = 8;
 /** The first method of each library, ours first, what the documents have last: shown first. */
 export function firstOfEach(methods: string[]): string[] {
   const firsts = methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i);
-  const rank = (m: string) => (library(m) === "ours" ? 0 : m.startsWith("seed") ? 2 : 1);
+  const rank = (m: string) => (library(m) === "ours" ? 0 : isText(m) ? 2 : 1);
   return inOrder(firsts, (x, y) => rank(x) - rank(y)).slice(0, shownCap);
 }
 

@@ -2,11 +2,18 @@
 // Names of a run as people read them.
 import type { Coordinate } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
-import type { Claim } from "./data.ts";
+import type { Claim, Method } from "./data.ts";
 
 const ownNames = new Set(["intersect", "decide", "distance", "exact"]);
-/** Ours are one library; any other is what stands before the first '-'. */
-export const library = (method: string) => (ownNames.has(method) ? "ours" : method.split("-", 1)[0]!);
+const libraries = new Map<string, string>();
+/** Names the libraries as the run does. A chart alone has no run: there it is the name up to the first '-'. */
+export function nameLibraries(methods: Method[]) {
+  for (const m of methods) libraries.set(m.name, m.library);
+}
+export const library = (method: string) =>
+  libraries.get(method) ?? (ownNames.has(method) ? "ours" : method.split("-", 1)[0]!);
+/** Whether it is one of the texts that the project began with, and nobody's library. */
+export const isText = (method: string) => method.startsWith("seed");
 
 export const kindLabel = (kind: string) => kind.replaceAll("_", " ");
 export const severityLabels: Record<string, string> = {
