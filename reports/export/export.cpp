@@ -53,10 +53,10 @@ bool within_claim(const Trial& p) { return p.finding()->severity == Severity::re
 
 /// The library or guest that was asked, and how to ask it again.
 struct Recipient {
-  std::string what;     ///< name in titles: `fcl::collide`, or the guest's name
-  std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
+  std::string what;          ///< name in titles: `fcl::collide`, or the guest's name
+  std::string whom;          ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
   std::string hulls = {};    ///< the solids that replace cylinders in the question, if any do
-  std::string how;      ///< steps that show the answer
+  std::string how;           ///< steps that show the answer
   std::string closing = {};  ///< last lines of the issue
   AxesGiven axes;
   Export files;  ///< what these steps need
@@ -117,7 +117,8 @@ std::string returned_text(const Trial& p, const Method& method) {
       return fmt::format("Nothing within {} s of CPU time. Then the process was killed.",
                          std::chrono::duration<double>(cpu_cap_of(method)).count());
     case FindingKind::distance_outside:
-      return fmt::format("A signed distance of {}.", format_double(a.distance));
+      return fmt::format("A signed distance of {}{}.", a.at_least ? "at least " : "",
+                         format_double(a.distance));
     case FindingKind::non_finite:
       return a.status == Status::failed ? fmt::format("Numbers that are not finite: {}.", one_line(a.reason))
                                         : fmt::format("A signed distance of {}.", format_double(a.distance));

@@ -91,8 +91,8 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
           {"folder", run.folder}};
 }
 
-/// The library of a method: its name up to the first '-'. A guest is not a setting of a packaged library, even
-/// if its name begins like one.
+/// The library of a method: its name up to the first '-'. A guest is not a setting of a packaged library,
+/// even if its name begins like one.
 std::string library_of(const std::string& method, std::span<const std::unique_ptr<Method>> packaged) {
   const std::string library = method.substr(0, method.find('-'));
   bool begins_alike = false;

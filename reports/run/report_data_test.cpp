@@ -129,7 +129,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_TRUE(report["run"]["command"].get<std::string>().starts_with(
       "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
   EXPECT_EQ(report["methods"][0],
-            parse_ordered_json(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
+            parse_ordered_json(R"({"name":"fake","library":"fake","version":"9.8","claim":{"relative":1e-6,
     "absolute":0.001,"source":"its manual","stated":true},"own":false,"share":3})"));
   EXPECT_EQ(report["methods"][1]["own"], true);
   EXPECT_EQ(report["families"][0]["name"], "random");
@@ -140,6 +140,17 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["history"], nullptr);
   for (const char* empty : {"buckets", "findings", "maps", "honesty", "speed", "cost", "paths"})
     EXPECT_EQ(report[empty], json::array()) << empty;
+}
+
+TEST_F(ReportData, AGuestIsALibraryOfItsOwn) {
+  std::vector<MethodRecord> asked;
+  for (const char* name : {"decide", "mujoco-tol1e-10", "mujoco-js", "mine-2"})
+    asked.push_back({name, "1", 0, 0, "", 1});
+  RunStore::create(folder / "guests", {{"seed", "1"}}, asked);
+  std::vector<std::string> libraries;
+  const auto report = parse_ordered_json(report_json(read_run(folder / "guests", families())));
+  for (const auto& m : report["methods"]) libraries.push_back(m["library"]);
+  EXPECT_EQ(libraries, (std::vector<std::string>{"ours", "mujoco", "mujoco-js", "mine"}));
 }
 
 TEST_F(ReportData, TheCommandBringsTheGuests) {

@@ -86,9 +86,9 @@ const standing = (word) => {
 /** The page begins with its answer: red if something is new, amber if chance cannot be excluded, else green. */
 async function beginsWithTheAnswer() {
   for (const [word, kind, head] of [
-    ["new", "bad", /^5 new faults: \S+/],
-    ["back", "bad", /^5 new faults: /],
-    ["rare", "warn", /^5 causes were not seen before; chance cannot be excluded/],
+    ["new", "bad", /^6 new faults: \S+/],
+    ["back", "bad", /^6 new faults: /],
+    ["rare", "warn", /^6 causes were not seen before; chance cannot be excluded/],
     ["known", "ok", /^Nothing is new and wrong\.$/],
   ]) {
     const report = standing(word),
