@@ -35,6 +35,7 @@
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "cli/targets.hpp"
+#include "fuzz/guided/record.hpp"
 
 namespace cyl {
 namespace {
@@ -47,6 +48,7 @@ constexpr std::chrono::minutes default_budget{1};
 struct CampaignArguments {
   std::string budget, stop_at, out, methods, families, weights_from, shard, resume;
   std::optional<std::string> cases;
+  std::string corpus;
   std::optional<std::uint64_t> pairs;
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
@@ -117,7 +119,9 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   }
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // The path is absolute, because the run may be resumed from another folder.
-  if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
+  options.corpus = arguments.corpus;
+  for (std::string* folder : {&options.cases, &options.corpus})
+    if (!folder->empty()) *folder = fs::absolute(*folder).lexically_normal().string();
   MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   options.guests = format_guests(set.guests);
   selection.methods = std::move(set.methods);
@@ -173,6 +177,7 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   options.out = lasting_name(arguments.resume);
   options.seed = number_of(config, "seed");
   options.cases = text_of(config, "cases");
+  options.corpus = value_of(config, "corpus");
   std::vector<std::string> method_names, family_names;
   for (const MethodRecord& method : store.methods()) method_names.push_back(method.name);
   std::istringstream lines(text_of(config, "families"));
@@ -262,6 +267,9 @@ int campaign(const CampaignArguments& arguments) {
   set_limits(arguments, options);
   selection.cases =
       cases_in(options.cases, [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
+  if (!options.corpus.empty())
+    for (Case& c : read_corpus(options.corpus))
+      if (is_drawn(c.pair, selection.methods)) selection.cases.push_back(std::move(c));
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
   if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())
@@ -342,6 +350,7 @@ void add_campaign(Program& program) {
       .needs("--out");
   command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");
+  command.option("--corpus DIR", arguments->corpus, "corpus of a fuzz run, whose pairs come after the cases");
   command.section("Limits");
   command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
   command.section("Output");
@@ -358,7 +367,7 @@ void add_campaign(Program& program) {
       "the run stopped before its limit.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
-                              "--cases", "--create-only"}) {
+                              "--cases", "--corpus", "--create-only"}) {
       if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
           std::string(fixed) +

@@ -79,6 +79,9 @@ int fuzz(const FuzzArguments& arguments) {
   fmt::print("{}", format_fuzzing(summary));
   if (!summary.findings.empty())
     fmt::print("the findings: {} replay {}\n", own_command(), shell_quoted(options.out + "/findings.jsonl"));
+  if (summary.kept_inputs > 0)
+    fmt::print("every method on its corpus: {} campaign --corpus {}\n", own_command(),
+               shell_quoted(options.out + "/corpus"));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped, resume with: {} fuzz --target {} --out {}\n", own_command(),

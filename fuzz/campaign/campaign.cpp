@@ -91,6 +91,7 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   const std::vector<MethodRecord> methods = record_methods(workload);
   if (!options.resume) {
     config["cases"] = options.cases;
+    config["corpus"] = options.corpus;
     config["build"] = options.build;
     config["guests"] = options.guests;
     config["assumed_claims"] = assumed_claims(workload);

@@ -24,7 +24,7 @@ struct CampaignOptions {
   std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards. 0 is unlimited.
   std::chrono::milliseconds budget{0};  ///< wall time of this session. 0 is unlimited. At least one limit is
                                         ///< set.
-  std::string cases;                    ///< source of workload.cases, for --resume
+  std::string cases, corpus;            ///< folders of workload.cases, for --resume
   std::string stop_at;                  ///< time at which the budget ends, for --resume; may be empty
   std::string guests;                   ///< the guests, for commands that ask them again
   std::string build;                    ///< what was built from what, for the record only
