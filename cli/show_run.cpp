@@ -8,6 +8,8 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/run/run_summary.hpp"
@@ -37,8 +39,10 @@ void show_run(const std::string& folder, bool table) {
   if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   fmt::print("{}", format_summary(run));
   if (const auto worst = worst_finding(run)) {
-    fmt::print("worst finding: {} {} ({}): {} replay {}\n", worst->method, to_string(worst->kind),
-               in_words(worst->severity), own_command(),
+    const auto line = parse_case(worst->pair, 1).value;
+    const bool ordinary = line && is_ordinary(line->pair);
+    fmt::print("worst finding{}: {} {} ({}): {} replay {}\n", ordinary ? " at ordinary sizes" : "",
+               worst->method, to_string(worst->kind), in_words(worst->severity), own_command(),
                shell_quoted(fmt::format("{}:{}", folder, worst->id)));
     fmt::print("causes: {} triage {}\n", own_command(), shell_quoted(folder));
   }

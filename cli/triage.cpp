@@ -71,13 +71,19 @@ int triage(const TriageArguments& arguments) {
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
   write_page(read_run(arguments.run, campaign_families()));
-  fmt::print("{}\n\n", changed);  // after the files, because a pager that ends takes this process with it
+  const TriageProgress& p = result.progress;
+  const auto here_to_see = p.findings - p.absent;
+  const std::string seen =
+      p.classified < here_to_see
+          ? fmt::format(", in the {} % of the findings that were looked at", 100 * p.classified / here_to_see)
+          : "";
+  fmt::print("{}{}\n\n", changed,
+             seen);  // after the files, because a pager that ends takes this process with it
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(result.progress.classified, "stored finding"));
   if (others > 0) fmt::print(", and {} only in earlier runs", counted(others, "cause"));
   fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
              counted(result.progress.simplified, "pair"), counted(result.progress.searched, "cause"));
-  const TriageProgress& p = result.progress;
   if (p.classified + p.absent < p.findings)
     fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);

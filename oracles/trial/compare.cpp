@@ -32,11 +32,15 @@ Enclosure magnitude(const Enclosure& d) {
   return {0, std::max(-d.lo, d.hi)};
 }
 
+/// size_of() stops at the largest double. The size is then less than the sum of six such numbers.
+constexpr double size_at_most = 6;
+
 Enclosure relative_to(double size, const Enclosure& length) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double factor = size == std::numeric_limits<double>::max() ? size_at_most : 1;
   if (size == 0) return {length.lo > 0 ? infinity : 0, length.hi > 0 ? infinity : 0};
   const double hi = length.hi / size * (1 + rounding_error);
-  return {length.lo / size * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
+  return {length.lo / size / factor * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
 }
 
 /// Returns the pair's own margin, for faults that do not depend on it. Returns nothing if nothing is proved.

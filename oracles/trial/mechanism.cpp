@@ -182,10 +182,9 @@ struct Candidate {
 bool is_right_about_its_model(const Method& method, const Trial& wrong) {
   const Pair model = method.modelled(wrong.pair);
   if (numbers_of(model) == numbers_of(wrong.pair) || !is_refuted_verdict(wrong.finding()->kind)) return false;
-  const bool said = wrong.answer().verdict != Verdict::disjoint;
   const Verdict truth = judge_verdict(model).verdict;
-  return truth == Verdict::undecided || truth == Verdict::touching ||
-         said == (truth == Verdict::intersecting);
+  return truth == Verdict::touching ||
+         truth == (wrong.answer().verdict == Verdict::disjoint ? Verdict::disjoint : Verdict::intersecting);
 }
 
 /// Asks about the pair as it is, and moved to the origin.
@@ -312,7 +311,7 @@ std::string_view in_words(Mechanism m) noexcept {
       "small lengths, or products of them, underflow: right at a larger size",
       "large lengths, or products of them, overflow: right at a smaller size",
       "a fixed length in it, such as an absolute tolerance: right at another scale",
-      "within rounding of touching: right at no size that was tried",
+      "rounding of its numbers: right at no size that was tried",
       "its setting: right with another",
       "no probe told",
       "its model: right about cylinders with the rounded edges that it gives them"};

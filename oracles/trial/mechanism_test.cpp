@@ -125,6 +125,16 @@ TEST(Mechanism, NamesTheDistanceOfPointsThatDecides) {
       "times 2^0)");
 }
 
+/// The edges that Bullet rounds are nothing at that size, and its model has no verdict.
+TEST(Mechanism, AModelWithoutAVerdictIsNoCause) {
+  const auto methods = select_methods(bullet_methods(), "bullet-cylinder");
+  Pair nested;
+  nested.a = {{0, 0, 0}, {0, 0, 1}, 1, 1};
+  nested.b = {{0, 0, 0}, {0, 0, 1}, 9e307, 9e307};
+  const Failing failing{0, FindingKind::wrong_disjoint, nested};
+  EXPECT_EQ(classify(methods, {&failing, 1}, Caps{}).at(0).mechanism, Mechanism::overflow);
+}
+
 /// Single precision has no numbers at that size, or the height is rounded to 0.
 TEST(Mechanism, WhatVanishesIsNoCure) {
   EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 0x1p-64; }, crossing(1)).mechanism,

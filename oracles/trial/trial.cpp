@@ -113,6 +113,10 @@ std::string distance_in_words(const Trial& trial) {
       !trial.findings.empty() && trial.finding() && trial.finding()->kind == FindingKind::distance_outside;
   const double true_one = nearer_end(trial), other = said ? trial.answer().distance : 0;
   const double sign = trial.meets() ? -1 : 1;
+  if (true_one == 0) {  // a gap of less than the least double has no other lower bound
+    return trial.meets() ? fmt::format("overlapping by at most {:.3g}", -trial.distance.lo)
+                         : fmt::format("at most {:.3g} apart", trial.distance.hi);
+  }
   const std::string length = std::abs(true_one) < std::numeric_limits<double>::max()
                                  ? told_from(sign * true_one, sign * other)
                                  : "more than 1.79e308";  // which is below the largest double

@@ -108,12 +108,14 @@ std::string format_cause(const Cause& b) {
                   b.status ? std::string(", ") + to_string(*b.status) : "",
                   b.chance && *b.chance < chance_margin ? fmt::format(" (chance {:.1g})", *b.chance) : "",
                   b.suppressed ? ", suppressed" : "", b.description);
-  text += fmt::format("    {} in {}, of {}", counted(b.count, "finding"),
-                      counted(b.families.size(), "family"), counted(b.methods.size(), "method"));
+  text += b.count == 0
+              ? "    found in earlier runs only"
+              : fmt::format("    {} in {}, of {}", counted(b.count, "finding"),
+                            counted(b.families.size(), "family"), counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);
-  if (b.share)
+  if (b.share && b.share->asked > 0)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
                         b.share->asked);
   return text + fmt::format("\n    {}: {}\n", some_of(b.methods), pair_to_json(b.simplest.pair).dump());
