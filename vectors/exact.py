@@ -13,10 +13,12 @@ they are no farther apart than both roundings together. `hulls` names with a poi
 taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. They touch if they
 meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
 proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. If
-it is negative, only the sign of the interval is checked. Of an interval of the distance, the order, the sign and what the direction shows are checked. A pair that is not valid has no
-other answer than `invalid`.
+it is negative, the answer has no certificate: only the sign of its interval is checked, and the last line counts such
+answers. Of an interval of the distance, the order, the sign and what the direction shows are checked. A pair that is
+not valid has no other answer than `invalid`.
 """
 import json
+import re
 import sys
 from collections import Counter
 from fractions import Fraction
@@ -31,6 +33,8 @@ SPACE = ('space', 'space')
 def exact(value):
     if isinstance(value, list):
         return sum(map(exact, value), Fraction(0))
+    if isinstance(value, str) and not re.fullmatch(r'-?[0-9]{1,4000}(/[0-9]{1,4000})?', value):
+        raise ValueError(f'not a fraction: {value[:40]!r}')
     return Fraction(float(value) if isinstance(value, int) else value)
 
 
@@ -228,6 +232,8 @@ def fault(pair, answer):
         if not is_number(answer['clearance']):
             return 'the clearance is not a length'
         if answer['clearance'] < 0:
+            if 'distance' not in answer:
+                return 'a negative clearance has no distance'
             low, high = map(exact, answer['distance'])
             agrees = {'disjoint': 0 < low, 'intersecting': high < 0}.get(verdict, verdict == 'undecided')
             return None if low <= high and agrees else 'the distance contradicts the verdict'
@@ -317,16 +323,20 @@ def check(pairs, answers):
     """Prints each certificate that fails; returns the exit status."""
     if len(pairs) != len(answers):
         sys.exit(f'{len(pairs)} pairs, {len(answers)} answers')
-    failed = 0
+    failed = unproved = 0
+    verdicts = Counter()
     for number, (pair, answer) in enumerate(zip(pairs, answers), 1):
         try:
+            verdicts[answer.get('verdict')] += 1
+            unproved += answer.get('clearance', 0) < 0
             why = fault(pair, answer)
-        except (KeyError, TypeError, ValueError, ZeroDivisionError, OverflowError) as error:
+        except (AttributeError, KeyError, TypeError, ValueError, ZeroDivisionError, OverflowError) as error:
             why = f'malformed: {error!r}'
         if why:
             failed += 1
-            print(f'line {number}: {answer.get("verdict")}: {why}')
-    print(dict(Counter(answer.get('verdict') for answer in answers)), f'{failed} certificates fail')
+            print(f'line {number}: {answer.get("verdict") if isinstance(answer, dict) else answer}: {why}')
+    none = f', {unproved} answers to a negative clearance have none' if unproved else ''
+    print(dict(verdicts), f'{failed} certificates fail{none}')
     return 2 if failed else 0
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The exact checker believes each certificate up to where it holds and none beyond."""
+import contextlib
+import io
 import sys
 import unittest
 
@@ -141,6 +143,16 @@ class Exact(unittest.TestCase):
             self.assertIsNotNone(exact.fault(asked, answer), (asked, answer))
             counts[answer['verdict']] = counts.get(answer['verdict'], 0) + 1
         self.assertTrue(all(counts[v] >= 30 for v in ('disjoint', 'intersecting', 'touching', 'invalid')), counts)
+
+    def test_what_is_malformed_fails_and_ends(self):
+        apart = pair(UP, (4, 0, 0))
+        for answer in (None, [1, 2], {'verdict': ['disjoint']}, {'verdict': 'disjoint', 'direction': ['1e99999999', 0, 0]}):
+            with contextlib.redirect_stdout(io.StringIO()) as printed:
+                self.assertEqual(exact.check([apart], [answer]), 2)
+            self.assertIn('1 certificates fail', printed.getvalue())
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exact.check([apart], [{'verdict': 'disjoint', 'distance': [7, 8], 'clearance': -0.1}])
+        self.assertIn('1 answers to a negative clearance have none', printed.getvalue())
 
     def test_what_was_said(self):
         apart = pair(UP, (4, 0, 0))

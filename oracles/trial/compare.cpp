@@ -146,7 +146,8 @@ bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
 /// Returns whether the witness, if any, proves the verdict. A direction proves nothing about touching.
 bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& answer) {
   if (answer.witness == CertificateKind::none || answer.verdict == Verdict::undecided) return true;
-  if (answer.verdict == Verdict::touching && answer.witness == CertificateKind::direction) return true;
+  if (answer.verdict == Verdict::touching && answer.witness == CertificateKind::direction)
+    return std::any_of(std::begin(answer.head), std::end(answer.head), [](double x) { return x != 0; });
   const Verdict said = answer.verdict == Verdict::touching ? Verdict::intersecting : answer.verdict;
   return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
 }

@@ -200,8 +200,8 @@ std::string strata_in_words(const GateMethod& method) {
   const std::string name = one_line(method.name);
   const std::string first =
       sample.pairs > 0
-          ? fmt::format("{} is {} independent random pairs whose margin exceeds its claim.", name,
-                        success(sample.pairs, sample.wrong, "right on all"))
+          ? fmt::format("The verdict of {} is {} independent random pairs whose margin exceeds its claim.",
+                        name, success(sample.pairs, sample.wrong, "right on all"))
           : fmt::format("Nothing is proved of {}: it decided no random pair whose margin exceeds its claim.",
                         name);
   return wrapped("", first) +

@@ -97,7 +97,8 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
   const JudgedGate gate = example_gate();
   EXPECT_EQ(
       proved_in_words(gate.report.methods[0]),
-      "intersect is right on all 57,732 independent random pairs whose margin exceeds its claim.\n"
+      "The verdict of intersect is right on all 57,732 independent random pairs whose margin exceeds its\n"
+      "  claim.\n"
       "  The error rate is <= 5.2e-05 overall and <= 1.3e-03 in each of 24 combinations of contact feature\n"
       "  and decade of margin, at 95 % confidence.\n"
       "intersect is never wrong beyond its claim on 117,251 close contacts.\n"
@@ -107,8 +108,8 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
   other.name = "fake";
   const std::string fake = proved_in_words(other);
   EXPECT_TRUE(has(fake,
-                  "fake is wrong beyond its claim on 7 of 250 independent random pairs whose margin exceeds "
-                  "its claim.\n"))
+                  "The verdict of fake is wrong beyond its claim on 7 of 250 independent random pairs whose "
+                  "margin\n  exceeds its claim.\n"))
       << fake;
   EXPECT_EQ(occurrences(fake, "  No pair was decided in 1 combination.\n"), 2u) << fake;
   EXPECT_TRUE(has(fake, "fake is wrong beyond its claim on 3 of 4,370 close contacts.\n")) << fake;
@@ -137,7 +138,8 @@ TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
   m.close_cells.clear();
   EXPECT_EQ(
       proved_in_words(m),
-      "intersect is right on all 300 independent random pairs whose margin exceeds its claim.\n"
+      "The verdict of intersect is right on all 300 independent random pairs whose margin exceeds its\n"
+      "  claim.\n"
       "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each of 1 combination of contact feature\n"
       "  and decade of margin, at 95 % confidence.\n"
       "  It is undecided on 100 more.\n");

@@ -115,7 +115,7 @@ std::string format_cause(const Cause& b) {
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);
-  if (b.share && b.share->asked > 0)
+  if (b.share && b.share->asked > 0 && b.count > 0)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
                         b.share->asked);
   return text + fmt::format("\n    {}: {}\n", some_of(b.methods), pair_to_json(b.simplest.pair).dump());
