@@ -33,8 +33,8 @@ SPACE = ('space', 'space')
 def exact(value):
     if isinstance(value, list):
         return sum(map(exact, value), Fraction(0))
-    if isinstance(value, str) and not re.fullmatch(r'-?[0-9]{1,4000}(/[0-9]{1,4000})?', value):
-        raise ValueError(f'not a fraction: {value[:40]!r}')
+    if isinstance(value, str) and not re.fullmatch(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,4000})?', value):
+        raise ValueError(f'not a number: {value[:40]!r}')
     return Fraction(float(value) if isinstance(value, int) else value)
 
 
