@@ -28,12 +28,14 @@ CLAIMS = []
 
 DIGITS = (400, 2000, 9000)  # bits of a square root; more are tried only where fewer show nothing
 SPACE = ('space', 'space')
+# A decimal or a fraction. An exponent of more digits would take all memory.
+NUMBER = re.compile(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,4000})?')
 
 
 def exact(value):
     if isinstance(value, list):
         return sum(map(exact, value), Fraction(0))
-    if isinstance(value, str) and not re.fullmatch(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,4000})?', value):
+    if isinstance(value, str) and not NUMBER.fullmatch(value):
         raise ValueError(f'not a number: {value[:40]!r}')
     return Fraction(float(value) if isinstance(value, int) else value)
 
