@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/campaign/campaign.hpp"
+#include "cli/campaign.hpp"
 
 #include <fcntl.h>
 #include <fmt/chrono.h>
@@ -18,9 +18,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
+#include "base/exit_code.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
@@ -29,12 +31,14 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/families.hpp"
+#include "cli/fuzz.hpp"
 #include "cli/guests.hpp"
 #include "cli/known_guests.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "cli/targets.hpp"
+#include "fuzz/guided/mutator.hpp"
 #include "fuzz/guided/record.hpp"
 
 namespace cyl {
@@ -45,24 +49,14 @@ namespace fs = std::filesystem;
 /// The wall time of a run without a limit of its own.
 constexpr std::chrono::minutes default_budget{1};
 
-struct CampaignArguments {
-  std::string budget, stop_at, out, methods, families, weights_from, shard, resume;
-  std::optional<std::string> cases;
-  std::string corpus;
-  std::optional<std::uint64_t> pairs;
-  std::optional<std::uint64_t> seed;
-  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool list = false, create_only = false, table = false;
-  GuestOptions guests;
-};
-
 /// Holds the data that Workload refers to.
 struct Selection {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
   std::vector<Case> cases;
   std::vector<unsigned> weights;
-  Workload workload() const { return {methods, families, cases, weights}; }
+  std::vector<Pair> corpus;
+  Workload workload() const { return {methods, families, cases, weights, corpus, mutate}; }
 };
 
 void print_list(const GuestOptions& guests) {
@@ -85,6 +79,16 @@ void set_shard(const std::string& text, CampaignOptions& options) {
                                      : std::from_chars_result{end, std::errc::invalid_argument};
   if (bad_count != std::errc() || rest != end || options.shard >= options.shards)
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
+}
+
+/// Reads "25%". Throws UsageError if the text has another form.
+unsigned parse_share(const std::string& text) {
+  unsigned percent = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, bad] = std::from_chars(text.data(), end, percent);
+  if (bad != std::errc() || std::string_view(rest, end) != "%" || percent == 0 || percent >= 100)
+    throw UsageError("--fuzz: '" + text + "' is not a share from 1% to 99%");
+  return percent;
 }
 
 /// Returns whether a campaign draws such solids. Without guests it draws all. With guests it draws those
@@ -119,16 +123,15 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   }
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // The path is absolute, because the run may be resumed from another folder.
-  options.corpus = arguments.corpus;
-  for (std::string* folder : {&options.cases, &options.corpus})
-    if (!folder->empty()) *folder = fs::absolute(*folder).lexically_normal().string();
+  if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
   MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   options.guests = format_guests(set.guests);
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  selection.families =
-      families_named(arguments.families, [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
+  if (!arguments.corpus_only)
+    selection.families = families_named(arguments.families,
+                                        [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);
@@ -177,7 +180,6 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   options.out = lasting_name(arguments.resume);
   options.seed = number_of(config, "seed");
   options.cases = text_of(config, "cases");
-  options.corpus = value_of(config, "corpus");
   std::vector<std::string> method_names, family_names;
   for (const MethodRecord& method : store.methods()) method_names.push_back(method.name);
   std::istringstream lines(text_of(config, "families"));
@@ -228,6 +230,13 @@ std::string cost_in_words(const CampaignCost& cost) {
   return text + fmt::format(", referee {:.1f} s", seconds(cost.judging));
 }
 
+/// A time at which a run stops limits its budget.
+void set_time_left(CampaignOptions& options) {
+  if (options.stop_at.empty()) return;
+  options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
+      parse_time_point(options.stop_at) - std::chrono::system_clock::now()));
+}
+
 /// Each limit on the command line replaces that limit of the run. A limit of time also ends the other limit
 /// of time.
 void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
@@ -237,10 +246,7 @@ void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
     options.stop_at.clear();
   }
   if (!arguments.stop_at.empty()) options.stop_at = format_time_point(parse_time_point(arguments.stop_at));
-  if (!options.stop_at.empty()) {
-    options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
-        parse_time_point(options.stop_at) - std::chrono::system_clock::now()));
-  }
+  set_time_left(options);
   if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
   if (options.budget == spent_budget)
     fmt::print(stderr, "no time is left: extend it with --for or --stop-at\n");
@@ -255,6 +261,63 @@ void hold(const std::string& run) {
   }
 }
 
+/// Gives a fuzzer its share of the time of a new run, if it can be had.
+void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) {
+  if (arguments.fuzz == 0) return;
+  if (options.budget.count() <= 0)
+    throw UsageError("--fuzz is a share of the time: give --for or --stop-at, and not --pairs alone");
+  try {
+    for (const std::string& target : arguments.fuzz_targets) fuzz_program(target);
+  } catch (const std::runtime_error& error) {
+    if (arguments.corpus_only) throw;
+    options.fuzzing = "not fuzzed: no fuzzer is built here, which needs clang\n";
+    fmt::print(stderr, "daylight: not fuzzed: {}\n", error.what());
+    return;
+  }
+  options.fuzz_targets = fmt::format("{}", fmt::join(arguments.fuzz_targets, " "));
+  options.fuzz = options.budget * arguments.fuzz / 100;
+  options.budget -= options.fuzz;
+}
+
+/// Makes a new run whose pairs come from a corpus, which a fuzzer may still have to find, and plans to resume
+/// it.
+void begin_with_corpus(const CampaignArguments& arguments, CampaignOptions& options,
+                       const Selection& selection) {
+  std::string from = arguments.corpus;
+  const fs::path latest = fs::absolute(options.out).parent_path() / "latest" / "corpus";
+  if (from.empty() && fs::is_directory(latest)) from = latest;
+  if (holds_run(options.out)) throw UsageError(options.out + " already holds a run");
+  if (!from.empty() && (options.fuzz.count() == 0 || fs::is_directory(from))) begin_corpus(options.out, from);
+  options.create_only = true;
+  run_campaign(options, selection.workload());
+  options.resume = true;
+  options.create_only = arguments.create_only;
+  point_latest_at(options.out);
+  hold(options.out);
+}
+
+/// Returns false if a signal stopped the fuzzer.
+bool take_corpus(CampaignOptions& options, Selection& selection) {
+  if (!options.resume) return true;
+  if (!fuzz_before_campaign(options)) return false;
+  set_time_left(options);
+  if (fs::is_directory(options.out + "/corpus"))
+    for (const Pair& pair : read_corpus(options.out + "/corpus"))
+      if (is_drawn(pair, selection.methods)) selection.corpus.push_back(pair);
+  if (!selection.families.empty()) return true;
+  if (selection.corpus.empty()) throw std::runtime_error("the corpus has no pair that a guest supports");
+  options.pairs = selection.corpus.size();
+  return true;
+}
+
+int stopped(const CampaignOptions& options) {
+  fmt::print(stderr, "stopped, resume with: {} campaign --resume {}\n", own_command(),
+             shell_quoted(options.out));
+  return exit_undecided;
+}
+
+}  // namespace
+
 int campaign(const CampaignArguments& arguments) {
   if (arguments.list) {
     print_list(arguments.guests);
@@ -267,9 +330,7 @@ int campaign(const CampaignArguments& arguments) {
   set_limits(arguments, options);
   selection.cases =
       cases_in(options.cases, [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
-  if (!options.corpus.empty())
-    for (Case& c : read_corpus(options.corpus))
-      if (is_drawn(c.pair, selection.methods)) selection.cases.push_back(std::move(c));
+  if (!options.resume) plan_fuzzing(arguments, options);
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
   if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())
@@ -281,6 +342,11 @@ int campaign(const CampaignArguments& arguments) {
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
+  if (!options.resume && (!arguments.corpus.empty() || options.fuzz.count() > 0)) {
+    begin_with_corpus(arguments, options, selection);
+    if (options.create_only) return exit_pass;
+  }
+  if (!take_corpus(options, selection)) return stopped(options);
 
   CampaignSummary summary;
   {
@@ -303,18 +369,15 @@ int campaign(const CampaignArguments& arguments) {
   print_not_asked(selection.methods);
   fmt::print("{}\n", cost_in_words(summary.cost));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
-  if (summary.interrupted)
-    fmt::print(stderr, "stopped, resume with: {} campaign --resume {}\n", own_command(),
-               shell_quoted(options.out));
+  if (summary.interrupted) stopped(options);
   return exit_code(summary);
 }
-
-}  // namespace
 
 void add_campaign(Program& program) {
   Command command = program.command("Find", "campaign",
                                     "Draws pairs, asks every method, and proves which methods are wrong");
   auto arguments = std::make_shared<CampaignArguments>();
+  auto share = std::make_shared<std::string>();
   command.section("Limits");
   command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 1m or 8h")
       .default_text("1m if there is no other limit");
@@ -323,6 +386,10 @@ void add_campaign(Program& program) {
       .option("--stop-at TIME", arguments->stop_at,
               "local time, such as 06:30 or 2026-11-22T06:00; append Z for UTC")
       .excludes("--for");
+  command.option(
+      "--fuzz SHARE", *share,
+      "share of the time, such as 25%, in which libFuzzer searches first; its corpus comes after the "
+      "cases");
   command.section("Pairs");
   command.number("--seed N", arguments->seed, "seed; the same seed gives the same findings")
       .default_text("random");
@@ -350,7 +417,8 @@ void add_campaign(Program& program) {
       .needs("--out");
   command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");
-  command.option("--corpus DIR", arguments->corpus, "corpus of a fuzz run, whose pairs come after the cases");
+  command.option("--corpus DIR", arguments->corpus,
+                 "corpus of an earlier run, whose pairs take turns with the families; --fuzz begins with it");
   command.section("Limits");
   command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
   command.section("Output");
@@ -365,15 +433,16 @@ void add_campaign(Program& program) {
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
       "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
       "the run stopped before its limit.");
-  command.run([arguments, command] {
+  command.run([arguments, share, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
-                              "--cases", "--corpus", "--create-only"}) {
+                              "--cases", "--corpus", "--create-only", "--fuzz"}) {
       if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
           std::string(fixed) +
           " cannot be given with --resume, because a resumed run keeps its settings. Only limits and --jobs "
           "may change");
     }
+    if (!share->empty()) arguments->fuzz = parse_share(*share);
     return campaign(*arguments);
   });
 }

@@ -1,41 +1,52 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/chrono.h>
+#include "cli/fuzz.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
+#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <thread>
+#include <vector>
 
-#include "base/own_command.hpp"
 #include "base/safe_text.hpp"
-#include "base/times.hpp"
+#include "cli/campaign.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "corpus/store/run_facts.hpp"
 #include "fuzz/guided/fuzzing.hpp"
+#include "fuzz/guided/record.hpp"
+#include "oracles/methods/guest.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
+using std::chrono::milliseconds;
 
-struct FuzzArguments {
-  std::string budget = "10m", target = "core", out, program;
-  std::optional<std::uint64_t> seed;
-  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+/// A program that fuzzes, and its part of the corpus.
+struct FuzzTarget {
+  std::string name, program, plugin;
 };
 
-/// Returns the path of a target: beside this executable if clang built that, else in the folder of the clang
-/// build.
-std::string program_of(const std::string& target) {
+/// Returns the plug-ins of a run, each in a process of its own, or else the targets that the run names.
+std::vector<FuzzTarget> targets_of_run(const Config& config) {
+  std::vector<FuzzTarget> targets;
+  for (const Guest& guest : parse_guests(value_of(config, "guests")))
+    if (guest.kind == GuestKind::plugin)
+      targets.push_back({"plugin-" + guest.name, fuzz_program("xcheck"), guest.what});
+  if (!targets.empty()) return targets;
+  const std::string names = value_of(config, "fuzz_targets");
+  for (const char* name : {"core", "xcheck"})
+    if (names.find(name) != names.npos) targets.push_back({name, fuzz_program(name), ""});
+  return targets;
+}
+
+}  // namespace
+
+std::string fuzz_program(const std::string& target) {
   const std::string name = "fuzz_" + target + "_libfuzzer";
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& folder : {here, here.parent_path() / "clang"})
@@ -46,78 +57,91 @@ std::string program_of(const std::string& target) {
       "    cmake --preset clang && ninja -C build/clang " + name);
 }
 
-std::string fuzz_numbers(const FuzzProgress& p) {
-  const double seconds = std::max(1e-3, static_cast<double>(p.elapsed.count()) / 1000);
-  return fmt::format("{} executions, {:.0f} a second; {} features; {} strata; findings {}, deaths {}",
-                     p.executions, static_cast<double>(p.executions) / seconds, p.features, p.strata,
-                     p.findings, p.deaths);
+void begin_corpus(const std::string& run, const std::string& from) {
+  read_corpus(from);
+  fs::create_directories(run);
+  fs::copy(from, fs::path(run) / "corpus",
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
 }
 
-int fuzz(const FuzzArguments& arguments) {
-  FuzzOptions options;
-  options.budget = parse_duration(arguments.budget);
-  options.program = arguments.program.empty() ? program_of(arguments.target) : arguments.program;
-  options.target = "fuzz_" + arguments.target;
-  options.seed = arguments.seed ? *arguments.seed : std::random_device()();
-  options.jobs = arguments.jobs;
-  options.out = arguments.out;
-  if (options.out.empty())
-    options.out = fmt::format("runs/fuzz-{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
-  fmt::print("{}, seed {}, run {}\n", options.target, options.seed, options.out);
-  std::fflush(stdout);
-
-  FuzzSummary summary;
-  {
-    ProgressLine line;
-    summary = run_fuzzing(options, [&](const FuzzProgress& progress) {
-      if (line.due(progress.elapsed))
-        line.show(progress.elapsed,
-                  static_cast<double>(progress.elapsed.count()) / static_cast<double>(options.budget.count()),
-                  fuzz_numbers(progress));
-    });
+bool fuzz_before_campaign(const CampaignOptions& options) {
+  RunStore store = RunStore::open(options.out);
+  const Config config = store.config();
+  const std::string given = value_of(config, "fuzz_milliseconds");
+  if (given.empty() || given == "0") return true;
+  milliseconds left(number_of(config, "fuzz_milliseconds"));
+  std::string told = value_of(config, "fuzzing");
+  bool failed = false;
+  const std::vector<FuzzTarget> targets = targets_of_run(config);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const milliseconds budget = left / static_cast<int>(targets.size() - i);
+    FuzzSummary summary;
+    {
+      ProgressLine line;
+      summary = run_fuzzing(
+          {.program = targets[i].program,
+           .target = targets[i].name,
+           .plugin = targets[i].plugin,
+           .out = options.out,
+           .budget = budget,
+           .jobs = options.jobs,
+           .seed = options.seed + options.shard},
+          [&](const FuzzProgress& progress) {
+            store.set("fuzz_milliseconds", std::to_string((left - progress.elapsed).count()));
+            if (line.due(progress.elapsed))
+              line.show(progress.elapsed,
+                        static_cast<double>(progress.elapsed.count()) / static_cast<double>(budget.count()),
+                        "fuzzing " + targets[i].name + ": " + format_progress(progress));
+          });
+    }
+    if (!summary.harness_failure.empty())
+      throw std::runtime_error("fuzzing " + targets[i].name + ": " + summary.harness_failure);
+    left -= std::min(left, summary.progress.elapsed);
+    told += format_fuzzing(summary);
+    failed = failed || !summary.failures.empty();
+    store.set("fuzzing", told);
+    if (failed) store.set(fuzz_failed_key, "1");
+    store.set("fuzz_milliseconds", std::to_string(left.count()));
+    if (summary.interrupted) return false;
   }
-  fmt::print("{}", format_fuzzing(summary));
-  if (!summary.findings.empty())
-    fmt::print("the findings: {} replay {}\n", own_command(), shell_quoted(options.out + "/findings.jsonl"));
-  if (summary.kept_inputs > 0)
-    fmt::print("every method on its corpus: {} campaign --corpus {}\n", own_command(),
-               shell_quoted(options.out + "/corpus"));
-  if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
-  if (summary.interrupted)
-    fmt::print(stderr, "stopped, resume with: {} fuzz --target {} --out {}\n", own_command(),
-               arguments.target, shell_quoted(options.out));
-  return exit_code(summary);
+  store.set("fuzz_milliseconds", "0");
+  return true;
 }
-
-}  // namespace
 
 void add_fuzz(Program& program) {
-  Command command =
-      program.command("Find", "fuzz", "Lets libFuzzer search for pairs, and proves which method is wrong");
-  auto arguments = std::make_shared<FuzzArguments>();
+  Command command = program.command(
+      "Find", "fuzz", "Lets libFuzzer search for pairs, then asks every method, and proves which are wrong");
+  auto arguments = std::make_shared<CampaignArguments>();
+  arguments->budget = "10m";
+  arguments->fuzz = 100;
+  arguments->corpus_only = true;
+  arguments->cases = "";
+  auto target = std::make_shared<std::string>();
   command.section("Limits");
-  command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 10m or 8h");
-  command.section("Input");
-  command
-      .option("--target NAME", arguments->target,
-              "core (solver, laws, referee), seed_methods (documents), xcheck (libraries)")
-      .one_of({"core", "seed_methods", "xcheck"});
-  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time of the search, such as 90s, 10m or 8h");
   command.number("--jobs N", arguments->jobs, "processes side by side", 1, 1024);
-  command.section("Output");
-  command.option("--out DIR", arguments->out, "run folder; an existing one continues with its corpus")
-      .default_text("runs/fuzz-<date-time>");
   command.section("Input");
+  command.option("--target NAME", *target, "core (solver, laws, referee) or xcheck (libraries, literature)")
+      .one_of({"core", "xcheck"})
+      .default_text("both in turn; with --plugin, the plug-in");
   command.number("--seed N", arguments->seed, "seed from which the seeds of the jobs are drawn")
       .default_text("random");
-  command.option("--program FILE", arguments->program,
-                 "another executable of the target, built with libFuzzer");
+  command.option("--corpus DIR", arguments->corpus, "corpus of an earlier run to begin with")
+      .default_text("runs/latest/corpus, if there is one");
+  command.section("Methods");
+  add_guest_options(command, arguments->guests);
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
+  command.flag("--table", arguments->table, "also print the counts of each method");
   command.examples(
-      "  daylight fuzz --for 10m --target core --out runs/fuzz-core\n"
-      "  daylight fuzz --for 8h --target xcheck --jobs 4",
-      "The run folder has the findings in findings.jsonl, which daylight replay reads. Ctrl-C ends\n"
-      "the run, and its inputs still come into the corpus.");
-  command.run([arguments] { return fuzz(*arguments); });
+      "  daylight fuzz --for 10m\n"
+      "  daylight fuzz --for 1h --plugin ./libmine.so --out runs/mine",
+      "The run is one of a campaign: triage, replay, export and `campaign --resume` work on it. Ctrl-C ends\n"
+      "the search, and its inputs still come into the corpus.");
+  command.run([arguments, target] {
+    if (!target->empty()) arguments->fuzz_targets = {*target};
+    return campaign(*arguments);
+  });
 }
 
 }  // namespace cyl

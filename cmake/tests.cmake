@@ -108,8 +108,6 @@ foreach(target ${fuzz_targets})
   daylight_script(fuzz_${target}_seeds fuzz 2400 fuzz_${target} ${records})
   set_tests_properties(fuzz_${target}_seeds PROPERTIES FIXTURES_REQUIRED fuzz_seeds)
 endforeach()
-set_tests_properties(fuzz_seed_methods_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
-                     PASS_REGULAR_EXPRESSION "seedbook-printed/wrong_intersecting.*[0-9]+ inputs")
 set_tests_properties(fuzz_xcheck_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
                      PASS_REGULAR_EXPRESSION "fcl-distance-libccd/crash/.*[0-9]+ inputs")
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)

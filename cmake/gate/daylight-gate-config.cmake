@@ -4,6 +4,8 @@
 #   daylight_add_gate(NAME name PLUGIN target | COMMAND "python3 mine.py" [CLAIM 1e-6] [PAIRS 20000, default 500000] [FOR 5m]
 #                     [SEED 1] [SUPPRESSIONS known.jsonl] [ANNOTATE src/gjk.cpp:10] [AGAINST base.json])
 # adds a test that runs the gate once, name.gate, and one that reads the result for each contact feature: name.side-rim ..
+#   daylight_add_fuzz(NAME name PLUGIN target [FOR 1m])
+# adds the test name.fuzz, which fuzzes the library. clang counts its branches, which guide the search.
 # Skipped is a feature on which the gate decided nothing. DAYLIGHT_PROGRAM is the program: of this installation, of PATH, or
 # the launcher of the source tree, which builds the program at the first test.
 get_filename_component(daylight_gate_folder ${CMAKE_CURRENT_LIST_DIR} ABSOLUTE)
@@ -49,4 +51,20 @@ function(daylight_add_gate)
     set_tests_properties(${it_NAME}.${feature} PROPERTIES FIXTURES_REQUIRED ${it_NAME}.gate
                          SKIP_REGULAR_EXPRESSION "not decided")
   endforeach()
+endfunction()
+
+function(daylight_add_fuzz)
+  cmake_parse_arguments(it "" "NAME;PLUGIN;FOR" "" ${ARGN})
+  if(it_UNPARSED_ARGUMENTS OR NOT it_NAME OR NOT TARGET "${it_PLUGIN}")
+    message(FATAL_ERROR "daylight_add_fuzz: give NAME and PLUGIN, which is a target; unknown: ${it_UNPARSED_ARGUMENTS}")
+  elseif(NOT it_FOR)
+    set(it_FOR 1m)
+  endif()
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    target_compile_options(${it_PLUGIN} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+  # The next run in the same folder begins with the corpus of this one.
+  add_test(NAME ${it_NAME}.fuzz WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+           COMMAND ${DAYLIGHT_PROGRAM} fuzz --plugin $<TARGET_FILE:${it_PLUGIN}> --for ${it_FOR})
+  set_tests_properties(${it_NAME}.fuzz PROPERTIES TIMEOUT 86400)
 endfunction()

@@ -32,6 +32,9 @@ inline constexpr const char *status_planned = "planned", *status_running = "runn
                             *status_stopped = "stopped", *status_complete = "complete",
                             *status_failed = "failed: ";
 
+/// The entry of a run whose fuzzer found a failure that a campaign does not see: a broken law, a dead process.
+inline constexpr const char* fuzz_failed_key = "fuzz_failed";
+
 /// A value of a configuration, or an empty text.
 std::string value_of(const Config& config, const std::string& key);
 /// A value that every run has, and one that is a whole number. Throws InputError that names the key if it is
@@ -44,7 +47,7 @@ Shard shard_of(const Config& config);
 /// Returns the entry that shard_of() reads.
 std::string format_shard(const Shard& shard);
 
-/// The family name of the cases.
-inline constexpr const char* cases_family = "cases";
+/// The family names of the cases, and of the pairs from the corpus of a fuzzer.
+inline constexpr const char *cases_family = "cases", *fuzzed_family = "fuzzed";
 
 }  // namespace cyl

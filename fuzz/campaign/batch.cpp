@@ -75,7 +75,7 @@ class Batch {
         offers_(workload.methods),
         schedule_(schedule_of(workload)),
         foreign_(any_foreign(workload)),
-        by_family_(workload.families.size() + 1) {
+        by_family_(family_count(workload)) {
     counts_.resize(rows() * by_family_.size());
   }
 
@@ -131,10 +131,6 @@ class Batch {
   FamilyIndex family_index_of(std::uint64_t index) const {
     return cyl::family_index_of(workload_, schedule_, index);
   }
-  Pair pair_at(const FamilyIndex& drawn) const {
-    if (drawn.family == 0) return workload_.cases[drawn.index].pair;
-    return workload_.families[drawn.family - 1].generate(seed_, drawn.index);
-  }
   std::string family_name(std::size_t family) const { return cyl::family_name(workload_, family); }
   std::string row_name(std::size_t row) const {
     if (row < methods()) return std::string(workload_.methods[row]->name());
@@ -155,7 +151,7 @@ class Batch {
     for (auto& family : by_family_) family.clear();
     for (std::uint64_t i = first; i < next; ++i) {
       by_family_[family_index_of(i).family].push_back(pairs_.size());
-      pairs_.push_back(pair_at(family_index_of(i)));
+      pairs_.push_back(pair_at(workload_, seed_, family_index_of(i)));
     }
     answers_.assign(pairs_.size() * methods(), {});
     asked_.assign(pairs_.size() * methods(), false);

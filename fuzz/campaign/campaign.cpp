@@ -20,6 +20,7 @@
 #include "base/fnv.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
+#include "corpus/pairs/pair_digest.hpp"
 #include "fuzz/campaign/job_process.hpp"
 
 namespace cyl {
@@ -42,6 +43,15 @@ std::string fingerprint(std::span<const Case> cases) {
   return fmt::format("{:016x}", hash);
 }
 
+std::string fingerprint(std::span<const Pair> corpus) {
+  std::uint64_t hash = fnv1a({});
+  for (const Pair& pair : corpus) hash = digest_of(pair, hash);
+  return fmt::format("{} {:016x}", corpus.size(), hash);
+}
+
+/// A fuzzer may still change the corpus of a run that has not asked anything. Each shard has its own.
+constexpr const char* corpus_key = "corpus_fingerprint";
+
 std::vector<MethodRecord> record_methods(const Workload& workload) {
   std::vector<MethodRecord> all;
   for (const auto& method : workload.methods) {
@@ -60,6 +70,7 @@ Config identity(const CampaignOptions& options, const Workload& workload) {
           {"families", families},
           {"case_count", std::to_string(workload.cases.size())},
           {"case_fingerprint", fingerprint(workload.cases)},
+          {corpus_key, fingerprint(workload.corpus)},
           {"weights", format_weights(workload.weights)},
           {"shard", format_shard({options.shard, options.shards, batch_size_for(workload)})}};
 }
@@ -91,7 +102,9 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   const std::vector<MethodRecord> methods = record_methods(workload);
   if (!options.resume) {
     config["cases"] = options.cases;
-    config["corpus"] = options.corpus;
+    config["fuzz_milliseconds"] = std::to_string(options.fuzz.count());
+    config["fuzz_targets"] = options.fuzz_targets;
+    config["fuzzing"] = options.fuzzing;
     config["build"] = options.build;
     config["guests"] = options.guests;
     config["assumed_claims"] = assumed_claims(workload);
@@ -101,6 +114,7 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
     return RunStore::create(options.out, config, methods);
   }
   RunStore store = RunStore::open(options.out);
+  if (store.progress().next == 0) store.set(corpus_key, config[corpus_key]);
   const Config stored = store.config();
   if (stored.contains("shards"))
     refuse(options, "it was merged from shards: resume the shards and merge them again");
@@ -364,8 +378,11 @@ void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) 
 
 CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress) {
-  if (options.pairs == 0 && options.budget.count() == 0) throw std::runtime_error("a campaign needs a limit");
-  if (workload.families.empty()) throw std::runtime_error("a campaign needs a family");
+  const bool idle = options.create_only;  // what it lacks may come before it asks anything
+  if (!idle && options.pairs == 0 && options.budget.count() == 0)
+    throw std::runtime_error("a campaign needs a limit");
+  if (!idle && workload.families.empty() && workload.corpus.empty())
+    throw std::runtime_error("a campaign needs a family");
   if (options.shard >= options.shards) throw std::runtime_error("a campaign has no such shard");
   if (!workload.weights.empty() && workload.weights.size() != workload.families.size())
     throw std::runtime_error("a campaign needs a weight for each family");
@@ -374,6 +391,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
   const nanoseconds start = cpu_time_so_far();
   const CampaignCost before = cost_of_calls(store.tallies());
   CampaignSummary summary = Session(options, workload, store, on_progress).run();
+  summary.fuzz_failed = store.config().contains(fuzz_failed_key);
   const CampaignCost after = cost_of_calls(store.tallies());
   summary.cost = {cpu_time_so_far() - start, after.asking - before.asking, after.judging - before.judging,
                   after.hung - before.hung};
@@ -382,7 +400,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
 
 int exit_code(const CampaignSummary& summary) {
   if (!summary.harness_failure.empty()) return exit_harness_failed;
-  if (summary.progress.contract + summary.progress.failed > 0) return exit_findings;
+  if (summary.progress.contract + summary.progress.failed > 0 || summary.fuzz_failed) return exit_findings;
   return summary.progress.unresolved > 0 || summary.interrupted ? exit_undecided : exit_pass;
 }
 

@@ -24,7 +24,9 @@ struct CampaignOptions {
   std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards. 0 is unlimited.
   std::chrono::milliseconds budget{0};  ///< wall time of this session. 0 is unlimited. At least one limit is
                                         ///< set.
-  std::string cases, corpus;            ///< folders of workload.cases, for --resume
+  std::string cases;                    ///< folder of workload.cases, for --resume
+  std::chrono::milliseconds fuzz{0};    ///< wall time of a fuzzer before the first pair, for --resume
+  std::string fuzz_targets, fuzzing;    ///< what it fuzzes; what came of it, for the summary
   std::string stop_at;                  ///< time at which the budget ends, for --resume; may be empty
   std::string guests;                   ///< the guests, for commands that ask them again
   std::string build;                    ///< what was built from what, for the record only
@@ -53,6 +55,7 @@ struct CampaignSummary {
   CampaignProgress progress;
   CampaignCost cost;
   bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
+  bool fuzz_failed = false;     ///< its fuzzer found what a campaign cannot see
   std::string harness_failure;  ///< empty, or which pair broke the harness and how
 };
 
@@ -69,7 +72,7 @@ inline constexpr std::chrono::seconds search_cpu_cap{60};
 CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 
-/// 1 the harness failed, 2 contract findings or failures, 3 none, but undecided truth
+/// 1 the harness failed, 2 contract findings or failures, of the fuzzer too, 3 none, but undecided truth
 /// or interrupted, else 0.
 int exit_code(const CampaignSummary& summary);
 

@@ -69,6 +69,7 @@ std::vector<TallyRecord> in_order(std::map<std::pair<std::string, std::string>, 
   rows.insert(rows.end(), stage_rows.begin(), stage_rows.end());
   std::istringstream lines(value_of(like.config, "families"));
   for (std::string name; std::getline(lines, name);) columns.push_back(name);
+  columns.emplace_back(fuzzed_family);
   std::vector<TallyRecord> all;
   for (const auto& [key, c] : counts) all.push_back({key.first, key.second, c});
   std::stable_sort(all.begin(), all.end(), [&](const TallyRecord& x, const TallyRecord& y) {
@@ -152,12 +153,15 @@ MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string&
     // A limit of pairs may have cut its last batch: then the next index is not above that of the others.
     summary.whole_below = std::min(summary.whole_below, shard.first_from(part->progress.next));
     milliseconds += part->progress.milliseconds;
+    if (part != parts.begin()) config["fuzzing"] += value_of(part->config, "fuzzing");
+    summary.fuzz_failed |= !value_of(part->config, fuzz_failed_key).empty();
     config["started"] = std::min(config["started"], value_of(part->config, "started"));
     ++part;
   }
   if (const std::uint64_t pairs = number_of(config, "pairs"); pairs != 0)
     summary.whole_below = std::min(summary.whole_below, pairs);
-  config.erase("shard");
+  for (const char* of_one : {"shard", "corpus_fingerprint", "fuzz_milliseconds"}) config.erase(of_one);
+  if (summary.fuzz_failed) config[fuzz_failed_key] = "1";
   config["shards"] = fmt::format("{} of {}", parts.size(), shard.count);
   config["status"] = summary.incomplete.empty()
                          ? status_complete
@@ -173,6 +177,11 @@ MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string&
   fs::create_directories(out);
   for (const char* old : {"/run.sqlite-wal", "/run.sqlite-shm"})
     fs::remove(out + old);  // of a reader that died
+  fs::remove_all(out + "/corpus");
+  for (const Part& each : parts)  // equal inputs have equal names
+    if (fs::is_directory(each.folder + "/corpus"))
+      fs::copy(each.folder + "/corpus", out + "/corpus",
+               fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   fs::rename(unfinished + "/run.sqlite", out + "/run.sqlite");
   fs::remove_all(unfinished);
   summary.progress.done = all.next;
@@ -185,6 +194,7 @@ int exit_code(const MergeSummary& summary) {
   as_one.progress = summary.progress;
   as_one.interrupted = !summary.incomplete.empty();
   if (summary.harness_failed) as_one.harness_failure = "in a shard";
+  as_one.fuzz_failed = summary.fuzz_failed;
   return exit_code(as_one);
 }
 

@@ -16,6 +16,7 @@ struct MergeSummary {
   CampaignProgress progress;            ///< of all shards together
   std::uint64_t whole_below = 0;        ///< every index below it was done
   std::vector<std::string> incomplete;  ///< shards that are missing or did not reach their limit, a line each
+  bool fuzz_failed = false;             ///< a shard found what its campaign cannot see
   bool harness_failed = false;          ///< in one of them
 };
 

@@ -66,8 +66,7 @@ Case question_at(const Workload& workload, const Schedule& schedule, std::uint64
   question.id = std::to_string(index + 1);
   question.source =
       fmt::format("{}{}: {}/{}", asked_by, seed, family_name(workload, drawn.family), drawn.index);
-  question.pair = drawn.family == 0 ? workload.cases[drawn.index].pair
-                                    : workload.families[drawn.family - 1].generate(seed, drawn.index);
+  question.pair = pair_at(workload, seed, drawn);
   return question;
 }
 

@@ -9,10 +9,17 @@
 #include "corpus/store/run_facts.hpp"
 
 namespace cyl {
+namespace {
+
+/// Turns of the corpus in a round. A night then asks all of it: it is as fruitful as the best families.
+constexpr unsigned corpus_weight = weight_cap;
+
+}  // namespace
 
 Schedule schedule_of(const Workload& workload) {
   std::vector<unsigned> weights(workload.weights.begin(), workload.weights.end());
   if (weights.empty()) weights.assign(workload.families.size(), 1);
+  if (!workload.corpus.empty()) weights.push_back(corpus_weight);
   return Schedule(std::move(weights));
 }
 
@@ -23,8 +30,21 @@ FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, 
   return {1 + family, own};
 }
 
+Pair pair_at(const Workload& workload, std::uint64_t seed, const FamilyIndex& at) {
+  if (at.family == 0) return workload.cases[at.index].pair;
+  if (at.family <= workload.families.size()) return workload.families[at.family - 1].generate(seed, at.index);
+  const Pair& known = workload.corpus[at.index % workload.corpus.size()];
+  if (at.index < workload.corpus.size()) return known;
+  return workload.change(known, RandomStream("corpus", seed, at.index).bits());
+}
+
 std::string family_name(const Workload& workload, std::size_t family) {
-  return family == 0 ? cases_family : std::string(workload.families[family - 1].name);
+  if (family == 0) return cases_family;
+  return family <= workload.families.size() ? std::string(workload.families[family - 1].name) : fuzzed_family;
+}
+
+std::size_t family_count(const Workload& workload) {
+  return 1 + workload.families.size() + !workload.corpus.empty();
 }
 
 bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index) {

@@ -16,22 +16,29 @@
 namespace cyl {
 
 /// The methods and the pairs. Index i of a run is case i while there are cases. Then the families take turns
-/// (fuzz/campaign/schedule.hpp).
+/// (fuzz/campaign/schedule.hpp), and the corpus of a fuzzer as one of them, the last.
 struct Workload {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
   std::span<const Case> cases;
   std::span<const unsigned> weights = {};  ///< of the families; if empty, all are equal
+  std::span<const Pair> corpus = {};
+  /// After all pairs of the corpus, further ones are changes of them by a seed. Not null if there is a
+  /// corpus.
+  Pair (*change)(const Pair& pair, std::uint64_t seed) = nullptr;
 };
 
 /// The family of an index of a run, and the index in it.
 struct FamilyIndex {
-  std::size_t family;   ///< 0 for the cases, f for families[f - 1]
+  std::size_t family;   ///< 0 for the cases, f for families[f - 1], and then the corpus
   std::uint64_t index;  ///< of the case, or of the family's own pairs
 };
 Schedule schedule_of(const Workload& workload);
 FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
+Pair pair_at(const Workload& workload, std::uint64_t seed, const FamilyIndex& at);
 std::string family_name(const Workload& workload, std::size_t family);
+/// The number of families, those of the cases and of the corpus included.
+std::size_t family_count(const Workload& workload);
 
 /// Returns whether a method with a share of one in `share` is asked about an index. It is drawn from seed and
 /// index, so that no family and no turn of the families is missed.

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "corpus/pairs/near_touching.hpp"
-#include "fuzz/guided/finding_sink.hpp"
 
 namespace cyl {
 namespace {

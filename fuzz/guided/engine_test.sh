@@ -1,30 +1,56 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# engine_test.sh DAYLIGHT PROGRAM: some seconds of daylight fuzz with a target that libFuzzer drives.
+# engine_test.sh DAYLIGHT CORE: nights of some seconds with the programs that libFuzzer drives.
 set -euo pipefail
 # shellcheck source=SCRIPTDIR/../../cli/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../cli/expect.sh"
-program=$2 # absolute
+core=$2 # beside the program, where it looks for those that fuzz
 
-for seconds in 5 20 80 320; do # until two jobs have ended
+for seconds in 5 20 80 320; do # until a job has ended
   rm -rf run
-  expect 0 'a real run' "$daylight" fuzz --for "${seconds}s" --jobs 2 --seed 1 --out run --program "$program"
-  grep -qE '^features: [1-9]' out && break
+  expect 0 'a real run' "$daylight" fuzz --for "${seconds}s" --jobs 2 --seed 1 --out run --target core
+  [[ $(find run/corpus/core -type f | wc -l) -gt 1 ]] && break
 done
-holds 'it worked' out '^executions: [1-9]'
-holds 'jobs have ended' out '^features: [1-9]'
-holds 'no harmless input ends a process' out '^inputs that ended a process: 0$'
-visited=$(sed -n 's/^strata: \([0-9]*\) of.*/\1/p' out)
+holds 'it worked' out '^fuzzed core: [1-9][0-9]* executions'
+holds 'no harmless input ends a process' out 'deaths 0'
+holds 'its corpus was asked' out '^pairs: [1-9]'
+visited=$(sed -n 's/^fuzzed.* \([0-9]*\) of [0-9]* strata.*/\1/p' out)
 # What is left of the corpora visits every stratum that the jobs visited.
-(cd run/corpus && DAYLIGHT_FUZZ_OUT=$scratch/again "$program" -runs=0 . >/dev/null 2>&1)
+(cd run/corpus/core && DAYLIGHT_FUZZ_OUT=$scratch/again "$core" -runs=0 . >/dev/null 2>&1)
 again=$(python3 -c 'import sys; print(sum(seen != 0 for seen in open(sys.argv[1], "rb").read()[8:]))' again/visited)
 equal 'the merged corpus visits all strata' "$visited" "$again"
 
-# A killed run leaves no process once its jobs have ended, and the next one completes it.
-"$daylight" fuzz --for 10m --jobs 2 --seed 2 --out killed --program "$program" >/dev/null 2>&1 &
-until compgen -G 'killed/unfinished/jobs/*/C1/*' >/dev/null; do sleep 0.1; done
+# A night that is killed leaves no process once its jobs have ended, and goes on when it is resumed.
+"$daylight" campaign --fuzz 50% --for 40s --jobs 2 --seed 2 --methods ode,decide --out killed >/dev/null 2>&1 &
+until compgen -G 'killed/fuzz/core/jobs/*/C1/*' >/dev/null; do sleep 0.1; done
 kill -KILL $!
 for _ in {1..600}; do pgrep -f "$scratch/killed" >/dev/null || break; sleep 0.1; done
 ! pgrep -fa "$scratch/killed" || failed 'no process is left'
-expect 0 'the next run' "$daylight" fuzz --for 1s --jobs 1 --out killed --program "$program"
-holds 'it has the inputs' out '^corpus: [1-9][0-9]* inputs'
+expect 2 'resumed' "$daylight" campaign --resume killed
+holds 'it fuzzed' out '^fuzzed core: [1-9]'
+holds 'both targets' out '^fuzzed xcheck: [1-9]'
+[[ -n $(ls killed/corpus/core) && -n $(ls killed/corpus/xcheck) && ! -e killed/fuzz/core ]]
+expect 2 'what it found is in the run' "$daylight" triage killed --for 10s
+
+# A plug-in is asked in the fuzzer's process. Its crashes and hangs are findings and end nothing.
+cat >mine.cpp <<'END'
+#include <cstdlib>
+#include "plugin.h"
+namespace {
+int ask(const double* a, const double* b, double*) {
+  if (a[7] > 40 * a[6]) std::abort();
+  if (b[7] > 40 * b[6]) *static_cast<volatile int*>(nullptr) = 1;
+  if (a[6] > 40 * a[7])
+    for (volatile int i = 0;; i = 1) continue;
+  return DAYLIGHT_DECLINED;
+}
+const DaylightMethod mine{DAYLIGHT_PLUGIN_ABI, "mine", "1", 1e-6, 0, "a guess", ask};
+}  // namespace
+const DaylightMethod* daylight_method() { return &mine; }
+END
+clang++ -O1 -shared -fPIC -fsanitize=fuzzer-no-link -I "$source_tree/oracles" mine.cpp -o libmine.so
+expect 2 'a plug-in' "$daylight" fuzz --plugin ./libmine.so --for 30s --jobs 2 --seed 1 --out guest
+holds 'fuzzed' out '^fuzzed plugin-mine: [1-9]'
+kinds=$(python3 -c 'import sqlite3; print(*sorted(r[0] for r in sqlite3.connect("guest/run.sqlite").execute(
+    "SELECT DISTINCT kind FROM finding WHERE method=\'mine\'")))')
+equal 'crashes and hangs are findings' 'crash hang' "$kinds"

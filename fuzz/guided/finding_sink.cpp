@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/guided/finding_sink.hpp"
 
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -30,9 +29,8 @@ std::string environment(const char* name) {
 
 // Until buckets are named by what is left of a pair after shrinking: by its features and angle as they are.
 // The low 48 bits of FNV-1a, four a letter, the highest first.
-FindingSink::FindingSink(std::string_view target)
-    : target_(target),
-      out_(environment("DAYLIGHT_FUZZ_OUT")),
+FindingSink::FindingSink()
+    : out_(environment("DAYLIGHT_FUZZ_OUT")),
       abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
   if (out_.empty()) return;
   std::filesystem::create_directories(out_);
@@ -59,17 +57,21 @@ void FindingSink::add_finding(const Pair& pair, std::string_view method, std::st
   ++findings_;
   const bool first = keep_first("findings/" + letters, pair);
   if (!abort_ && !first) return;
-  Case c;
-  c.pair = pair;
-  c.id = letters;
-  c.source = target_;
-  c.note = key + ": " + std::string(what);
-  const std::string line = format_case(c);
-  std::fprintf(stderr, "%s\n", line.c_str());
-  if (first && !out_.empty()) std::ofstream(out_ + "/findings.jsonl", std::ios::app) << line + '\n';
+  std::fprintf(stderr, "%s: %s: %s\n", key.c_str(), std::string(what).c_str(), format_pair(pair).c_str());
   if (!abort_) return;
   std::fprintf(stderr, "DEDUP_TOKEN: %s\n", letters.c_str());
   std::abort();
+}
+
+void FindingSink::add_broken(const Pair& pair, std::string_view method, std::string_view law,
+                             std::string_view what) {
+  const std::string letters = letter_hash(bucket_of(method, law, pair));
+  const bool first = !out_.empty() && !known_.contains("findings/" + letters);
+  add_finding(pair, method, law, what);
+  if (first)
+    std::ofstream(out_ + "/broken", std::ios::app)
+        << std::string(method).append(" breaks ").append(law).append(": ").append(what).append("; record ") +
+               letters + '\n';
 }
 
 void FindingSink::add_undecided(const Pair& pair, const Stratum& stratum) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The core target: our solver, its laws and the referee on one record, and no foreign code but the exact
+// The core target: our solver, its laws and the referee on one pair, and no foreign code but the exact
 // arithmetic.
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
+#include "fuzz/guided/record.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "props/laws/laws.hpp"
 #include "solver/distance.hpp"
@@ -19,14 +20,14 @@
 namespace cyl {
 namespace {
 
-/// Records for one in which a question is asked, as in fuzz_judge.hpp.
+/// Pairs for one in which a question is asked, as in fuzz_judge.hpp.
 constexpr std::size_t law_share = 4;            ///< one law of one method, needing no proof: 10 us
 constexpr std::size_t unaided_share = 16;       ///< the referee without a witness, in double: 5 us
 constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as many enclosures as it asks
 
 class Core {
  public:
-  Core() : methods_(own_methods()), sink_("fuzz_core") {
+  Core() : methods_(own_methods()) {
     std::erase_if(methods_,
                   [](const auto& m) { return m->claim().decides == DecisionScope::all; });  // the referee
     for (const Law& law : all_laws()) {
@@ -38,8 +39,7 @@ class Core {
     distance_ = place_of([](Method& method) { return bool(method.prepare_distances({})); });
   }
 
-  void run(const Record& record) {
-    const Pair pair = decode_record(record);
+  void run(const Pair& pair) {
     const Distance measured = distance(pair.a, pair.b);
     bool promised = false;  // a verdict by a method that promises to be right everywhere is looked into
     for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -47,7 +47,7 @@ class Core {
       const Claim claim = methods_[m]->claim();
       promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
     }
-    FuzzJudge fuzz_judge(record, answers_, promised, sink_, &measured);
+    FuzzJudge fuzz_judge(pair, answers_, promised, sink_, &measured);
     for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     count_iterations(answers_[decide_].steps);
@@ -71,8 +71,8 @@ class Core {
                   unaided = judge(fuzz_judge.pair(), {}, filter_bits_cap).verdict;
     if (aided == unaided || aided == Verdict::undecided || unaided == Verdict::undecided) return;
     if (aided != Verdict::disjoint && unaided != Verdict::disjoint) return;
-    sink_.add_finding(fuzz_judge.pair(), "referee", "contradiction",
-                      std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
+    sink_.add_broken(fuzz_judge.pair(), "referee", "contradiction",
+                     std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
   }
 
   void check_law(FuzzJudge& fuzz_judge, const std::vector<const Law*>& laws) {
@@ -81,7 +81,7 @@ class Core {
     Method& method = *methods_[fuzz_judge.draws().below(methods_.size())];
     const auto broken = violation_of(method, law, fuzz_judge.pair());
     if (broken && broken->severity == Severity::contract)
-      sink_.add_finding(fuzz_judge.pair(), method.name(), law.name, broken->what);
+      sink_.add_broken(fuzz_judge.pair(), method.name(), law.name, broken->what);
   }
 
   std::vector<std::unique_ptr<Method>> methods_;
@@ -95,10 +95,9 @@ class Core {
 }  // namespace cyl
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size != cyl::record_size) return -1;  // newer engines keep no such input
+  const auto pair = cyl::decode_record({data, size});
+  if (!pair) return -1;  // newer engines keep no such input
   static cyl::Core core;
-  cyl::Record record;
-  std::copy_n(data, size, record.begin());
-  core.run(record);
+  core.run(*pair);
   return 0;
 }

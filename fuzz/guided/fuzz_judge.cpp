@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
 #include "oracles/trial/decidable_margin.hpp"
@@ -15,15 +16,16 @@ namespace {
 /// widest arithmetic if double does not prove it. This takes 0.1 ms.
 constexpr std::size_t witness_share = 16;
 
-std::string_view text(const Record& record) {
-  return {reinterpret_cast<const char*>(record.data()), record.size()};
+RandomStream draws_of(const Pair& pair) {
+  const auto numbers = numbers_of(pair);
+  return {{reinterpret_cast<const char*>(numbers.data()), sizeof numbers}, 0, 0};
 }
 
 }  // namespace
 
-FuzzJudge::FuzzJudge(const Record& record, std::span<const MethodAnswer> offered, bool must,
-                     FindingSink& sink, const Distance* measured)
-    : trial_(decode_record(record), Truth{}), draws_(text(record), 0, 0), sink_(sink) {
+FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
+                     const Distance* measured)
+    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
   trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
   std::atomic_ref(visited().executions).fetch_add(1, std::memory_order_relaxed);
   if (trial_.truth.verdict == Verdict::invalid) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The referee in the time of a fuzz target, which is microseconds. Costly checks run on a share of the
-// records, drawn by the record itself.
+// pairs, drawn by the pair itself.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,6 @@
 
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/guided/finding_sink.hpp"
-#include "fuzz/guided/record.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"
@@ -20,7 +19,7 @@ namespace cyl {
 /// Precisions at which the referee stops: in double, and after one round of MPFI.
 inline constexpr int filter_bits_cap = 53, wide_bits_cap = 128;
 
-/// Records for one in which a costly question is asked, so that none of them costs more than the cheap ones
+/// Pairs for one in which a costly question is asked, so that none of them costs more than the cheap ones
 /// together.
 inline constexpr std::size_t wide_share = 128;       ///< the referee beyond double: 0.3 ms
 inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed: 1 ms, at the worst 100
@@ -28,15 +27,15 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class FuzzJudge {
  public:
   /// Judges in double with the returned witnesses, and beyond double if `must` or by a random share. Counts
-  /// the geometry. `measured`: the distance of the record's pair, if the caller has it.
-  FuzzJudge(const Record& record, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
+  /// the geometry. `measured`: the distance of the pair, if the caller has it.
+  FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
             const Distance* measured = nullptr);
   FuzzJudge(const FuzzJudge&) = delete;
   FuzzJudge& operator=(const FuzzJudge&) = delete;
 
   const Pair& pair() const { return trial_.pair; }
   const Truth& truth() const { return trial_.truth; }
-  /// Returns whether this record has a share of one in so many; each call draws again.
+  /// Returns whether this pair has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
   /// Records a fault of the answer beyond the claim. That includes undecided although the method claims to

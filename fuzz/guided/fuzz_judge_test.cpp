@@ -17,8 +17,8 @@ std::size_t found(const Pair& pair, const MethodAnswer& answer) {
   claim.relative = 1e-13;
   claim.decides = DecisionScope::above_1e13;
   const auto method = fake_method("planted", [](const Pair&) { return MethodAnswer{}; }, {.claim = claim});
-  FindingSink sink("fuzz_judge_test");
-  FuzzJudge(encode_record(pair), {}, false, sink).record(*method, answer);
+  FindingSink sink;
+  FuzzJudge(pair, {}, false, sink).record(*method, answer);
   return sink.findings();
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Compares foreign libraries with the referee, in this process. The sanitizer reports an invalid access. An
-// abort and a call without end are findings. The target returns from them by a jump out of the library. So
-// the library may leak memory and leave data half changed.
+// Compares foreign libraries and the methods of the literature with the referee, in this process, or the
+// plug-in that DAYLIGHT_FUZZ_PLUGIN names. The sanitizer reports an invalid access of a library. An abort, a
+// call without end, and an invalid access of a plug-in are findings. The target returns from them by a jump
+// out of the library. So the library may leak memory and leave data half changed.
 #include <setjmp.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -9,25 +10,29 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
+#include "fuzz/guided/record.hpp"
+#include "oracles/methods/guest.hpp"
 
 namespace cyl {
 namespace {
 
 /// CPU time of one call, a thousand times the usual, after which it counts as a hang.
 constexpr suseconds_t call_cpu_cap_us = 200000;
-/// NLopt costs a hundred times what the others do.
+/// Some methods cost a hundred times what the others do.
 constexpr std::size_t costly_share = 256;
 
 sigjmp_buf back;
 volatile sig_atomic_t asking = 0;
-struct sigaction engines_abort;
+struct sigaction engines[NSIG];
 
 extern "C" void jump_back(int signal) {
   if (asking) {
@@ -35,10 +40,9 @@ extern "C" void jump_back(int signal) {
     siglongjmp(back, signal);
   }
   // Not the signal of a library, but of the engine, or a stray one. A late timer is ignored.
-  if (signal == SIGABRT) {
-    sigaction(SIGABRT, &engines_abort, nullptr);
-    raise(SIGABRT);
-  }
+  if (signal == SIGVTALRM) return;
+  sigaction(signal, &engines[static_cast<std::size_t>(signal)], nullptr);
+  raise(signal);
 }
 
 void set_timer(suseconds_t microseconds) {
@@ -66,7 +70,7 @@ MethodAnswer ask_and_return(Method& method, const Pair& pair) {
       answer = failed(Failure::exception);
     }
   } else {
-    answer = failed(signal == SIGABRT ? Failure::crash : Failure::hang);
+    answer = failed(signal == SIGVTALRM ? Failure::hang : Failure::crash);
   }
   asking = 0;
   set_timer(0);
@@ -75,22 +79,37 @@ MethodAnswer ask_and_return(Method& method, const Pair& pair) {
 
 class Xcheck {
  public:
-  Xcheck() : sink_("fuzz_xcheck") {
-    for (auto make : {fcl_methods, bullet_methods, ccd_methods, ode_methods, mujoco_methods, nlopt_methods})
-      for (auto& method : make()) methods_.push_back(std::move(method));
+  Xcheck() {
+    if (const char* plugin = std::getenv("DAYLIGHT_FUZZ_PLUGIN")) {
+      for (OpenedGuest& opened : open_plugins({.kind = GuestKind::plugin, .what = plugin}))
+        methods_.push_back(std::move(opened.method));
+    } else {
+      methods_ = all_methods();
+      methods_.erase(methods_.begin(), methods_.begin() + std::ssize(own_methods()));  // which come first
+      std::stable_partition(methods_.begin(), methods_.end(),
+                            [](const auto& method) { return !method->foreign(); });
+    }
+    literature_ = static_cast<std::size_t>(
+        std::ranges::count_if(methods_, [](const auto& method) { return !method->foreign(); }));
     answers_.resize(methods_.size());
-    struct sigaction action {};
-    action.sa_handler = jump_back;
-    sigaction(SIGABRT, &action, &engines_abort);
-    sigaction(SIGVTALRM, &action, nullptr);
   }
 
-  void run(const Record& record) {
-    FuzzJudge fuzz_judge(record, {}, false, sink_);
+  /// Call it after the engine has set its own handlers, which signals that come from elsewhere still reach.
+  void catch_signals() {
+    catch_signal(SIGVTALRM);
+    catch_signal(SIGABRT);
+    if (!methods_.front()->guest()) return;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) catch_signal(signal);
+  }
+
+  void run(const Pair& pair) {
+    FuzzJudge fuzz_judge(pair, {}, false, sink_);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
+    const std::size_t drawn = literature_ == 0 ? 0 : fuzz_judge.draws().below(literature_);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       answers_[m] = {};
-      if (methods_[m]->share() > 1 && !fuzz_judge.drawn(costly_share)) continue;
+      if (m < literature_ && m != drawn) continue;
+      if (!methods_[m]->guest() && methods_[m]->share() > 1 && !fuzz_judge.drawn(costly_share)) continue;
       answers_[m] = ask_and_return(*methods_[m], fuzz_judge.pair());
       fuzz_judge.record(*methods_[m], answers_[m]);
       for (std::size_t earlier = 0; earlier < m; ++earlier)
@@ -104,7 +123,15 @@ class Xcheck {
            (x.verdict == Verdict::disjoint) != (y.verdict == Verdict::disjoint);
   }
 
+  static void catch_signal(int signal) {
+    struct sigaction action {};
+    action.sa_handler = jump_back;
+    action.sa_flags = SA_ONSTACK;  // a stack may be used up
+    sigaction(signal, &action, &engines[static_cast<std::size_t>(signal)]);
+  }
+
   std::vector<std::unique_ptr<Method>> methods_;
+  std::size_t literature_;  ///< they come first, and a pair is asked of one of them
   std::vector<MethodAnswer> answers_;
   FindingSink sink_;
 };
@@ -114,11 +141,25 @@ class Xcheck {
 
 extern "C" const char* __lsan_default_options() { return "detect_leaks=0"; }
 
+namespace {
+
+cyl::Xcheck& xcheck() {
+  static cyl::Xcheck it;
+  return it;
+}
+
+}  // namespace
+
+// A plug-in's counters of coverage must be there before the engine begins.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  if (std::getenv("DAYLIGHT_FUZZ_PLUGIN")) xcheck();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size != cyl::record_size) return -1;  // newer engines keep no such input
-  static cyl::Xcheck xcheck;
-  cyl::Record record;
-  std::copy_n(data, size, record.begin());
-  xcheck.run(record);
+  const auto pair = cyl::decode_record({data, size});
+  if (!pair) return -1;  // newer engines keep no such input
+  static const bool caught = (xcheck().catch_signals(), true);
+  if (caught) xcheck().run(*pair);
   return 0;
 }

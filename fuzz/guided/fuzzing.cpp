@@ -17,15 +17,12 @@
 #include <thread>
 #include <utility>
 
-#include "base/exit_code.hpp"
 #include "base/process/child.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
 #include "fuzz/guided/visited.hpp"
-#include "oracles/trial/bucket.hpp"
 
 namespace cyl {
 namespace {
@@ -43,8 +40,8 @@ constexpr seconds input_cap{25};
 constexpr seconds merge_cap{600};
 /// Deaths of jobs without an input that explains one, before the harness fails.
 constexpr std::size_t unexplained_cap = 3;
-/// Findings and strata that a report names.
-constexpr std::size_t named_cap = 20;
+/// Strata that a report names.
+constexpr std::size_t named_cap = 5;
 /// Exit code of an engine that could not be run.
 constexpr int cannot_run_code = 127;
 /// Bytes at the end of a log that an error quotes.
@@ -80,42 +77,16 @@ std::string reason_in(const std::string& log) {
   return "no reason given";
 }
 
-/// Findings by their ids. findings.jsonl keeps those of earlier runs in the folder.
-class Findings {
- public:
-  explicit Findings(const fs::path& out) : file_(out / "findings.jsonl") {
-    std::ifstream in(file_);
-    CaseReader reader(in);
-    while (const auto line = reader.next())
-      if (line->value) known_.insert(line->value->id);
-  }
-  void add(const Case& c) {
-    if (!seen_.insert(c.id).second) return;
-    lines_.push_back(format_case(c));
-    if (known_.insert(c.id).second) std::ofstream(file_, std::ios::app) << lines_.back() << '\n';
-  }
-  void add_all(const fs::path& file) {
-    std::ifstream in(file);
-    CaseReader reader(in);
-    while (const auto line = reader.next())
-      if (line->value) add(*line->value);
-  }
-  const std::vector<std::string>& lines() const { return lines_; }
-
- private:
-  fs::path file_;
-  std::set<std::string> known_, seen_;
-  std::vector<std::string> lines_;
-};
-
 class Run {
  public:
   Run(const FuzzOptions& options, const std::function<void(const FuzzProgress&)>& on_progress)
       : options_(options),
         on_progress_(on_progress),
-        out_(fs::absolute(options.out)),
-        unfinished_(out_ / "unfinished"),
-        findings_(out_) {}
+        unfinished_(fs::absolute(options.out) / "fuzz" / options.target),
+        corpora_(fs::absolute(options.out) / "corpus"),
+        corpus_(corpora_ / options.target) {
+    summary_.target = options.target;
+  }
 
   FuzzSummary run() {
     const StopSignals signals;
@@ -128,7 +99,6 @@ class Run {
       look();
       name_strata();
     }
-    summary_.findings = findings_.lines();
     return std::move(summary_);
   }
 
@@ -136,15 +106,21 @@ class Run {
   void fuzz() {
     for (const char* folder : {"died", "jobs"}) fs::create_directories(unfinished_ / folder);
     fs::create_directories(corpus_);
-    // The engine ends if no input of its corpus runs any tested code. This one is not a pair.
+    // The engine ends if no input of its corpus runs any tested code. This one is not a legal pair.
     if (fs::is_empty(corpus_))
       std::ofstream(corpus_ / "zeros", std::ios::binary) << std::string(record_size, '\0');
     const std::uint64_t seed = 1 + options_.seed % 0x7fffffff;  // 0 asks for a random one
     const std::string log = unfinished_ / "log";
-    const auto engine = start({corpus_, fmt::format("-fork={}", options_.jobs), fmt::format("-seed={}", seed),
-                               "-ignore_crashes=1", "-ignore_timeouts=1", "-ignore_ooms=1", "-len_control=0",
-                               "-reduce_inputs=0", "-print_pcs=0", "-entropic=0"},
-                              log);
+    std::vector<std::string> arguments{corpus_};
+    for (const fs::path& other : files_in(corpora_))
+      if (other != corpus_) arguments.push_back(other);
+    for (const std::string& flag :
+         {fmt::format("-fork={}", options_.jobs), fmt::format("-seed={}", seed),
+          std::string("-ignore_crashes=1"), std::string("-ignore_timeouts=1"), std::string("-ignore_ooms=1"),
+          std::string("-len_control=0"), std::string("-reduce_inputs=0"), std::string("-print_pcs=0"),
+          std::string("-entropic=0")})
+      arguments.push_back(flag);
+    const auto engine = start(arguments, log);
     const auto begin = Clock::now();
     auto looked = begin;
     while (Clock::now() - begin < options_.budget && !summary_.interrupted) {
@@ -171,7 +147,7 @@ class Run {
   void finish() {
     look();
     name_strata();
-    summary_.undecided = files_in(unfinished_ / "undecided").size();
+    keep_found();
     merge();
     fs::remove_all(unfinished_);
   }
@@ -182,29 +158,40 @@ class Run {
     const Visited seen = read_visited(unfinished_ / "visited");
     progress.executions = seen.executions;
     progress.features = last_number(log, " ft: ");
-    findings_.add_all(unfinished_ / "findings.jsonl");
+    progress.found = files_in(unfinished_ / "findings").size();
     for (const fs::path& file : files_in(unfinished_ / "died"))
       if (known_deaths_.insert(file.filename()).second) add_death(file);
     progress.deaths = known_deaths_.size();
     strata_ = seen.strata;
-    progress.strata = 0;
-    for (std::size_t i = 0; i < strata_.size(); ++i)
+    progress.strata = progress.possible_strata = 0;
+    for (std::size_t i = 0; i < strata_.size(); ++i) {
+      progress.possible_strata += can_occur(stratum_at(i));
       progress.strata += strata_[i] != 0 && can_occur(stratum_at(i));
-    progress.findings = findings_.lines().size();
+    }
   }
 
   // The engine names a file by the kind of death: crash-, timeout-, oom-, leak-. A slow-unit- did not die.
   void add_death(const fs::path& file) {
-    const std::string bytes = text_of(file), name = file.filename(), kind = name.substr(0, name.find('-'));
-    if (kind == "slow" || bytes.size() != record_size) return;
-    Record record;
-    std::copy(bytes.begin(), bytes.end(), record.begin());
-    Case c;
-    c.pair = decode_record(record);
-    c.source = options_.target;
-    c.note = fmt::format("{}/{}: {}", options_.target, kind, reason_of_death(file, kind));
-    c.id = letter_hash(c.note);
-    findings_.add(c);
+    const std::string name = file.filename(), kind = name.substr(0, name.find('-'));
+    if (kind == "slow" || fs::file_size(file) != record_size) return;
+    const std::string what =
+        fmt::format("the target {} died ({}): {}", options_.target, kind, reason_of_death(file, kind));
+    if (known_reasons_.insert(what).second)
+      summary_.failures.push_back(what + "; record " + name);
+    else
+      repeated_.insert(name);
+  }
+
+  /// Copies what a campaign is to ask about into the corpus. A later run in this folder keeps it.
+  void keep_found() {
+    std::ifstream broken(unfinished_ / "broken");
+    for (std::string line; std::getline(broken, line);) summary_.failures.push_back(line);
+    const fs::path found = corpora_ / "found";
+    fs::create_directories(found);
+    for (const char* folder : {"findings", "undecided", "died"})
+      for (const fs::path& file : files_in(unfinished_ / folder))
+        if (!repeated_.contains(file.filename()) && fs::file_size(file) == record_size)
+          fs::copy_file(file, found / file.filename(), fs::copy_options::overwrite_existing);
   }
 
   std::string reason_of_death(const fs::path& file, const std::string& kind) {
@@ -222,10 +209,11 @@ class Run {
 
   // Into a folder of its own, which takes the corpus's place at once.
   void merge() {
-    const fs::path merged = out_ / "corpus.unfinished";
+    const fs::path merged = unfinished_ / "corpus";
     fs::remove_all(merged);
     fs::create_directories(merged);
-    std::vector<std::string> arguments{merged, corpus_, "-merge=1"};
+    std::vector<std::string> arguments{merged, "-merge=1"};
+    for (const fs::path& folder : files_in(corpora_)) arguments.push_back(folder);
     // A job writes its corpus in a folder C1, C2, ..
     for (const fs::path& engine : files_in(unfinished_ / "jobs"))
       for (const fs::path& folder : files_in(engine))
@@ -234,7 +222,7 @@ class Run {
     std::set<fs::path> inputs;
     for (const std::string& folder : arguments)
       for (const fs::path& file : files_in(folder)) inputs.insert(file.filename());
-    const std::string log = out_ / "merge.log";
+    const std::string log = unfinished_ / "merge.log";
     fs::remove(log);
     const auto merging = start(arguments, log);
     const auto begin = Clock::now();
@@ -265,6 +253,8 @@ class Run {
           try {
             redirect_streams("/dev/null", log);
             unsetenv("DAYLIGHT_FUZZ_ABORT");
+            unsetenv("DAYLIGHT_FUZZ_PLUGIN");
+            if (!options_.plugin.empty()) setenv("DAYLIGHT_FUZZ_PLUGIN", options_.plugin.c_str(), 1);
             setenv("DAYLIGHT_FUZZ_OUT", unfinished_.c_str(), 1);
             setenv("TMPDIR", (unfinished_ / "jobs").c_str(), 1);
             become_program(arguments);
@@ -282,12 +272,10 @@ class Run {
   }
 
   void name_strata() {
-    summary_.possible_strata = 0;
     summary_.never_visited.clear();
     summary_.impossible.clear();
     for (std::size_t i = 0; i < strata_.size(); ++i) {
       const Stratum s = stratum_at(i);
-      summary_.possible_strata += can_occur(s);
       if (can_occur(s) && !strata_[i]) summary_.never_visited.push_back(to_string(s));
       if (!can_occur(s) && strata_[i]) summary_.impossible.push_back(to_string(s));
     }
@@ -295,9 +283,9 @@ class Run {
 
   const FuzzOptions& options_;
   const std::function<void(const FuzzProgress&)>& on_progress_;
-  fs::path out_, unfinished_, corpus_ = out_ / "corpus";
-  Findings findings_;
-  std::set<fs::path> known_deaths_;
+  const fs::path unfinished_, corpora_, corpus_;
+  std::set<fs::path> known_deaths_, repeated_;  ///< by file; those whose reason another one has
+  std::set<std::string> known_reasons_;
   decltype(Visited::strata) strata_{};
   FuzzSummary summary_;
 };
@@ -318,29 +306,22 @@ FuzzSummary run_fuzzing(const FuzzOptions& options,
   return Run(options, on_progress).run();
 }
 
-int exit_code(const FuzzSummary& summary) {
-  if (!summary.harness_failure.empty()) return exit_harness_failed;
-  return summary.findings.empty() ? exit_pass : exit_findings;
+std::string format_progress(const FuzzProgress& p) {
+  const double seconds = std::max(1e-3, static_cast<double>(p.elapsed.count()) / 1000);
+  return fmt::format("{} executions, {:.0f} a second; {} of {} strata; failures in {} buckets, deaths {}",
+                     p.executions, static_cast<double>(p.executions) / seconds, p.strata, p.possible_strata,
+                     p.found, p.deaths);
 }
 
 std::string format_fuzzing(const FuzzSummary& summary) {
   const FuzzProgress& p = summary.progress;
-  const auto share = [](double part, double whole) { return part / std::max(1e-3, whole); };
-  const auto count = [](auto x) { return static_cast<double>(x); };
-  std::string text = fmt::format("executions: {}, {:.0f}/s\n", p.executions,
-                                 share(count(p.executions), count(p.elapsed.count()) / 1000));
-  text += fmt::format("features: {}\n", p.features);
-  text += fmt::format("inputs that ended a process: {}\n", p.deaths);
-  text += fmt::format("strata: {} of {} that can occur ({:.1f} %)\n", p.strata, summary.possible_strata,
-                      100 * share(count(p.strata), count(summary.possible_strata)));
+  std::string text = fmt::format("fuzzed {}: {}; corpus {} inputs, of {}\n", summary.target,
+                                 format_progress(p), summary.kept_inputs, summary.inputs);
   if (!summary.never_visited.empty())
-    text += fmt::format("never visited: {}\n", first_of(summary.never_visited));
+    text += fmt::format("  never visited: {}\n", first_of(summary.never_visited));
   if (!summary.impossible.empty())
-    text += fmt::format("visited, though they cannot occur: {}\n", first_of(summary.impossible));
-  text += fmt::format("undecided: pairs of {} strata\n", summary.undecided);
-  text += fmt::format("corpus: {} inputs, of {}\n", summary.kept_inputs, summary.inputs);
-  text += fmt::format("findings: {} buckets\n", summary.findings.size());
-  for (const std::string& line : summary.findings) text += line + '\n';
+    text += fmt::format("  visited, though they cannot occur: {}\n", first_of(summary.impossible));
+  for (const std::string& line : summary.failures) text += "  " + line + '\n';
   return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Coverage-guided fuzzing: one target in libFuzzer's fork mode, which runs jobs side by side and survives
-// their deaths. Finds depend on timing, so the same seed does not give the same run.
+// their deaths. It finds pairs, and a campaign judges them. What it finds depends on timing, so the same seed
+// does not give the same corpus.
 #pragma once
 
 #include <chrono>
@@ -14,10 +15,11 @@ namespace cyl {
 
 struct FuzzOptions {
   std::string program;  ///< that libFuzzer drives, linked with the mutator and the counters
-  std::string target;   ///< its name, the source of findings: "fuzz_core"
-  /// The folder of the run. The run starts from its corpus/ and leaves the minimised corpus there. Each
-  /// finding is a line of a case file in findings.jsonl. A run keeps all it makes in unfinished/ until its
-  /// end. If a run is killed, the next one completes it first.
+  std::string target;   ///< its name, "core"
+  std::string plugin;   ///< path of the library that the target asks in place of its own methods, or empty
+  /// The folder of the run. The search starts from all of its corpus/ and leaves the minimised corpus in
+  /// corpus/TARGET. The pairs on which a method failed are in corpus/found. Until its end, a search keeps all
+  /// it makes in fuzz/TARGET. If it is killed, the next one completes it first.
   std::string out;
   std::chrono::milliseconds budget{0};  ///< wall time, merging excluded
   unsigned jobs = 2;                    ///< side by side
@@ -30,19 +32,20 @@ struct FuzzProgress {
   std::size_t features = 0;  ///< of coverage and of counters, as of the jobs that have ended
   std::size_t deaths = 0;    ///< inputs that ended a process
   std::size_t strata = 0;    ///< visited, among those that can occur
-  std::size_t findings = 0;
+  std::size_t possible_strata = 0;
+  std::size_t found = 0;  ///< pairs on which a method failed beyond its claim, one a bucket
 };
 
 struct FuzzSummary {
+  std::string target;
   FuzzProgress progress;
   std::vector<std::string> never_visited;   ///< strata that can occur
-  std::size_t possible_strata = 0;          ///< that can occur
   std::vector<std::string> impossible;      ///< strata visited that cannot occur: counters.hpp is wrong
-  std::size_t inputs = 0, kept_inputs = 0;  ///< of all corpora, distinct; after minimising
-  std::size_t undecided = 0;                ///< strata with a pair that was undecided within a target's time
-  std::vector<std::string> findings;        ///< of this run, a line of a case file each
-  bool interrupted = false;                 ///< by SIGINT or SIGTERM before the budget was used up
-  std::string harness_failure;              ///< empty, or why it could not go on
+  std::size_t inputs = 0, kept_inputs = 0;  ///< of all corpora, distinct; of corpus/TARGET after minimising
+  /// Failures that a campaign does not see, a line each: broken laws, and inputs that ended a process.
+  std::vector<std::string> failures;
+  bool interrupted = false;     ///< by SIGINT or SIGTERM before the budget was used up
+  std::string harness_failure;  ///< empty, or why it could not go on
 };
 
 /// Fuzzes until the budget is used up or a signal asks to stop, and then merges. Calls `on_progress` about
@@ -50,9 +53,8 @@ struct FuzzSummary {
 FuzzSummary run_fuzzing(const FuzzOptions& options,
                         const std::function<void(const FuzzProgress&)>& on_progress = {});
 
-/// 1 the harness failed, 2 findings, else 0.
-int exit_code(const FuzzSummary& summary);
-
+/// "30000 executions a second; 578 of 578 strata; ..".
+std::string format_progress(const FuzzProgress& progress);
 /// Returns what a person wants to know of it, in lines.
 std::string format_fuzzing(const FuzzSummary& summary);
 

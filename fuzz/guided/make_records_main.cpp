@@ -27,7 +27,7 @@ constexpr std::uint64_t seed = 1;
 /// Cases with a number, from which on it goes into the dictionary.
 constexpr std::size_t common_cases = 3;
 
-using Numbers = std::array<std::uint64_t, 16>;
+using Numbers = std::array<std::uint64_t, cyl::record_size / 8>;
 
 void write(const std::filesystem::path& file, const char* bytes, std::size_t size) {
   std::ofstream out(file, std::ios::binary);
@@ -60,7 +60,7 @@ void make(const std::string& cases, const std::filesystem::path& folder) {
     for (const std::uint64_t number : std::set<std::uint64_t>(numbers.begin(), numbers.end()))
       ++cases_with[number];
   }
-  for (const cyl::Family& family : cyl::families())
+  for (const cyl::Family& family : cyl::campaign_families())
     for (std::uint64_t i = 0; i < pairs_of_a_family; ++i)
       write_record(folder, std::string(family.name) + "-" + std::to_string(seed) + "-" + std::to_string(i),
                    cyl::encode_record(family.generate(seed, i)));

@@ -20,8 +20,6 @@ double tenth(RandomStream& s) {
   return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
 }
 
-double size_of_solids(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
-
 Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
 Cylinder& other(Pair& p, const Cylinder& c) { return &c == &p.a ? p.b : p.a; }
 
@@ -66,7 +64,7 @@ void slide_to_touching(Pair& p, RandomStream& s) {
       return;
     }
     default:
-      p.b.center += (tenth(s) * size_of_solids(p)) * d.direction;
+      p.b.center += (tenth(s) * size_of(p)) * d.direction;
   }
 }
 
@@ -74,7 +72,7 @@ void slide_along_contact(Pair& p, RandomStream& s) {
   const Distance d = distance(p.a, p.b);
   if (d.verdict == Verdict::invalid || !(length_of(d.direction) > 0.5)) return;
   const Vector3 aside = s.perpendicular(d.direction);
-  p.b.center += (tenth(s) * size_of_solids(p)) * aside;
+  p.b.center += (tenth(s) * size_of(p)) * aside;
   touch(p);
 }
 
@@ -90,12 +88,12 @@ void swap(Pair& p, RandomStream&) { std::swap(p.a, p.b); }
 void scale_all(Pair& p, RandomStream& s) { p = scaled(p, s.integer(-40, 40)); }
 
 void scale_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
+  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
 void change_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
+  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
   x += tenth(s) * (x == 0 ? 1 : x);
 }
 
@@ -126,6 +124,7 @@ void make_contained(Pair& p, RandomStream& s) {
   c.center = o.center;
   c.radius = o.radius * share;
   c.height = o.height * share;
+  c.rounding = o.rounding * share;
   // Against the wall, or the end, from inside.
   if (s.coin()) c.center += (o.radius - c.radius) * s.perpendicular(unit_axis(o.axis));
   if (s.coin()) c.center += ((o.height - c.height) / 2) * unit_axis(o.axis);
@@ -141,8 +140,21 @@ void thin(Pair& p, RandomStream& s) {
   c.radius = s.coin() ? 0 : c.height * std::fabs(tenth(s));
 }
 
+void round_edges(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  c.rounding = s.coin() ? 0 : (c.radius + c.height + c.rounding) * std::fabs(tenth(s));
+}
+
+/// Makes a capsule or a sphere.
+void round_off(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  c.rounding += c.radius;
+  c.radius = 0;
+  if (s.coin()) c.height = 0;
+}
+
 void move_far(Pair& p, RandomStream& s) {
-  const double away = std::ldexp(size_of_solids(p), s.integer(1, 50));
+  const double away = std::ldexp(size_of(p), s.integer(1, 50));
   const Vector3 by = away * (s.coin() ? s.coordinate_axis() : s.unit_vector());
   p.a.center += by;
   p.b.center += by;
@@ -155,12 +167,12 @@ void move_to_origin(Pair& p, RandomStream&) {
 
 void copy_field(Pair& p, RandomStream& s) {
   Cylinder& c = either(p, s);
-  const std::size_t i = s.below(core_number_count);
+  const std::size_t i = s.below(cylinder_number_count);
   *numbers_of(c)[i] = *numbers_of(other(p, c))[i];
 }
 
 void step_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
+  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
   x = step(x, s);
 }
 
@@ -182,6 +194,8 @@ constexpr Move all_moves[] = {
     {"make_contained", make_contained},
     {"flatten", flatten},
     {"thin", thin},
+    {"round_edges", round_edges},
+    {"round_off", round_off},
     {"move_far", move_far},
     {"move_to_origin", move_to_origin},
     {"copy_field", copy_field},
@@ -196,6 +210,7 @@ Cylinder legalised(Cylinder c) {
   if (c.axis.isZero(0)) c.axis = {0, 0, 1};
   c.radius = std::fabs(c.radius);
   c.height = std::fabs(c.height);
+  c.rounding = std::fabs(c.rounding);
   return c;
 }
 

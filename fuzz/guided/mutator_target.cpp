@@ -19,9 +19,8 @@ namespace {
 constexpr std::size_t blind_share = 16;
 
 cyl::Pair decode(const std::uint8_t* data, std::size_t size) {
-  cyl::Record record{};
-  std::copy_n(data, std::min(size, record.size()), record.begin());
-  return cyl::decode_record(record);
+  // What is not a record becomes a pair that the mutator makes legal.
+  return cyl::decode_record({data, size}).value_or(cyl::Pair{});
 }
 
 std::size_t write(const cyl::Pair& pair, std::uint8_t* data, std::size_t room) {

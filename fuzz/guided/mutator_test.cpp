@@ -39,7 +39,7 @@ double sine(const Pair& p) { return unit_axis(p.a.axis).cross(unit_axis(p.b.axis
 double cosine(const Pair& p) { return std::fabs(inner_product(unit_axis(p.a.axis), unit_axis(p.b.axis))); }
 
 TEST(Mutator, KeepsLegalPairsLegalOfAnyForm) {
-  for (const Family& family : families())
+  for (const Family& family : campaign_families())
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Pair before = family.generate(1, i), after = mutate(before, i);
       EXPECT_TRUE(is_legal(after)) << format_pair(before);
@@ -48,7 +48,8 @@ TEST(Mutator, KeepsLegalPairsLegalOfAnyForm) {
 
 TEST(Mutator, MakesNumbersOfAnyBitsLegal) {
   RandomStream stream("bits", 1, 0);
-  Pair pair{{{NAN, infinity, 0}, {0, 0, 0}, -1, -infinity}, {{1, 2, 3}, {-0.0, 0, NAN}, NAN, 5e-324}};
+  Pair pair{{{NAN, infinity, 0}, {0, 0, 0}, -1, -infinity, -2},
+            {{1, 2, 3}, {-0.0, 0, NAN}, NAN, 5e-324, NAN}};
   for (std::uint64_t i = 0; i < 100; ++i) EXPECT_TRUE(is_legal(mutate(pair, i)));
 }
 
@@ -90,6 +91,10 @@ TEST(Mutator, MakesWhatTheNamesSay) {
     const Vector3 apart = p.b.center - p.a.center;
     EXPECT_LE(unit_axis(p.a.axis).cross(apart).norm(), 1e-13 * (p.a.center.norm() + apart.norm()));
   });
+  std::map<SolidKind, int> kinds;
+  for (const char* name : {"round_edges", "round_off"})
+    look_at(name, [&](const Pair& p) { ++kinds[kind_of(p.a)], ++kinds[kind_of(p.b)]; });
+  for (const SolidKind kind : enum_values<SolidKind>) EXPECT_GT(kinds[kind], 20) << to_string(kind);
   look_at("move_to_origin", [](const Pair& p) { EXPECT_TRUE(p.a.center.isZero(0)); });
   look_at("snap_to_grid", [](const Pair& p) {
     EXPECT_EQ(std::ldexp(p.a.radius, 10), std::nearbyint(std::ldexp(p.a.radius, 10)));

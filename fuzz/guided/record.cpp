@@ -3,48 +3,74 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
 
 namespace cyl {
+namespace {
 
-using Numbers = std::array<double, 2 * core_number_count>;
-static_assert(sizeof(Numbers) == record_size);
+/// The shape of a solid. The other values are for shapes to come.
+enum class ShapeTag : std::uint64_t { cylinder = 0 };
 
-Record encode_record(const Pair& pair) { return std::bit_cast<Record>(core_numbers_of(pair)); }
+struct SolidRecord {
+  ShapeTag shape = ShapeTag::cylinder;
+  std::array<double, cylinder_number_count> numbers;
+};
+using PairRecord = std::array<SolidRecord, 2>;
+static_assert(sizeof(PairRecord) == record_size);
 
-Pair decode_record(std::span<const std::uint8_t, record_size> bytes) {
-  Numbers n;
-  std::memcpy(n.data(), bytes.data(), record_size);
-  return pair_of(n.data(), core_number_count);
+}  // namespace
+
+Record encode_record(const Pair& pair) {
+  const PairRecord solids{SolidRecord{ShapeTag::cylinder, numbers_of(pair.a)},
+                          SolidRecord{ShapeTag::cylinder, numbers_of(pair.b)}};
+  Record record;
+  std::memcpy(record.data(), solids.data(), record_size);
+  return record;
 }
 
-std::vector<Case> read_corpus(const std::string& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+std::optional<Pair> decode_record(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != record_size) return {};
+  PairRecord solids;
+  std::memcpy(solids.data(), bytes.data(), record_size);
+  for (const SolidRecord& solid : solids)
+    if (solid.shape != ShapeTag::cylinder) return {};
+  return Pair{cylinder_of(solids[0].numbers.data(), cylinder_number_count),
+              cylinder_of(solids[1].numbers.data(), cylinder_number_count)};
+}
+
+std::vector<Pair> read_corpus(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  std::vector<Case> cases;
-  for (const auto& file : files) {
+  std::set<Record> known;
+  std::vector<Pair> pairs;
+  for (const fs::path& file : files) {
     Record record;
-    if (std::filesystem::file_size(file) != record_size ||
-        !std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(record.data()), record_size))
-      throw std::runtime_error(file.string() + ": a record has " + std::to_string(record_size) + " bytes");
-    Case& c = cases.emplace_back();
-    c.pair = decode_record(record);
-    c.id = file.filename().string();
-    c.source = "fuzz";
-    const Numbers numbers = std::bit_cast<Numbers>(record);
-    if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
-      cases.pop_back();
+    std::optional<Pair> pair;
+    if (fs::file_size(file) == record_size &&
+        std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(record.data()), record_size))
+      pair = decode_record(record);
+    if (!pair)
+      throw std::runtime_error(file.string() + " is not a record of this version of daylight: those have " +
+                               std::to_string(record_size) + " bytes and a known shape. Remove the folder; " +
+                               "`fuzz` makes a new one");
+    const auto numbers = numbers_of(*pair);
+    if (std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }) &&
+        known.insert(record).second)
+      pairs.push_back(*pair);
   }
-  return cases;
+  return pairs;
 }
 
 }  // namespace cyl

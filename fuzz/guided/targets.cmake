@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A fuzz target is a file with LLVMFuzzerTestOneInput. Everywhere it becomes a program that replays files; with clang also
 # one that searches, with all code of ours instrumented.
-set(fuzz_targets core seed_methods xcheck)
+set(fuzz_targets core xcheck)
 add_executable(make_records fuzz/guided/make_records_main.cpp)
 target_link_libraries(make_records PRIVATE daylight_fuzz_guided)
 foreach(target ${fuzz_targets})

@@ -5,11 +5,11 @@
 build=${WORK:-/tmp}/daylight
 cmake -S "$SRC/daylight/fuzz/oss-fuzz" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
   -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$CXXFLAGS"
-ninja -C "$build" fuzz_core_libfuzzer fuzz_seed_methods_libfuzzer make_records
+ninja -C "$build" fuzz_core_libfuzzer fuzz_xcheck_libfuzzer make_records
 "$build/make_records" "$SRC/daylight/corpus/cases" "$build/records"
-for target in core seed_methods; do
+for target in core xcheck; do
   cp "$build/fuzz_${target}_libfuzzer" "$OUT/fuzz_$target"
   cp "$build/records.dict" "$OUT/fuzz_$target.dict"
   (cd "$build/records" && python3 -m zipfile -c "$OUT/fuzz_${target}_seed_corpus.zip" ./*)
-  printf '[libfuzzer]\nmax_len = 128\nlen_control = 0\ntimeout = 25\n' >"$OUT/fuzz_$target.options"
+  printf '[libfuzzer]\nmax_len = 160\nlen_control = 0\ntimeout = 25\n' >"$OUT/fuzz_$target.options"
 done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # A campaign in shards on this machine, or on those that PARALLEL names, with GNU parallel; then the merge.
-#     fuzz/slurm/parallel.sh SHARDS OUT OPTION..      fuzz/slurm/parallel.sh 8 runs/night --for 8h
+#     fuzz/slurm/parallel.sh SHARDS OUT OPTION..      fuzz/slurm/parallel.sh 8 runs/night --for 8h --fuzz 25%
 # Called again it goes on where the stores stand. The exit code is that of `daylight merge`.
 set -euo pipefail
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # A campaign on a Slurm cluster: one array task a shard, then a job that merges.
-#     fuzz/slurm/submit.sh SHARDS OUT OPTION..      fuzz/slurm/submit.sh 64 runs/night --for 8h --methods=-nlopt
+#     fuzz/slurm/submit.sh SHARDS OUT OPTION..      fuzz/slurm/submit.sh 64 runs/night --for 8h --fuzz 25%
 # OUT lies where every node sees it. The options are those of `daylight campaign` but --shard and --out. A task that
 # is requeued goes on where its store stands; to go on with a whole campaign, call this again. Prints the two job
 # numbers. Slurm's own settings come from its environment: SBATCH_PARTITION, SBATCH_TIMELIMIT, ... . JOBS is the

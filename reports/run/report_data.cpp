@@ -134,6 +134,7 @@ json families_json(const RunData& run, const std::vector<MethodTally>& tallies) 
   };
   tell(cases_family, "the case files, played first");
   for (const Family& f : run.families) tell(std::string(f.name), f.summary);
+  tell(fuzzed_family, "the corpus of a fuzzer, then changes of its pairs");
   for (const std::string& name : std::set(asked)) tell(name, "of another build");
   return all;
 }

@@ -84,7 +84,8 @@ std::string format_summary(const RunData& run) {
     ++own;
     own_wrong += c.contract + c.failed > 0;
   }
-  std::string text = fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
+  std::string text = escaped_controls(value_of(run.config, "fuzzing"), "\n");
+  text += fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
   if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
   text += fmt::format("wrong beyond the claim: {}, {}\n  most: {}\n", counted(beyond.size(), "method"),
                       counted(all_beyond, "answer"), most_of(beyond));

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The fuzzer before a campaign, which gives it a corpus.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/campaign.hpp"
+
+namespace cyl {
+
+/// Returns the path of the program that fuzzes a target, beside this executable if clang built that, else in
+/// the folder of the clang build. Throws std::runtime_error, with the remedy, if there is none.
+std::string fuzz_program(const std::string& target);
+
+/// Fills corpus/ in the folder of a run from the corpus of another run, after it has read all of it. Throws
+/// std::runtime_error if a file there is not a record.
+void begin_corpus(const std::string& run, const std::string& from);
+
+/// Fuzzes for the time that the run has left for it, and keeps what came of it in the run. Returns false if a
+/// signal stopped it. Throws std::runtime_error if the fuzzer fails.
+bool fuzz_before_campaign(const CampaignOptions& options);
+
+}  // namespace cyl
