@@ -40,6 +40,17 @@ Shard shard_of(const Config& config) {
   return {index, count, batch};
 }
 
+void check_progress(const RunStore& run) {
+  const std::uint64_t own = shard_of(run.config()).below(run.progress().next);
+  std::uint64_t judged = 0;
+  for (const TallyRecord& t : run.tallies())
+    if (t.method == referee_row) judged += t.counts.asked;
+  if (judged != own)
+    throw InputError(
+        fmt::format("the run states that it did {} pairs, and its referee judged {}: it is damaged or forged",
+                    own, judged));
+}
+
 std::string format_shard(const Shard& shard) {
   if (shard.count == 1) return "";
   return fmt::format("{}/{} of batches of {}", shard.index, shard.count, shard.batch);

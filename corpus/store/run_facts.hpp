@@ -41,6 +41,8 @@ std::uint64_t number_of(const Config& config, const std::string& key);
 /// Returns the shard of a run from its configuration, or the whole run if it names none. Throws
 /// InputError if the entry is not a shard.
 Shard shard_of(const Config& config);
+/// Throws InputError unless the referee of the run judged every pair of its own below the next index.
+void check_progress(const RunStore& run);
 /// Returns the entry that shard_of() reads.
 std::string format_shard(const Shard& shard);
 

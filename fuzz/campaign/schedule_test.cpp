@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -42,6 +43,8 @@ TEST(Weights, GrowWithWhatWasFoundAndLeaveNobodyOut) {
     RunStore store = RunStore::create(folder / run, {});
     BatchRecord batch;
     batch.next = 1;
+    for (const GroupRecord& g : groups)
+      batch.findings.insert(batch.findings.end(), std::min(g.count, representatives_cap), FindingRecord{g});
     batch.groups = std::move(groups);
     store.commit(batch, 1);
   };

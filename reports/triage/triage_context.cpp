@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/process/child.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "oracles/methods/guest.hpp"
@@ -76,7 +77,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
     if (!absent_guests.contains(m.name)) asked.push_back(m.name);
   for (const FindingRecord& f : findings) {
     const CaseLine line = parse_case(f.pair, 1);
-    if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
+    if (!line.value) throw InputError(fmt::format("finding {}: {}", f.id, line.error));
     subjects.push_back(
         {&f, position_of(methods, f.method), absent_guests.contains(f.method), line.value->pair});
     if (subjects.back().absent) absent.insert(f.id);

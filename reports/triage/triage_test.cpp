@@ -79,7 +79,7 @@ struct Folder {
   static inline int next = 0;
 
   std::string make_run(const std::string& name, const std::string& started,
-                       std::vector<FindingRecord> findings, std::uint64_t uncounted = 0) const {
+                       std::vector<FindingRecord> findings, std::uint64_t times = 1) const {
     const std::string folder = (path / name).string();
     std::vector<MethodRecord> methods;
     for (const char* method : {"fcl-libccd", "mujoco", "seedbook-printed"})
@@ -88,10 +88,12 @@ struct Folder {
     BatchRecord batch;
     batch.next = 1;
     for (FindingRecord& f : findings) {
-      f.index = batch.groups.size();  // a store holds one pair per index
-      batch.groups.push_back({{f.method, f.kind, f.severity, f.family}, 1 + uncounted});
+      batch.groups.push_back({{f.method, f.kind, f.severity, f.family}, times});
+      for (std::uint64_t i = 0; i < times; ++i) {
+        f.index = batch.findings.size();  // a store holds one pair per index
+        batch.findings.push_back(f);
+      }
     }
-    batch.findings = std::move(findings);
     store.commit(batch, 1);
     return folder;
   }
@@ -116,7 +118,7 @@ Json page_of(const ShownCase& shown) { return Json::parse(shown.page); }
 
 TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   const Folder history;
-  const std::string first = history.make_run("one", "2026-11-20", three(), 4);
+  const std::string first = history.make_run("one", "2026-11-20", three(), 5);
   const Triage one = triage(first);
   EXPECT_EQ(keys_of(one.causes),
             (std::set<std::string>{"fcl-libccd/overflow", "mujoco/overflow", "seedbook/wrong_intersecting"}));
