@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ Shard shard_of(const Config& config);
 void check_progress(const RunStore& run);
 /// Returns the entry that shard_of() reads.
 std::string format_shard(const Shard& shard);
+
+/// Returns the verdict that the run proved of the pair of a finding, or nothing if it stores none.
+std::optional<Verdict> proved_verdict(const FindingRecord& finding);
 
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";

@@ -39,10 +39,11 @@ class HistoryTest : public testing::Test {
     for (const auto& [method, kinds] : methods) {
       batch.tallies.push_back({method, "flat", Counts{100, 0, 0, 0, 0, 0, 0}});
       for (const FindingKind kind : kinds) {
-        const FindingGroup group{method, kind, Severity::contract, "flat"};
-        batch.groups.push_back({group, kind == seldom ? 2u : 30u, 0});
+        FindingRecord found;
+        static_cast<FindingGroup&>(found) = {method, kind, Severity::contract, "flat"};
+        batch.groups.push_back({found, kind == seldom ? 2u : 30u, 0});
         batch.findings.insert(batch.findings.end(), std::min(batch.groups.back().count, representatives_cap),
-                              FindingRecord{group});
+                              found);
       }
     }
     store.commit(batch, 1);

@@ -35,10 +35,7 @@ milliseconds page_time(std::span<const Subject> subjects) {
   const auto start = TriageContext::Clock::now();
   std::size_t tried = 0;
   for (std::size_t i = 0; i < subjects.size(); i += subjects.size() / tried_cap + 1, ++tried) {
-    const nlohmann::json truth = nlohmann::json::parse(subjects[i].record->truth, nullptr, false);
-    const auto verdict =
-        from_word<Verdict>(truth.is_object() ? truth.value("verdict", std::string()) : std::string());
-    if (verdict && *verdict != Verdict::undecided && *verdict != Verdict::invalid)
+    if (const auto verdict = proved_verdict(*subjects[i].record))
       case_distance(subjects[i].pair, *verdict, subjects[i].record->margin);
   }
   if (tried == 0) return {};
