@@ -60,7 +60,7 @@ constexpr std::uint64_t kept_cap = representatives_cap + 2099;
 /// The findings of a group, as its rows count them.
 struct KeptCounts : FindingGroup {
   std::uint64_t stated = 0, kept = 0;
-  std::uint64_t with_pair = 0;  ///< of those kept
+  std::uint64_t with_pair = 0;  ///< kept findings
 
   static auto columns(auto& k) {
     return std::tie(k.method, k.kind, k.severity, k.family, k.stated, k.kept, k.with_pair);

@@ -73,7 +73,7 @@ class JudgedAgain {
 
 void check(const FindingRecord& f, std::span<const MethodRecord> asked, bool own) {
   if (f.margin && !(f.margin->lo >= 0 && f.margin->lo <= f.margin->hi)) refuse(f, "has no such margin");
-  // What our own methods state of errors and exact witnesses is not stored whole.
+  // The store does not have the error bounds and exact witnesses of our own methods.
   if (own && (f.kind == FindingKind::distance_outside || f.kind == FindingKind::bad_witness)) return;
   Claim claim;
   const auto method = std::ranges::find(asked, f.method, &MethodRecord::name);

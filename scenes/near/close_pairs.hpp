@@ -32,7 +32,7 @@ struct ClosePairs {
 };
 
 /// The most pairs whose boxes meet: so many, or twice the number of solids if that is more. A pair takes some
-/// 40 bytes, and nobody looks through more. Solids that repeat one another have a pair for each two of them.
+/// 40 bytes. Solids that repeat one another have a pair for each two of them.
 inline constexpr std::size_t candidates_cap = 5'000'000;
 
 /// Returns the pairs of valid cylinders within the clearance. Throws InputError if the boxes of more pairs
