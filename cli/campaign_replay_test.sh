@@ -37,6 +37,15 @@ printf '%s\n' "$undecided" >undecided.jsonl
 expect 3 'an undecided truth' "$daylight" replay undecided.jsonl --methods intersect
 holds 'it is counted' out '^1 replayed, 0 beyond a claim, 1 of undecided truth$'
 expect 2 'a finding comes before it' "$daylight" replay undecided.jsonl cases.jsonl --methods fcl-libccd
+printf '%s,"truth":"touching"}\n%s,"truth":"intersecting"}\n' "${undecided%\}}" '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,3,0],"axis":[0,0,1],"radius":1,"height":2}' >wrong.jsonl
+expect 65 'a wrong truth of a file' "$daylight" replay wrong.jsonl --methods intersect
+holds 'it says so' out '^  the stored truth, intersecting, is refuted$'
+holds 'one of two' out '^1 stored truth is wrong$'
+cp -r runs/fcl runs/forged
+python3 -c 'import sqlite3
+with sqlite3.connect("runs/forged/run.sqlite") as run: run.execute("UPDATE judged_pair SET truth = ?", ["{\"verdict\":\"touching\"}"])'
+expect 65 'a wrong truth of a run' "$daylight" replay runs/forged:1
+rm -r runs/forged
 expect 64 'no such finding' "$daylight" replay runs/fcl:999999
 expect 64 'a resume that names no run' "$daylight" campaign --resume '' --pairs 3
 expect 64 'no such run' "$daylight" replay nowhere

@@ -70,6 +70,8 @@ mjcf('assets', '<asset>' + ''.join(f'<mesh name="m{i}"/>' for i in range(50000))
     f'<geom type="mesh" mesh="m{49999 - i}"/>' for i in range(50000)) + '</worldbody>')
 os.symlink('/dev/zero', 'zero.jsonl')
 sparse('sparse.csv')
+with open('same.csv', 'w') as file:
+    file.write('x,y,z,ax,ay,az,radius,height\n' + '0,0,0,0,0,1,1,2\n' * 20000)
 with open('line.jsonl', 'w') as file:
     file.write('[' * 100000000)
 END
@@ -99,12 +101,13 @@ hostile 65 'classes.xml: the classes of defaults have more than 1000000 values' 
 hostile 3 'not tested: 50,000 meshes' scene assets.xml --configurations 1
 hostile 65 'zero.jsonl: it is neither a regular file nor a pipe' scene zero.jsonl
 hostile 65 'zero.jsonl: it is neither a regular file nor a pipe' near zero.jsonl
+hostile 65 'the boxes of more than 5000000 pairs meet: remove solids that lie in the same place' near same.csv
 hostile 65 'sparse.csv: it is larger than 1024 MiB' scene sparse.csv
 hostile 65 'line.jsonl: line 1 is longer than 1 MiB' scene line.jsonl
 
 # Runs: tables that never end, triggers, endless text, numbers that are none, names that steer a terminal.
 expect 2 'a campaign' "$daylight" campaign --pairs 1500 --seed 7 --cases '' --methods ode,decide --out run
-expect 2 'its triage' "$daylight" triage run --for 1s
+expect 2 'its triage' "$daylight" triage run --for 4s  # which finds causes on a busy machine, too
 changed() { # SQL..: a copy of the run in which somebody ran it
   rm -rf copy && cp -r run copy
   python3 -c 'import sqlite3, sys
@@ -120,7 +123,7 @@ done
 changed run.sqlite 'CREATE TRIGGER evil AFTER UPDATE ON progress BEGIN DELETE FROM wrong_answer; END'
 hostile 65 "run.sqlite: its trigger 'evil' is none that this build writes" campaign --resume copy --pairs 3000
 changed run.sqlite 'UPDATE wrong_answer SET reason = zeroblob(70000000) WHERE id = 1'
-hostile 1 'run.sqlite: string or blob too big' replay copy
+hostile 65 'run.sqlite: string or blob too big' replay copy
 rm -rf copy && cp -r run copy
 python3 - <<'END'
 # Four pages that each name the next 1500 times: billions of rows.
@@ -146,21 +149,57 @@ data[(root - 1) * size:root * size] = naming(len(data) // size)
 struct.pack_into('>I', data, 28, len(data) // size)
 open(name, 'wb').write(data)
 END
-hostile 1 'run.sqlite: it holds more than its size explains' replay copy
-hostile 1 'run.sqlite: it holds more than its size explains' triage copy --for 1s
+hostile 65 'run.sqlite: it holds more than its size explains' replay copy
+hostile 65 'run.sqlite: it holds more than its size explains' triage copy --for 1s
+changed run.sqlite "UPDATE wrong_answer SET kind = 'odd' WHERE id = 1"
+hostile 65 "run.sqlite: 'odd' is not a word" replay copy
+changed run.sqlite "UPDATE judged_pair SET pair = '['"
+for command in 'triage copy --for 1s' 'replay copy' 'export copy:1 --out sent'; do
+  # shellcheck disable=SC2086
+  hostile 65 '1: line 1, column 1: ' $command
+done
+changed run.sqlite "UPDATE wrong_answer SET margin_lo = '0.5', margin_hi = '1e300' WHERE margin_lo IS NOT NULL"
+hostile 65 'finding [0-9]+ of the run \(ode [a-z_]+\) states another margin than the ' triage copy --for 1s
+gentler=()
+for table in finding_group wrong_answer; do
+  gentler+=("UPDATE $table SET severity = 'unresolved' WHERE severity = 'resolution'"
+    "UPDATE $table SET severity = 'resolution' WHERE severity = 'contract'")
+done
+changed run.sqlite "${gentler[@]}"
+hostile 65 'finding [0-9]+ of the run \(ode [a-z_]+\) is (within its claim|truth undecided), but its stored answer is ' triage copy --for 1s
+changed run.sqlite "UPDATE method SET relative = '0', absolute = '0'"
+hostile 65 'the run states another claim of ode [^ ]+ than this build' triage copy --for 1s
+changed run.sqlite 'UPDATE judged_pair SET pair_index = -1 - pair_index'
+hostile 65 'run.sqlite: it counts [0-9]+ findings of ode .*, and pairs of 0: it is damaged or forged' triage copy
+changed run.sqlite 'UPDATE progress SET next = 9223372036854775807'
+for command in 'campaign --resume copy --for 1s' 'merge copy --out merged'; do
+  # shellcheck disable=SC2086
+  hostile 65 'it did 9223372036854775807 pairs, and its referee judged 1500' $command
+done
+changed run.sqlite 'UPDATE finding_group SET count = 1000000
+  WHERE (method, kind, severity, family) = (SELECT method, kind, severity, family FROM wrong_answer WHERE id = 1)' "INSERT INTO wrong_answer
+  WITH RECURSIVE r(x) AS (SELECT 1000 UNION ALL SELECT x + 1 FROM r WHERE x < 300000)
+  SELECT x, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, reason FROM r, wrong_answer WHERE id = 1"
+for command in 'replay copy' 'merge copy --out merged' 'triage copy --for 1s'; do
+  # shellcheck disable=SC2086
+  hostile 65 'has rows of 29[0-9]{4}, and pairs' $command
+done
 for key in seed pairs budget_milliseconds; do
   changed run.sqlite "UPDATE run SET value = 'many' WHERE key = '$key'"
   hostile 65 "the $key of the run is 'many', no whole number" campaign --resume copy
 done
 changed run.sqlite "DELETE FROM run WHERE key = 'seed'"
 hostile 65 'the run does not state its seed' campaign --resume copy
-changed run.sqlite "INSERT OR REPLACE INTO run VALUES('shard', '0/2 of batches of 10')" "UPDATE run SET value = '1e9' WHERE key = 'pairs'"
+changed run.sqlite "INSERT OR REPLACE INTO run VALUES('shard', '0/2 of batches of 10')" "UPDATE run SET value = '1e9' WHERE key = 'pairs'" \
+  'UPDATE progress SET next = 3000'
 hostile 65 "the pairs of the run is '1e9', no whole number" merge copy --out merged
 changed run.sqlite "UPDATE run SET value = char(27) || '[2J' WHERE key = 'seed'"
 hostile 65 "the seed of the run is '.u001b.2J', no whole number" campaign --resume copy
-for table in wrong_answer finding_group tally method; do
+evil="char(27, 91, 50, 74, 7, 10) || 'evil' || char(8238)"
+for table in wrong_answer tally method; do
   column=$([[ $table == method ]] && echo name || echo method)
-  changed run.sqlite "UPDATE $table SET $column = char(27, 91, 50, 74, 7, 10) || 'evil' || char(8238) || $column"
+  changed run.sqlite "UPDATE $table SET $column = $evil || $column" \
+    "UPDATE finding_group SET method = $evil || method WHERE '$table' = 'wrong_answer'"
   for command in 'triage copy --for 1s' 'replay copy' 'merge copy --out merged' 'export copy:1 --out sent' 'explain copy:1' \
     'chart copy' 'campaign --resume copy'; do
     # shellcheck disable=SC2086

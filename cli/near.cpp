@@ -95,7 +95,8 @@ void add_near(Program& program) {
       "  daylight near parts.csv --clearance 0.01 --csv near.csv\n"
       "  daylight near --generate rods --count 100000 --verify",
       "Exit code 2 of near means that the referee refutes an answer or that a certificate fails,\n"
-      "3 that a pair is undecided, and 65 that the file is not a list of solids.");
+      "3 that a pair is undecided, and 65 that the file is not a list of solids, or that the boxes of more\n"
+      "than 5,000,000 pairs meet (of more than two pairs for each solid, if that is more).");
   command.run([arguments] { return near(*arguments); });
 }
 

@@ -36,7 +36,7 @@ struct ReplayArguments {
 
 /// Returns what became of a stored finding: "stands", or why it does not.
 std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
-                    const Trial& now) {
+                    Trial& now) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (methods[m]->name() != stored.method) continue;
     if (!now.findings[m]) {
@@ -52,8 +52,7 @@ std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr
     return now.truth.verdict == Verdict::undecided ? "stands" : "gone: proved now";
   if (stored.method == "corpus") {
     const auto stated = parse_case(stored.pair, 1).value->truth;
-    const bool meets = now.truth.verdict == Verdict::touching && stated == Verdict::intersecting;
-    return meets || stated == now.truth.verdict ? "gone" : "stands: the verdict of the case is wrong";
+    return stated && compare_statement(now, *stated) ? "stands: the verdict of the case is wrong" : "gone";
   }
   return "not asked: this build or --methods does not have the method";
 }
@@ -76,7 +75,7 @@ class Replayer {
       const std::size_t count = std::min(together_cap, targets_.size() - first);
       std::vector<Pair> pairs;
       for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
-      const std::vector<Trial> now = try_methods(methods_, pairs, Caps{}, 2);
+      std::vector<Trial> now = try_methods(methods_, pairs, Caps{}, 2);
       const LawFilter wanted = [&](std::size_t, const Law& law) {
         return std::find(laws_.begin(), laws_.end(), law.number) != laws_.end();
       };
@@ -94,14 +93,22 @@ class Replayer {
     }
     fmt::print("{} replayed, {} beyond a claim, {} of undecided truth\n", targets_.size(), contract_,
                undecided_);
+    if (refuted_ > 0) {
+      fmt::print("{} stored {} wrong\n", refuted_, refuted_ == 1 ? "truth is" : "truths are");
+      return exit_invalid_input;
+    }
     if (contract_ > 0) return exit_findings;
     return undecided_ > 0 ? exit_undecided : exit_pass;
   }
 
  private:
-  void print(const Target& target, const Trial& now) {
+  void print(const Target& target, Trial& now) {
     fmt::print("{}\n  {}\n", target.label, format_pair(target.pair));
     fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict), in_words(now.truth.certificate));
+    if (target.stated && compare_statement(now, *target.stated)) {
+      fmt::print("  the stored truth, {}, is refuted\n", to_string(*target.stated));
+      ++refuted_;
+    }
     if (now.decided())
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
     std::vector<std::size_t> wrong_first(methods_.size());
@@ -154,7 +161,7 @@ class Replayer {
 
   /// Returns whether an answer is wrong beyond a claim. For a stored finding, only its own method counts.
   /// For a case, any method does.
-  bool stands_by_contract(const Target& target, const Trial& now) const {
+  bool stands_by_contract(const Target& target, Trial& now) const {
     if (target.finding && target.finding->method == "corpus")
       return outcome(*target.finding, methods_, now).starts_with("stands");
     for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -169,6 +176,7 @@ class Replayer {
   std::vector<Target> targets_;
   std::size_t contract_ = 0;
   std::size_t undecided_ = 0;
+  std::size_t refuted_ = 0;  ///< stored truths
 };
 
 }  // namespace
@@ -197,7 +205,9 @@ void add_replay(Program& program) {
   command.examples(
       "  daylight replay runs/latest:12\n"
       "  daylight replay corpus/cases/reported.jsonl --methods decide,fcl",
-      "Exit code 2 of replay means that a method is still wrong beyond its claim.");
+      "Exit code 2 of replay means that a method is still wrong beyond its claim, and 65, which comes "
+      "first,\n"
+      "that a stored truth is wrong.");
   command.run([arguments] { return Replayer(*arguments).run(); });
 }
 

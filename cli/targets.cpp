@@ -15,6 +15,7 @@
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_facts.hpp"
 
 namespace cyl {
 namespace {
@@ -25,7 +26,8 @@ Target of_finding(const std::string& run, FindingRecord finding) {
   const CaseLine line = parse_case(finding.pair, 1);
   const std::string label = fmt::format("{}:{}", run, finding.id);
   if (!line.value) throw InputError(label + ": " + line.error);
-  return {label, line.value->pair, std::move(finding)};
+  const auto stated = proved_verdict(finding);
+  return {label, line.value->pair, std::move(finding), stated};
 }
 
 /// Returns all cases of a file, or the case on one line of it.
@@ -39,7 +41,10 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
     if (wanted && line->line != *wanted) continue;
     if (!line->value) throw InputError(name + ": " + line->error);
     const std::string id = escaped_controls(line->value->id);
-    targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
+    targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id,
+                       line->value->pair,
+                       {},
+                       line->value->truth});
   }
   if (in.bad()) throw std::runtime_error(name + " cannot be read");
   if (wanted && targets.empty()) throw UsageError(fmt::format("{} has no case in line {}", name, *wanted));

@@ -16,6 +16,7 @@ struct Target {
   std::string label;
   Pair pair;
   std::optional<FindingRecord> finding;
+  std::optional<Verdict> stated;  ///< the truth that the case or the run stores
 };
 
 /// Returns the folder that a link like runs/latest leads to, which is named the same tomorrow; any other as

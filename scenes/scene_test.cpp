@@ -143,6 +143,22 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'/><link name='b'/></robot>").find("root"),
             std::string::npos);
   EXPECT_NE(error_of(".urdf", "<robot>\n<link name='a'></robot>").find("line 2: "), std::string::npos);
+  const auto slides = [](const std::string& end, const std::string& mimic) {
+    const auto joint = [&](const std::string& name, const std::string& parent, const std::string& rest) {
+      return "<link name='" + name + "'/><joint name='j" + name + "' type='prismatic'><parent link='" +
+             parent + "'/><child link='" + name + "'/><limit lower='-" + end + "' upper='" + end +
+             "' effort='1' velocity='1'/>" + rest + "</joint>";
+    };
+    return "<robot name='r'><link name='a'/>" + joint("b", "a", "") + joint("c", "b", mimic) + "</robot>";
+  };
+  const std::string overflow =
+      ": its limits or its origin are so large that numbers overflow: give smaller ones";
+  EXPECT_EQ(error_of(".urdf", slides("1e308", "")), ": joint jb" + overflow);
+  EXPECT_EQ(error_of(".urdf", slides("8.9e307", "<mimic joint='jb' multiplier='2'/>")),
+            ": joint jc" + overflow);
+  EXPECT_EQ(error_of(".urdf", slides("1e10", "<mimic joint='jb' multiplier='1e308'/>")),
+            ": joint jc" + overflow);
+  EXPECT_EQ(error_of(".urdf", slides("1e307", "")), "none");
   EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
                 .find("sizes must be positive"),
             std::string::npos);

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "base/json.hpp"
 #include "base/number_text.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
@@ -38,6 +39,24 @@ Shard shard_of(const Config& config) {
     throw InputError("the shard of the run is '" + text + "', no shard");
   }
   return {index, count, batch};
+}
+
+void check_progress(const RunStore& run) {
+  const std::uint64_t own = shard_of(run.config()).below(run.progress().next);
+  std::uint64_t judged = 0;
+  for (const TallyRecord& t : run.tallies())
+    if (t.method == referee_row) judged += t.counts.asked;
+  if (judged != own)
+    throw InputError(
+        fmt::format("the run states that it did {} pairs, and its referee judged {}: it is damaged or forged",
+                    own, judged));
+}
+
+std::optional<Verdict> proved_verdict(const FindingRecord& finding) {
+  const auto truth = nlohmann::json::parse(finding.truth, nullptr, false);
+  if (!truth.is_object() || !truth.contains("verdict") || !truth["verdict"].is_string()) return {};
+  const auto verdict = from_word<Verdict>(truth["verdict"].get_ref<const std::string&>());
+  return verdict == Verdict::undecided || verdict == Verdict::invalid ? std::nullopt : verdict;
 }
 
 std::string format_shard(const Shard& shard) {

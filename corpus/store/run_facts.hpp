@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,8 +45,13 @@ std::uint64_t number_of(const Config& config, const std::string& key);
 /// Returns the shard of a run from its configuration, or the whole run if it names none. Throws
 /// InputError if the entry is not a shard.
 Shard shard_of(const Config& config);
+/// Throws InputError unless the referee of the run judged every pair of its own below the next index.
+void check_progress(const RunStore& run);
 /// Returns the entry that shard_of() reads.
 std::string format_shard(const Shard& shard);
+
+/// Returns the verdict that the run proved of the pair of a finding, or nothing if it stores none.
+std::optional<Verdict> proved_verdict(const FindingRecord& finding);
 
 /// The family names of the cases, and of the pairs from the corpus of a fuzzer.
 inline constexpr const char *cases_family = "cases", *fuzzed_family = "fuzzed";

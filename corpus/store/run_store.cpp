@@ -53,6 +53,40 @@ struct ConfigEntry {
   static auto columns(auto& e) { return std::tie(e.key, e.value); }
 };
 
+/// The most findings that a store keeps of one group: the first, and one for each power of two that a margin
+/// can reach. Doubles have 2098 of them, and infinity counts as one more.
+constexpr std::uint64_t kept_cap = representatives_cap + 2099;
+
+/// The findings of a group, as its rows count them.
+struct KeptCounts : FindingGroup {
+  std::uint64_t stated = 0, kept = 0;
+  std::uint64_t with_pair = 0;  ///< kept findings
+
+  static auto columns(auto& k) {
+    return std::tie(k.method, k.kind, k.severity, k.family, k.stated, k.kept, k.with_pair);
+  }
+};
+
+constexpr const char* count_kept = R"(
+SELECT method, kind, severity, family, sum(stated), sum(kept), sum(with_pair) FROM (
+  SELECT method, kind, severity, family, count AS stated, 0 AS kept, 0 AS with_pair FROM finding_group
+  UNION ALL SELECT method, kind, severity, family, 0, 1, judged_pair.pair_index IS NOT NULL
+    FROM wrong_answer LEFT JOIN judged_pair USING(pair_index))
+GROUP BY method, kind, severity, family)";
+
+/// Throws InputError unless each group keeps as many findings as it states, each with its pair.
+void check_counts(const SqliteFile& file) {
+  for (const KeptCounts& k : file.rows<KeptCounts>(count_kept)) {
+    const bool enough = k.kept >= std::min(k.stated, representatives_cap);
+    if (enough && k.kept <= std::min(k.stated, kept_cap) && k.with_pair == k.kept) continue;
+    throw InputError(
+        fmt::format("{}: it counts {} findings of {} ({}, {}, {}), has rows of {}, and pairs of {}: it is "
+                    "damaged or forged",
+                    file.name(), k.stated, k.method, to_string(k.kind), in_words(k.severity), k.family,
+                    k.kept, k.with_pair));
+  }
+}
+
 /// Adds the counts of a batch to the stored counts.
 void add_cells(SqliteFile& file, const std::vector<CellRecord>& cells) {
   Query stored = file.query("SELECT * FROM cell WHERE plane=? AND x=? AND y=?");
@@ -117,6 +151,7 @@ RunStore RunStore::open(const std::string& folder) {
   }
   file->check_schema(tables);
   file->write_ahead();
+  check_counts(*file);
   return RunStore(std::move(file));
 }
 

@@ -132,13 +132,14 @@ using Config = std::map<std::string, std::string>;
 
 /// The store of one run: FOLDER/run.sqlite. It has a write-ahead log with synchronous=NORMAL, so committed
 /// data survives the death of the process. A loss of power may lose the last batches, but not the
-/// consistency. Every call throws a std::runtime_error that names the file if it cannot be read or written.
+/// consistency. Every call throws a std::runtime_error that names the file if it cannot be read or written;
+/// it is an InputError if the file holds what no run does.
 class RunStore {
  public:
   /// Creates folder and file. Throws if a run exists there.
   static RunStore create(const std::string& folder, const Config& config,
                          const std::vector<MethodRecord>& methods = {});
-  /// Throws UsageError if there is no run.
+  /// Throws UsageError if there is no run, and InputError if its findings are not those that it counts.
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();

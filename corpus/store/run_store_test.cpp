@@ -170,7 +170,7 @@ TEST_F(Store, OfAnotherVersionIsRefused) {
 /// Returns why a run is refused after a stranger ran this script in it.
 std::string refused_after(const fs::path& folder, const std::string& script) {
   fs::remove_all(folder);
-  RunStore::create(folder, {});
+  RunStore::create(folder, {}).commit(batch_of(0, 50, [](auto) { return 1.0; }), 0);
   SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE).exec(script);
   try {
     RunStore::open(folder);
@@ -198,6 +198,27 @@ TEST_F(Store, OnlyTheTablesThatThisBuildWritesAreRead) {
   EXPECT_EQ(refused_after(run, "UPDATE progress SET next = 5"), "opened");
 }
 
+TEST_F(Store, FindingsThatARunDoesNotCountAreRefused) {
+  const std::string copies =
+      "WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM r WHERE x < 3000) INSERT INTO "
+      "wrong_answer "
+      "SELECT 1000 + x, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, "
+      "reason "
+      "FROM r, wrong_answer WHERE id = 1";
+  const std::string of = "findings of fake (wrong_disjoint, beyond its claim, scene)";
+  for (const auto& [script, what] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"UPDATE judged_pair SET pair_index = pair_index + 1000",
+            "it counts 50 " + of + ", has rows of 10, and pairs of 0"},
+           {"DELETE FROM wrong_answer WHERE id = 1",
+            "it counts 50 " + of + ", has rows of 9, and pairs of 9"},
+           {"DELETE FROM finding_group", "it counts 0 " + of + ", has rows of 10"},
+           {copies, "it counts 50 " + of + ", has rows of 3010"},
+           {"UPDATE finding_group SET count = 1000000; " + copies, "it counts 1000000 " + of},
+           {"UPDATE wrong_answer SET kind = 'odd'", "'odd' is not a word"}})
+    EXPECT_NE(refused_after(folder / "run", script).find(what), std::string::npos)
+        << refused_after(folder / "run", script);
+}
+
 TEST_F(Store, NoQueryIsLongerThanTheFileExplains) {
   SqliteFile file(folder / "any.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   const std::string endless = "WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x FROM r) ";
@@ -205,7 +226,7 @@ TEST_F(Store, NoQueryIsLongerThanTheFileExplains) {
     try {
       file.rows<std::string>(endless + rest);
       FAIL() << "ended";
-    } catch (const std::runtime_error& error) {
+    } catch (const InputError& error) {
       EXPECT_TRUE(std::string(error.what())
                       .ends_with("any.sqlite: it holds more than its size explains: it is "
                                  "damaged or forged"))

@@ -9,7 +9,8 @@
 //    NULLs.
 // 2. Doubles are stored as their shortest text, because a column has no infinity and no -0. Unsigned numbers
 //    are stored by their bits, enums by their words.
-// 3. If the file cannot be read or written, a call throws std::runtime_error, which names the file.
+// 3. If the file cannot be read or written, a call throws std::runtime_error, which names the file. If the
+//    content is at fault, that is an InputError.
 //
 // A stranger may have made the file, so
 // 4. no trigger fires, no view answers before check_schema() has seen it, and no query takes longer or
@@ -187,14 +188,24 @@ class Work {
 
 }  // namespace sqlite
 
+/// Returns whether the system is at fault, or another process, and not the content of the file.
+inline bool is_of_system(int code) {
+  constexpr int known[] = {SQLITE_PERM,  SQLITE_BUSY, SQLITE_LOCKED,   SQLITE_NOMEM,   SQLITE_READONLY,
+                           SQLITE_IOERR, SQLITE_FULL, SQLITE_CANTOPEN, SQLITE_PROTOCOL};
+  return std::ranges::find(known, code & 0xff) != std::end(known);
+}
+
 /// Returns the result of `work`. The errors of SQLite do not name the file, so this adds it.
 template <class Work>
 auto naming(const std::string& file, Work work) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
-    const bool interrupted = error.getErrorCode() == SQLITE_INTERRUPT;
-    throw std::runtime_error(file + ": " + (interrupted ? sqlite::Work::excess : error.what()));
+    const int code = error.getErrorCode();
+    const bool interrupted = code == SQLITE_INTERRUPT;
+    const std::string what = file + ": " + (interrupted ? sqlite::Work::excess : error.what());
+    if (code >= 0 && is_of_system(code)) throw std::runtime_error(what);
+    throw InputError(what);
   }
 }
 

@@ -239,19 +239,14 @@ class Batch {
     return false;
   }
 
-  /// Compares the statement of a case with the proof, as an answer of a method that claims to be always
-  /// right.
-  void compare_statement(std::size_t p) {
+  void count_statement(std::size_t p) {
     const auto& stated = workload_.cases[index_of(p)].truth;
     if (!stated) return;
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = *stated;
     trials_[p].forget_distance();
-    count_answer(counts(corpus_row_index(), 0), answer);
-    if (const auto wrong = compare(trials_[p], Claim{}, answer)) {
-      note(p, corpus_row_index(), *wrong);
-    }
+    Counts& tally = counts(corpus_row_index(), 0);
+    ++tally.asked;
+    tally.undecided += *stated == Verdict::undecided;
+    if (const auto wrong = compare_statement(trials_[p], *stated)) note(p, corpus_row_index(), *wrong);
   }
 
   void count_all(std::size_t p) {
@@ -261,7 +256,7 @@ class Batch {
       count_answer(counts(m, family), answers_of(p)[m]);
       if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
-    if (family == 0) compare_statement(p);
+    if (family == 0) count_statement(p);
     for (const std::size_t row : {referee_row_index(), stage_row_index(trials_[p].truth.stage)}) {
       ++counts(row, family).asked;
       counts(row, family).nanoseconds += judging_[p];

@@ -131,6 +131,7 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
     refuse(options, fmt::format("its method {} {} is now {} {}, or claims something else", before[i].name,
                                 before[i].version, methods[i].name, methods[i].version));
   }
+  check_progress(store);
   const milliseconds spent(store.progress().milliseconds);
   for (const auto& [key, value] : limits(options, spent)) store.set(key, value);
   store.set("guests", options.guests);

@@ -37,6 +37,7 @@ Part read_part(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
   Part part{folder, store.config(), store.methods(), store.progress(), {}};
   if (part.config.contains("shards")) throw UsageError(folder + " is itself merged from shards");
+  check_progress(store);
   part.shard = shard_of(part.config);
   return part;
 }

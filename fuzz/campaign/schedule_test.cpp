@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -42,6 +43,11 @@ TEST(Weights, GrowWithWhatWasFoundAndLeaveNobodyOut) {
     RunStore store = RunStore::create(folder / run, {});
     BatchRecord batch;
     batch.next = 1;
+    for (const GroupRecord& g : groups) {
+      FindingRecord found;
+      static_cast<FindingGroup&>(found) = g;
+      batch.findings.insert(batch.findings.end(), std::min(g.count, representatives_cap), found);
+    }
     batch.groups = std::move(groups);
     store.commit(batch, 1);
   };

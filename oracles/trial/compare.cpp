@@ -265,6 +265,13 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
   return Finding{FindingKind::side_effect, severity_of(answer.side_effect), margin_of(trial)};
 }
 
+std::optional<Finding> compare_statement(Trial& trial, Verdict stated) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = stated;
+  return compare(trial, Claim{}, answer);
+}
+
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   if (x.failure == Failure::hang || y.failure == Failure::hang) return true;
   if (x.status != y.status || x.failure != y.failure) return false;

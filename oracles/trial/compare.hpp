@@ -22,6 +22,9 @@ struct Trial;
 /// 3. Throws only what Trial throws.
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
+/// Compares the verdict that a case states, as the answer of a method that claims to be always right.
+std::optional<Finding> compare_statement(Trial& trial, Verdict stated);
+
 /// Returns the kind of finding of a failure.
 FindingKind finding_of(Failure failure);
 

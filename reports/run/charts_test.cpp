@@ -11,6 +11,7 @@
 #include "base/usage_error.hpp"
 #include "bench/paths.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/representatives.hpp"
 #include "reports/run/bench_table.hpp"
 
 namespace cyl {
@@ -69,7 +70,12 @@ class Charts : public testing::Test {
                       finding("bad", FindingKind::wrong_intersecting, beside(4e-7), Verdict::disjoint),
                       finding("bad", FindingKind::wrong_intersecting, beside(3e-7), Verdict::disjoint),
                       finding("bad", FindingKind::crash, beside(1), Verdict::disjoint)};
-    for (std::size_t i = 0; i < batch.findings.size(); ++i) batch.findings[i].index = i;
+    Representatives kept;
+    for (std::size_t i = 0; i < batch.findings.size(); ++i) {
+      batch.findings[i].index = i;
+      kept.admit(batch.findings[i]);
+    }
+    batch.groups = kept.groups();
     run.commit(batch, 1);
   }
   void TearDown() override { fs::remove_all(folder); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -37,8 +38,13 @@ class HistoryTest : public testing::Test {
     batch.next = 1;
     for (const auto& [method, kinds] : methods) {
       batch.tallies.push_back({method, "flat", Counts{100, 0, 0, 0, 0, 0, 0}});
-      for (const FindingKind kind : kinds)
-        batch.groups.push_back({{method, kind, Severity::contract, "flat"}, kind == seldom ? 2u : 30u, 0});
+      for (const FindingKind kind : kinds) {
+        FindingRecord found;
+        static_cast<FindingGroup&>(found) = {method, kind, Severity::contract, "flat"};
+        batch.groups.push_back({found, kind == seldom ? 2u : 30u, 0});
+        batch.findings.insert(batch.findings.end(), std::min(batch.groups.back().count, representatives_cap),
+                              found);
+      }
     }
     store.commit(batch, 1);
   }

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/process/child.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "oracles/methods/guest.hpp"
@@ -34,10 +35,7 @@ milliseconds page_time(std::span<const Subject> subjects) {
   const auto start = TriageContext::Clock::now();
   std::size_t tried = 0;
   for (std::size_t i = 0; i < subjects.size(); i += subjects.size() / tried_cap + 1, ++tried) {
-    const nlohmann::json truth = nlohmann::json::parse(subjects[i].record->truth, nullptr, false);
-    const auto verdict =
-        from_word<Verdict>(truth.is_object() ? truth.value("verdict", std::string()) : std::string());
-    if (verdict && *verdict != Verdict::undecided && *verdict != Verdict::invalid)
+    if (const auto verdict = proved_verdict(*subjects[i].record))
       case_distance(subjects[i].pair, *verdict, subjects[i].record->margin);
   }
   if (tried == 0) return {};
@@ -76,7 +74,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
     if (!absent_guests.contains(m.name)) asked.push_back(m.name);
   for (const FindingRecord& f : findings) {
     const CaseLine line = parse_case(f.pair, 1);
-    if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
+    if (!line.value) throw InputError(fmt::format("finding {}: {}", f.id, line.error));
     subjects.push_back(
         {&f, position_of(methods, f.method), absent_guests.contains(f.method), line.value->pair});
     if (subjects.back().absent) absent.insert(f.id);

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_store.hpp"
@@ -35,9 +36,12 @@ FindingRecord finding(const std::string& method, const std::string& family, cons
   f.method = method;
   f.kind = kind;
   f.severity = Severity::contract;
-  f.margin = Enclosure{0.1, 0.2};
+  Trial trial(pair);
+  const Verdict said = kind == FindingKind::wrong_intersecting ? Verdict::intersecting : Verdict::disjoint;
+  const auto wrong = compare_statement(trial, said);
+  f.margin = wrong ? wrong->margin : std::nullopt;
   f.pair = format_pair(pair);
-  f.answers = "[]";
+  f.answers = std::string("[[{\"verdict\":\"") + to_string(said) + "\"},[" + quote_json(method) + "]]]";
   f.truth = "{}";
   f.stage = "filter";
   return f;
@@ -79,7 +83,7 @@ struct Folder {
   static inline int next = 0;
 
   std::string make_run(const std::string& name, const std::string& started,
-                       std::vector<FindingRecord> findings, std::uint64_t uncounted = 0) const {
+                       std::vector<FindingRecord> findings, std::uint64_t times = 1) const {
     const std::string folder = (path / name).string();
     std::vector<MethodRecord> methods;
     for (const char* method : {"fcl-libccd", "mujoco", "seedbook-printed"})
@@ -88,10 +92,12 @@ struct Folder {
     BatchRecord batch;
     batch.next = 1;
     for (FindingRecord& f : findings) {
-      f.index = batch.groups.size();  // a store holds one pair per index
-      batch.groups.push_back({{f.method, f.kind, f.severity, f.family}, 1 + uncounted});
+      batch.groups.push_back({{f.method, f.kind, f.severity, f.family}, times});
+      for (std::uint64_t i = 0; i < times; ++i) {
+        f.index = batch.findings.size();  // a store holds one pair per index
+        batch.findings.push_back(f);
+      }
     }
-    batch.findings = std::move(findings);
     store.commit(batch, 1);
     return folder;
   }
@@ -116,7 +122,7 @@ Json page_of(const ShownCase& shown) { return Json::parse(shown.page); }
 
 TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   const Folder history;
-  const std::string first = history.make_run("one", "2026-11-20", three(), 4);
+  const std::string first = history.make_run("one", "2026-11-20", three(), 5);
   const Triage one = triage(first);
   EXPECT_EQ(keys_of(one.causes),
             (std::set<std::string>{"fcl-libccd/overflow", "mujoco/overflow", "seedbook/wrong_intersecting"}));
@@ -298,6 +304,44 @@ TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   EXPECT_TRUE(simplest.contains("note"));
 }
 
+/// Returns why a run is refused that states this of the pair apart(), whose solids are 0.02 of their size
+/// apart.
+std::string refused_with(const std::function<void(FindingRecord&)>& change) {
+  const Folder history;
+  FindingRecord stated = finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting);
+  change(stated);
+  try {
+    triage(history.make_run("one", "2026-11-20", {stated}), std::chrono::milliseconds(1500));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "shown";
+}
+
+TEST(Triage, JudgesAgainWhatARunStates) {
+  const std::string begin = "finding 1 of the run (seedbook-printed wrong_intersecting) ",
+                    end = ": it is damaged or forged";
+  EXPECT_EQ(refused_with([](FindingRecord&) {}), "shown");
+  EXPECT_EQ(
+      refused_with([](FindingRecord& f) { f.severity = Severity::resolution; }),
+      begin + "is within its claim, but its stored answer is wrong_intersecting (beyond its claim)" + end);
+  for (const Enclosure margin : {Enclosure{0.5, 0.5}, Enclosure{1e-9, 1e-9}})
+    EXPECT_TRUE(refused_with([&](FindingRecord& f) {
+                  f.margin = margin;
+                }).starts_with(begin + "states another margin than the "));
+  EXPECT_EQ(refused_with([](FindingRecord& f) {
+              f.margin = Enclosure{2, 1};
+            }),
+            begin + "has no such margin" + end);
+  EXPECT_EQ(refused_with(
+                [](FindingRecord& f) { f.answers = R"([[{"verdict":"disjoint"},["seedbook-printed"]]])"; }),
+            begin + "is refuted: its stored answer is right, or missing" + end);
+  EXPECT_EQ(refused_with([](FindingRecord& f) { f.kind = FindingKind::crash; }),
+            "finding 1 of the run (seedbook-printed crash) is beyond its claim, but its stored answer is "
+            "wrong_intersecting (beyond its claim)" +
+                end);
+}
+
 TEST(Triage, GoesOnWhereItWas) {
   const Folder history;
   const std::string folder = history.make_run("one", "2026-11-20", three());
@@ -367,13 +411,13 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
 }
 
 TEST(Causes, AWrongVerdictIsWorseThanAWrongDistance) {
-  FindingRecord verdict = finding("m", "f", apart()),
+  FindingRecord verdict = finding("m", "f", huge(1)),
                 distance = finding("m", "f", apart(), FindingKind::distance_outside);
   distance.margin = Enclosure{9, 9};
   EXPECT_TRUE(is_worse(verdict, distance));
   EXPECT_FALSE(is_worse(distance, verdict));
   FindingRecord deeper = verdict;
-  deeper.margin->lo = 0.15;
+  deeper.margin->lo = 2 * verdict.margin->lo;
   EXPECT_TRUE(is_worse(deeper, verdict));
 }
 
@@ -415,6 +459,7 @@ TEST(Causes, TheMarginIsOfFindingsOfTheKind) {
   TriageRecords records;
   records.findings = {finding("intersect", "f", huge(1)), finding("decide", "f", huge(2))};
   records.findings[1].kind = FindingKind::bad_witness;
+  records.findings[0].margin = Enclosure{0.1, 0.2};
   records.findings[1].margin = Enclosure{0.41, 0.42};
   for (std::int64_t id : {1, 2}) {
     records.findings[static_cast<std::size_t>(id) - 1].id = id;

@@ -35,6 +35,7 @@ namespace {
 
 struct Gathered {
   const fcl::CollisionObjectd* first;  ///< of all objects, in one block
+  std::size_t most;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
 
@@ -42,12 +43,13 @@ bool gather(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
   auto& into = *static_cast<Gathered*>(data);
   const auto i = static_cast<std::uint32_t>(a - into.first), j = static_cast<std::uint32_t>(b - into.first);
   into.pairs.emplace_back(std::min(i, j), std::max(i, j));
-  return false;  // continue
+  return into.pairs.size() > into.most;  // ends
 }
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes,
+                                                                std::size_t most) {
   // Boxes that are not rotated keep their bounds. FCL bounds a rotated cylinder by the ball around it, which
   // would give six times as many pairs.
   std::vector<fcl::CollisionObjectd> objects;
@@ -61,18 +63,20 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const 
   fcl::DynamicAABBTreeCollisionManagerd tree;
   tree.registerObjects(pointers);
   tree.setup();
-  Gathered gathered{objects.data(), {}};
+  Gathered gathered{objects.data(), most, {}};
   tree.collide(&gathered, gather);
   return std::move(gathered.pairs);
 }
 #else
-std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes,
+                                                                std::size_t most) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t j = 0; j < boxes.size(); ++j) {
     for (std::uint32_t i = 0; i < j; ++i) {
       if ((boxes[i].low.array() <= boxes[j].high.array()).all() &&
           (boxes[j].low.array() <= boxes[i].high.array()).all())
         pairs.emplace_back(i, j);
+      if (pairs.size() > most) return pairs;
     }
   }
   return pairs;

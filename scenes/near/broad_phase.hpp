@@ -5,6 +5,7 @@
 // bodies, do without the tree.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -21,8 +22,8 @@ struct Box {
 /// Around a valid cylinder, wider by half the clearance and by what rounding may do to it.
 Box box_around(const Prepared& c, double clearance) noexcept;
 
-/// All pairs of boxes that have a common point, each once, the lower index first. Cost: about n log n, as
-/// long as few overlap.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes);
+/// All pairs of boxes that have a common point, each once, the lower index first. If there are more than
+/// `most`, it ends with `most` + 1 of them. Cost: about n log n, as long as few overlap.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes, std::size_t most);
 
 }  // namespace cyl

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/near/close_pairs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/stopwatch.hpp"
+#include "base/usage_error.hpp"
 #include "oracles/referee/decide_exactly.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/near/broad_phase.hpp"
@@ -46,7 +49,13 @@ ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearanc
   }
   s.prepare_ms = 1e-6 * (processor_ns() - began);
   began = processor_ns();
-  s.candidates = near_pairs(boxes);
+  const std::size_t most = std::max(candidates_cap, 2 * cylinders.size());
+  s.candidates = near_pairs(boxes, most);
+  if (s.candidates.size() > most)
+    throw InputError(fmt::format(
+        "the boxes of more than {} pairs meet: remove solids that lie in the same place, or give a "
+        "smaller --clearance",
+        most));
   s.tree_ms = 1e-6 * (processor_ns() - began);
   began = processor_ns();
   for (const PairOfBodies& pair : s.candidates) {

@@ -31,8 +31,12 @@ struct ClosePairs {
   double prepare_ms = 0, tree_ms = 0, cascade_ms = 0;  ///< CPU time
 };
 
-/// Returns the pairs of valid cylinders within the clearance. Cost: about n log n, as long as few boxes
-/// overlap.
+/// The most pairs whose boxes meet: so many, or twice the number of solids if that is more. A pair takes some
+/// 40 bytes. Solids that repeat one another have a pair for each two of them.
+inline constexpr std::size_t candidates_cap = 5'000'000;
+
+/// Returns the pairs of valid cylinders within the clearance. Throws InputError if the boxes of more pairs
+/// meet than candidates_cap allows. Cost: about n log n, as long as few boxes overlap.
 ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearance);
 
 /// The solver's certificates of what was answered, as the referee checks them.

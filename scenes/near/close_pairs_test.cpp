@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/usage_error.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/near/broad_phase.hpp"
 #include "scenes/near/nearest_pairs.hpp"
@@ -49,6 +50,12 @@ TEST(ClosePairs, FindsAllClosePairsAndNoOthers) {
       }
     }
   }
+}
+
+TEST(ClosePairs, SolidsInOnePlaceAreRefusedBeforeTheyFillTheMemory) {
+  const std::vector<Cylinder> same(4000, generate_cylinders("rods", 1, 1).front());
+  EXPECT_THROW(find_close_pairs(same, 0), InputError);
+  EXPECT_EQ(find_close_pairs(std::span(same).first(1000), 0).within.size(), 999u * 500);
 }
 
 TEST(ClosePairs, AnswersOneQuestionForEachPairOfBoxes) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -143,6 +144,26 @@ Scene read_lines(const std::string& file, bool csv) {
   return still_scene(std::move(cylinders));
 }
 
+/// Returns the greatest value that the joint of a link takes, without its sign.
+double greatest_value(const Scene& scene, const Link& link) {
+  if (!link.follow) return std::max(std::fabs(link.low), std::fabs(link.high));
+  const Follow& f = *link.follow;
+  return std::fabs(f.multiplier) * greatest_value(scene, scene.links[f.link]) + std::fabs(f.offset);
+}
+
+/// Throws if a joint may take a link to a place that doubles cannot represent, or has such a range.
+void refuse_far_joints(const Scene& scene) {
+  double reach = 0;  // of all links in one straight chain
+  for (const Link& link : scene.links) {
+    const double greatest = link.motion == Motion::fixed ? 0 : greatest_value(scene, link);
+    reach += link.origin.translation().cwiseAbs().sum() + (link.motion == Motion::slide ? greatest : 0);
+    if (!std::isfinite(2 * greatest) || !std::isfinite(reach))
+      throw std::runtime_error(
+          "joint " + link.joint +
+          ": its limits or its origin are so large that numbers overflow: give smaller ones");
+  }
+}
+
 /// Escapes the names, because they are shown: a stranger may have chosen them.
 void escape_names(Scene& scene) {
   const auto escape = [](std::string& text) { text = escaped_controls(text); };
@@ -199,6 +220,7 @@ Scene read_scene(const std::string& file, const std::string& srdf, const std::ve
     if (ending == ".xml") return read_mjcf(files);
     throw std::runtime_error("not a scene: expected .jsonl, .csv, .urdf or .xml");
   });
+  naming(file, [&] { refuse_far_joints(scene); });
   const std::string beside = std::filesystem::path(path).replace_extension(".srdf").string();
   if (!srdf.empty())
     naming(srdf, [&] { read_srdf(files, srdf, NamedBy::user, scene); });
