@@ -110,7 +110,18 @@ done
 expect 0 'a night' "$daylight" triage nights/balls
 expect 2 'a fault of the new version' "$daylight" triage nights/newer
 holds 'a fault of the new version' out '^1 new cause$'
-holds 'a fault of the new version' out '^balls \([0-9a-f]+\) is wrong beyond its claim on [1-9][0-9]+ of [0-9]+ pairs of balls, on which version \([0-9a-f]+\) was right$'
+holds 'a fault of the new version' out '^balls \([0-9a-f]+\) is wrong beyond its claim on [1-9][0-9]+ of the [0-9]+ pairs of balls that were asked again, on which version \([0-9a-f]+\) was right$'
+# A fault that is wrong on more pairs of the same kind is new too, although the run kept only the first of them.
+sed 's/5 \* b\[8\]/3 * b[8]/' newer.c >newest.c
+cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 newest.c -lm -o libnewest.so
+mkdir -p more
+for version in newer newest; do
+  expect 2 "a night of $version" "$daylight" campaign --plugin "balls=./lib$version.so" --methods balls --cases '' --pairs 1000 --seed 1 \
+    --out "more/$version"
+  expect 2 "triage of $version" "$daylight" triage "more/$version" --new-only
+done
+holds 'more of a known fault' out '^1 new cause'
+holds 'more of a known fault' out 'is wrong beyond its claim on [1-9][0-9]+ of the [0-9]+ pairs of newer that were asked again'
 expect 0 'its pair' "$daylight" export nights/newer balls/wrong_disjoint --out newer
 expect 0 'the version before' "$daylight" replay newer/case.jsonl --methods balls --plugin balls=./libballs.so
 # A suppression of a guest's cause holds while a stored case shows the cause.

@@ -236,16 +236,20 @@ Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer) {
 
 namespace {
 
+// The claim may excuse a verdict, and not the distance or the witness beside it. So the first finding beyond
+// the claim is returned, and only without one the first within it.
 std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
     return Finding{finding_of(answer.failure), Severity::contract, margin_of(trial)};
   if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
   if (!trial.decided()) return {};
-  if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;
+  const auto verdict = compare_verdict(trial, claim, answer.verdict);
+  if (verdict && verdict->severity == Severity::contract) return verdict;
   if (answer.states_distance())
     if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
-  if (witness_holds(trial.pair, trial.truth, answer)) return {};
+  // A witness of a wrong verdict proves nothing, and a second finding about one error says nothing new.
+  if (verdict || witness_holds(trial.pair, trial.truth, answer)) return verdict;
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
   wrong.severity = explains(claim, trial, answer) ? Severity::resolution : Severity::contract;
   return wrong;

@@ -304,6 +304,18 @@ TEST(Compare, TheVerdictComesBeforeTheDistance) {
             FindingKind::wrong_intersecting);
 }
 
+TEST(Compare, AVerdictWithinTheClaimExcusesNoDistance) {
+  const Claim claim{0, 0.6, ""};
+  const auto finding = [&](double distance) {
+    return judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::intersecting, distance));
+  };
+  EXPECT_EQ(finding(-0.01)->kind, FindingKind::wrong_intersecting);
+  EXPECT_EQ(finding(-0.01)->severity, Severity::resolution);
+  EXPECT_EQ(finding(-3)->kind, FindingKind::distance_outside);
+  EXPECT_EQ(finding(-3)->severity, Severity::contract);
+  EXPECT_EQ(finding(-std::numeric_limits<double>::max())->kind, FindingKind::non_finite);
+}
+
 TEST(Compare, AWitnessMustProveWhatWasSaid) {
   MethodAnswer direction = said(Verdict::disjoint);
   direction.witness = CertificateKind::direction;

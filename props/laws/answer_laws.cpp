@@ -22,7 +22,9 @@ namespace {
 std::optional<Violation> refuted(const LawCase& c, const MethodAnswer& answer,
                                  std::initializer_list<FindingKind> kinds) {
   Trial& proved = c.proofs.of(c.pair);
-  const auto finding = compare(proved, c.method.claim(), answer);
+  Claim claim = c.method.claim();
+  claim.decides = DecisionScope::not_promised;  // that is a law of its own
+  const auto finding = compare(proved, claim, answer);
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
   std::string what = to_string(finding->kind);
   const std::string miss =
@@ -72,7 +74,7 @@ std::optional<Violation> break_distance(const LawCase& c) {
   MethodAnswer distance = c.first;
   distance.verdict = Verdict::undecided;
   distance.witness = CertificateKind::none;
-  return refuted(c, distance, {FindingKind::distance_outside});
+  return refuted(c, distance, {FindingKind::distance_outside, FindingKind::non_finite});
 }
 
 // A reported distance is off by the allowance at most, so its sign is known beyond the allowance. If it

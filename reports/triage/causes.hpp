@@ -135,10 +135,10 @@ std::string version_in(const std::vector<MethodRecord>& methods, const std::stri
 using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 
 /// Sets status, chance, nights, first and last seen of the run's causes, compared with `earlier` triaged
-/// runs, the earliest first. A cause in `certainly_new` is new at any rate. Adds the causes of the
-/// last one that the run does not have: known if a stored pair fails now, gone if all are right. Methods that
-/// the run did not ask lose nothing. New causes come first, then those that are back, then the others in
-/// their order, and last those that are gone.
+/// runs, the earliest first. A cause in `certainly_new` is new at any rate, even if its key is known. Adds
+/// the causes of the last one that the run does not have: known if a stored pair fails now, gone if all are
+/// right. Methods that the run did not ask lose nothing. New causes come first, then those that are back,
+/// then the others in their order, and last those that are gone.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 

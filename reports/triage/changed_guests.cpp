@@ -18,67 +18,85 @@
 namespace cyl {
 namespace {
 
-/// Pairs of one method that are drawn again, in all families together, and pairs that are asked at once.
-constexpr std::uint64_t redrawn_cap = 100'000, redraw_batch = 256;
+/// Pairs of one method and family that are drawn again, and pairs that are asked at once.
+constexpr std::uint64_t redrawn_cap = 4'096, redraw_batch = 256;
 constexpr Caps again_caps = attended_caps(1);
 
-struct DrawnPair {
-  Pair pair;
+/// The pairs of a family that the earlier version was asked about.
+struct DrawnFamily {
   const Family* family;
+  std::uint64_t asked = 0;              ///< indices below it were
+  std::uint64_t wrong = 0;              ///< beyond its claim
+  std::set<std::uint64_t> known_wrong;  ///< the indices that are stored
 };
 
-/// The pairs on which the earlier version was right, as far as the run shows.
-std::vector<DrawnPair> pairs_it_had_right(const RunStore& run, const std::string& method) {
-  const auto seed = number_in<std::uint64_t>(value_of(run.config(), "seed"));
-  if (!seed) return {};
-  std::map<std::string, std::uint64_t> found, kept;
-  std::map<std::string, std::set<std::uint64_t>> wrong;
+std::vector<DrawnFamily> families_of(const RunStore& run, const std::string& method) {
+  std::vector<DrawnFamily> drawn;
+  for (const TallyRecord& t : run.tallies())
+    if (const Family* const family = t.method == method ? find_family(t.family) : nullptr)
+      drawn.push_back({family, t.counts.asked, 0, {}});
+  const auto of = [&](const std::string& name) {
+    return std::ranges::find_if(drawn, [&](const DrawnFamily& d) { return d.family->name == name; });
+  };
   for (const GroupRecord& g : run.groups())
-    if (g.method == method) found[g.family] += g.count;
+    if (const auto d = of(g.family);
+        d != drawn.end() && g.method == method && g.severity == Severity::contract)
+      d->wrong += g.count;
   for (const FindingRecord& f : run.findings())
-    if (f.method == method) ++kept[f.family], wrong[f.family].insert(f.family_index);
-  std::vector<std::pair<const Family*, std::uint64_t>> drawn;
-  std::uint64_t all = 0;
-  for (const TallyRecord& t : run.tallies()) {
-    const Family* const family = t.method == method ? find_family(t.family) : nullptr;
-    if (family == nullptr || found[t.family] > kept[t.family]) continue;
-    drawn.emplace_back(family, t.counts.asked);
-    all += t.counts.asked;
-  }
-  const double part = all > redrawn_cap ? static_cast<double>(redrawn_cap) / static_cast<double>(all) : 1;
-  std::vector<DrawnPair> pairs;
-  for (const auto& [family, asked] : drawn) {
-    const std::set<std::uint64_t>& known = wrong[std::string(family->name)];
-    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(part * static_cast<double>(asked)); ++i)
-      if (!known.contains(i)) pairs.push_back({family->generate(*seed, i), family});
-  }
-  return pairs;
+    if (const auto d = of(f.family);
+        d != drawn.end() && f.method == method && f.severity == Severity::contract)
+      d->known_wrong.insert(f.family_index);
+  return drawn;
 }
 
-void ask(const TriageContext& context, std::size_t method, const std::vector<DrawnPair>& drawn, double part,
-         ChangedGuest& guest) {
-  Asker asker(context.methods, again_caps);
+// A run keeps the first findings of a group only. If it kept all of a family, each other pair that is wrong
+// now was right. If it did not, and w pairs of the family were wrong, but more than w are now, then the rest
+// was right.
+void ask(const TriageContext& context, std::size_t method, const RunStore& run, const DrawnFamily& drawn,
+         double part, ChangedGuest& guest, Asker& asker) {
+  const auto seed = number_in<std::uint64_t>(value_of(run.config(), "seed"));
+  const bool all_known = drawn.known_wrong.size() == drawn.wrong;
+  const std::uint64_t end = std::min(drawn.asked, redrawn_cap);
+  if (!seed || (!all_known && end < drawn.asked)) return;
   const Claim claim = context.methods[method]->claim();
-  for (std::size_t first = 0; first < drawn.size() && !context.out_of_time(part); first += redraw_batch) {
+  std::map<std::string, NewFault> faults;
+  std::uint64_t asked = 0, wrong_now = 0;
+  for (std::uint64_t first = 0; first < end; first += redraw_batch) {
+    if (context.out_of_time(part)) {
+      if (!all_known) return;
+      break;
+    }
     std::vector<Pair> some;
     std::vector<Question> questions;
-    for (std::size_t p = 0; p < redraw_batch && first + p < drawn.size(); ++p) {
-      some.push_back(drawn[first + p].pair);
-      questions.push_back({method, p});
+    for (std::uint64_t i = first; i < std::min(end, first + redraw_batch); ++i) {
+      if (all_known && drawn.known_wrong.contains(i)) continue;
+      questions.push_back({method, some.size()});
+      some.push_back(drawn.family->generate(*seed, i));
     }
     const std::vector<ContainedAnswer> answers = asker.ask(some, questions);
     for (std::size_t p = 0; p < some.size(); ++p) {
       const MethodAnswer& said = answers[p].answer;
       if (said.status == Status::declined) continue;
-      ++guest.asked;
+      ++asked;
       Trial trial(some[p], {&said, 1});
       const auto wrong = compare(trial, claim, said);
       if (!wrong || wrong->severity != Severity::contract) continue;
-      NewFault& fault = guest.newly_wrong[find_cause(context.grouped(), {method, wrong->kind, some[p]},
-                                                     wrong->severity, said.reason, asker)];
+      ++wrong_now;
+      NewFault& fault = faults[find_cause(context.grouped(), {method, wrong->kind, some[p]}, wrong->severity,
+                                          said.reason, asker)];
       const bool simpler = fault.pairs++ == 0 || complexity(some[p]) < complexity(fault.pair);
-      if (simpler) fault = {fault.pairs, some[p], method, *wrong, std::string(drawn[first + p].family->name)};
+      if (simpler) fault = {fault.pairs, some[p], method, *wrong, std::string(drawn.family->name)};
     }
+  }
+  guest.asked += asked;
+  const std::uint64_t wrong_before = all_known ? 0 : drawn.wrong;
+  if (wrong_now <= wrong_before) return;
+  guest.wrong += wrong_now - wrong_before;
+  for (const auto& [key, fault] : faults) {
+    NewFault& known = guest.newly_wrong[key];
+    const std::uint64_t pairs = known.pairs + fault.pairs;
+    if (known.pairs == 0 || complexity(fault.pair) < complexity(known.pair)) known = fault;
+    known.pairs = pairs;
   }
 }
 
@@ -97,20 +115,24 @@ std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
     const std::string version = version_in(now, name);
     // The version that is here must be the one that the run asked.
     if (past == earlier.rend() || version != context.methods[m]->version()) continue;
-    ChangedGuest guest{name, version, version_in(past->methods, name), past->id, 0, {}};
+    ChangedGuest guest{name, version, version_in(past->methods, name), past->id, 0, 0, {}};
     if (guest.earlier_version == version) continue;
-    ask(context, m, pairs_it_had_right(RunStore::open(past->folder), name), part, guest);
+    const RunStore run = RunStore::open(past->folder);
+    Asker asker(context.methods, again_caps);
+    for (const DrawnFamily& drawn : families_of(run, name)) ask(context, m, run, drawn, part, guest, asker);
     changed.push_back(std::move(guest));
   }
   return changed;
 }
 
 std::string in_words(const ChangedGuest& guest) {
-  std::uint64_t wrong = 0;
-  for (const auto& [key, fault] : guest.newly_wrong) wrong += fault.pairs;
-  return fmt::format("{} {} is wrong beyond its claim on {} of {} pairs of {}, on which version {} was right",
-                     guest.method, guest.version, wrong, guest.asked, guest.earlier_run,
-                     guest.earlier_version);
+  if (guest.asked == 0)
+    return fmt::format("{} {} was not compared with version {}: no pair of {} could be asked again",
+                       guest.method, guest.version, guest.earlier_version, guest.earlier_run);
+  return fmt::format(
+      "{} {} is wrong beyond its claim on {} of the {} pairs of {} that were asked again, on which version "
+      "{} was right",
+      guest.method, guest.version, guest.wrong, guest.asked, guest.earlier_run, guest.earlier_version);
 }
 
 }  // namespace cyl

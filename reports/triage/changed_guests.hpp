@@ -18,16 +18,18 @@ struct TriageContext;
 struct ChangedGuest {
   std::string method, version, earlier_version, earlier_run;
   std::uint64_t asked = 0;                      ///< pairs of the earlier run
+  std::uint64_t wrong = 0;                      ///< of them, at least
   std::map<std::string, NewFault> newly_wrong;  ///< by the key of the cause
 };
 
 /// Compares each guest of the run with the last earlier run that asked another version of it. Asks about the
-/// pairs that the earlier run drew for it. Seed and index give them again. Leaves out the families in which
-/// that version was wrong on pairs that were not kept. Stops when that part of the budget is used up.
+/// pairs that the earlier run drew for it. Seed and index give them again. Stops when that part of the budget
+/// is used up.
 std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
                                             const std::vector<TriagedRun>& earlier, double part);
 
-/// "mine 1.1 is wrong on 7 of 20,000 pairs of night-1, on which mine 1.0 was right".
+/// "mine 1.1 is wrong beyond its claim on 7 of the 9 pairs of night-1 that were asked again, on which
+/// version 1.0 was right".
 std::string in_words(const ChangedGuest& guest);
 
 }  // namespace cyl

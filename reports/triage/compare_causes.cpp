@@ -179,7 +179,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
     if (auto now = missed(*b, run, earlier, compared, fails_today)) not_met.push_back(std::move(*now));
   for (Cause& b : run.causes) {
     compare(b, run, earlier, compared);
-    if (b.status == Recurrence::known || !certainly_new.contains(b.key)) continue;
+    if (!certainly_new.contains(b.key)) continue;
     b.status = Recurrence::fresh;
     b.chance.reset();
   }
