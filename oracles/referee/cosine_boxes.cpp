@@ -76,6 +76,7 @@ class Boxes {
     w0_ = normalized(p.axis0);
     const Vec w1 = normalized(p.axis1);
     c_ = dot(w0_, w1);
+    tilt_ = length(cross(w0_, w1));
     const Vec rest = normalized(w1 - c_ * w0_);
     e_ = normalized(rest - dot(rest, w0_) * w0_);  // restores the right angle, which the difference may lose
     n_ = cross(w0_, e_);
@@ -86,7 +87,8 @@ class Boxes {
   }
 
   void search() {
-    if (q_ < least_tilt_tol) return;
+    // Not q_: if the axes differ by less than the rounding of their lengths, e_ is along them.
+    if (tilt_ < least_tilt_tol) return;
     const Interval1 positive = interval(0, 1, 1, 0), negative = interval(-1, 0, 0, 1);
     for (const Interval1& t0 : {positive, negative})
       for (const Interval1& t1 : {positive, negative}) add({{t0, t1}, -infinity, 0, 0, 0});
@@ -213,7 +215,7 @@ class Boxes {
   LeastValue& least_;
   const std::array<double, 2> radius_, half_;
   Vec w0_, e_, n_;
-  double c_, q_, inverse_q_;
+  double tilt_, c_, q_, inverse_q_;
   std::array<double, 3> delta_;  ///< in the frame
   std::priority_queue<Box> queue_;
   std::array<Minimum, minima_cap> minima_;

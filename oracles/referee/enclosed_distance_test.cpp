@@ -11,6 +11,7 @@
 #include "base/from_environment_test.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
 
@@ -64,6 +65,25 @@ TEST(EnclosedDistance, DoesNotContradictTheVerdictByItsWidth) {
   const Enclosure depth = enclose_distance(meet, shown);
   EXPECT_LT(depth.hi, 0);
   EXPECT_GE(depth.hi, -1e-11);
+}
+
+// A disk and a segment that meet. Fuzzing found it: the lower bound was 1e-7, from a direction of length 1.4.
+TEST(EnclosedDistance, HoldsForAxesThatDifferByLessThanTheRoundingOfTheirLengths) {
+  RandomStream stream("enclosed_distance_test", 1, 0);
+  Pair pair{{{4.6875640108913475e-08, 0, -4.687564010891348e-09}, {0, 1, 0}, 0, 4.76837158203125e-07},
+            {{9.172239372780156e-12, 2.3841857910143852e-07, 0},
+             {0, 1, 0},
+             2.4795911328876837e-06,
+             2.4795911328901635e-19}};
+  for (int i = 0; i < 200; ++i) {
+    pair.a.axis.y() = stream.between(0.5, 2);
+    pair.b.axis.z() = std::ldexp(1.0, stream.integer(-600, -60));
+    const Truth truth = judge(pair);
+    ASSERT_EQ(truth.verdict, Verdict::intersecting);
+    const Enclosure depth = enclose_distance(pair, truth);
+    ASSERT_LE(depth.lo, -2.4e-19) << format_pair(pair);
+    ASSERT_LE(depth.hi, 0) << format_pair(pair);
+  }
 }
 
 }  // namespace
