@@ -209,8 +209,9 @@ FindingKind finding_of(Failure failure) {
 double reach(const Claim& claim, double size) {
   const double relative = claim.absolute > 0 ? std::max(claim.relative, claim_floor) : claim.relative;
   if (relative == 0 || size == 0) return claim.absolute;
-  // For subnormal solids the product may vanish.
-  const double relative_part = std::max(relative * size, std::numeric_limits<double>::denorm_min());
+  // For subnormal solids the product may vanish, and each of some operations rounds to 2^-1074.
+  constexpr double subnormal_error = 0x1p-1071;
+  const double relative_part = std::max(relative * size, subnormal_error);
   return (relative_part + claim.absolute) * (1 + rounding_error);
 }
 
