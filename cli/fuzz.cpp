@@ -19,6 +19,7 @@
 #include "fuzz/guided/fuzzing.hpp"
 #include "fuzz/guided/record.hpp"
 #include "oracles/methods/guest.hpp"
+#include "oracles/methods/method.hpp"
 
 namespace cyl {
 namespace {
@@ -140,6 +141,9 @@ void add_fuzz(Program& program) {
       "the search, and its inputs still come into the corpus.");
   command.run([arguments, target] {
     if (!target->empty()) arguments->fuzz_targets = {*target};
+    if (*target == "core" && !arguments->guests.any())  // its corpus is about our methods
+      for (const auto& method : own_methods())
+        arguments->methods.append(arguments->methods.empty() ? "" : ",").append(method->name());
     return campaign(*arguments);
   });
 }

@@ -35,6 +35,8 @@ add_custom_target(built_from BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/cli/built_
 add_dependencies(daylight_cli built_from)
 target_include_directories(daylight_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
 
-add_executable(daylight cli/daylight_main.cpp)
+add_executable(daylight cli/daylight_main.cpp cli/coverage_stubs_main.cpp)
 target_link_libraries(daylight PRIVATE daylight_cli)
+# Nothing else, or a plug-in with a function named like one of ours would call ours.
+target_link_options(daylight PRIVATE -Wl,--export-dynamic-symbol=__sanitizer_cov_* -Wl,--export-dynamic-symbol=__sancov_*)
 

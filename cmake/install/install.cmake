@@ -47,7 +47,8 @@ install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/g
 # compilers, which plug-ins share; vectors. It runs on any machine with a glibc as new as this one's.
 set(bundle ${CMAKE_INSTALL_LIBDIR}/daylight)
 # Libraries look for each other by the path of the program: its RPATH, not its RUNPATH.
-set_target_properties(daylight PROPERTIES INSTALL_RPATH "$ORIGIN/../${bundle}" LINK_OPTIONS -Wl,--disable-new-dtags)
+set_target_properties(daylight PROPERTIES INSTALL_RPATH "$ORIGIN/../${bundle}")
+target_link_options(daylight PRIVATE -Wl,--disable-new-dtags)
 install(TARGETS daylight RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT portable)
 install(RUNTIME_DEPENDENCY_SET bundled PRE_EXCLUDE_REGEXES "^(ld-linux|libc|libdl|libm|libpthread|librt|libgcc_s|libstdc\\+\\+)[-.]"
         LIBRARY DESTINATION ${bundle} COMPONENT portable)

@@ -80,4 +80,6 @@ foreach(target ${fuzz_targets})
 endforeach()
 target_sources(fuzz_xcheck_libfuzzer PRIVATE ${adapters})
 target_link_libraries(fuzz_xcheck_libfuzzer PRIVATE ${foreign_libraries} ${CMAKE_DL_LIBS})
-target_link_options(fuzz_xcheck_libfuzzer PRIVATE -rdynamic)  # for the counters of a plug-in
+# For the counters of a plug-in.
+target_link_options(fuzz_xcheck_libfuzzer PRIVATE -Wl,--export-dynamic-symbol=__sanitizer_cov_*
+                    -Wl,--export-dynamic-symbol=__sancov_*)
