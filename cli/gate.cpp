@@ -280,7 +280,7 @@ void add_gate(Program& program) {
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
-      "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
+      "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
       "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
       "than half of its pairs.");
