@@ -172,7 +172,8 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   return run_gate(methods, cases, options, [&](const GateProgress& p) {
     if (!line.due(p.elapsed)) return;
     line.show(p.elapsed, p.share,
-              fmt::format("{}: {} pairs, {} kinds of failures", to_string(p.phase), p.pairs, p.failures));
+              fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
+                          counted(p.failures, "failing bucket")));
   });
 }
 

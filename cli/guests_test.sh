@@ -249,6 +249,7 @@ cd ..
 # What is missing or strange is said.
 expect 64 'check' "$daylight" check --plugin ./nothing.so pair.jsonl
 holds 'check' err 'nothing.so.*cannot open shared object'
+lacks 'the file is named once' err 'nothing.so.*nothing.so'
 expect 64 'check' "$daylight" check --command ./nothing pair.jsonl
 holds 'check' err "'./nothing': asked about an easy pair, it failed: ended with status 127"
 expect 64 'check' "$daylight" check --command 'decide=sh worse.sh' pair.jsonl
@@ -284,7 +285,7 @@ import json, math, sys
 print(json.dumps({'name': 'spheres', 'takes': ['sphere'], 'claim': {'relative': 1e-12}}), flush=True)
 for line in sys.stdin:
     a, b = (json.loads(line)[k] for k in 'ab')
-    apart = math.dist(a['center'], b['center']) > a.get('rounding', 0) + b.get('rounding', 0)
+    apart = math.dist(a['center'], b['center']) > a['rounding'] + b['rounding'] # a cylinder has none
     print(json.dumps({'verdict': 'disjoint' if apart else 'intersecting'}), flush=True)
 END
 expect 0 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods balls,spheres,bad --families sphere_sphere --table \
