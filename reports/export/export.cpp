@@ -321,8 +321,7 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
               "With daylight, in a folder that has the {} and `case.jsonl`:\n\n    {}\n\n{}", kind,
               command_for("daylight", "case.jsonl", elsewhere),
               within_claim(p)
-                  ? "It prints the answer, with the words \"within its claim\" while it is wrong. The exit "
-                    "code is 0, "
+                  ? "It prints the answer, with \"within its claim\" while it is wrong. The exit code is 0, "
                     "because the claim allows this answer."
                   : "The exit code is 2 while the answer is wrong beyond the claim, and 0 once it is right."),
           .axes = AxesGiven::as_they_are,
