@@ -172,7 +172,8 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   return run_gate(methods, cases, options, [&](const GateProgress& p) {
     if (!line.due(p.elapsed)) return;
     line.show(p.elapsed, p.share,
-              fmt::format("{}: {} pairs, {} kinds of failures", to_string(p.phase), p.pairs, p.failures));
+              fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
+                          counted(p.failures, "failing bucket")));
   });
 }
 
@@ -280,7 +281,7 @@ void add_gate(Program& program) {
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
-      "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
+      "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
       "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
       "than half of its pairs.");

@@ -11,6 +11,7 @@ gate() { expect "$1" "gate ${*:2}" "$daylight" gate "${@:2}"; }
 gate 0 --pairs 1000 --junit ours.xml --keep ours.jsonl
 holds 'what was proved' out '^The verdict of intersect is right on all '
 equal 'the seed comes first' 'seed 1' "$(head -n 1 out)"
+lacks 'no other seed is named' err 'seed='
 lacks 'all was asked' out 'NOT ASKED'
 [[ ! -s ours.jsonl ]] || failed 'cases were kept though nothing failed'
 mkdir -p bin corpus/cases src

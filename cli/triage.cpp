@@ -61,8 +61,8 @@ int triage(const TriageArguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("{} of {} findings have a cause, {} simplified, {} causes searched", p.classified,
-                      p.findings, p.simplified, p.searched));
+          fmt::format("{} of {} findings have a cause, {} simplified, {} searched", p.classified, p.findings,
+                      p.simplified, counted(p.searched, "cause")));
     });
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });

@@ -6,6 +6,8 @@
 # adds a test that runs the gate once, name.gate, and one that reads the result for each contact feature: name.side-rim ..
 #   daylight_add_fuzz(NAME name PLUGIN target [FOR 1m])
 # adds the test name.fuzz, which fuzzes the library. clang counts its branches, which guide the search.
+# name.other has what belongs to no feature, such as a suppression that no stored case needs.
+# With AGAINST, PAIRS and SEED have no effect: the gate reruns the pairs of the base.
 # Skipped is a feature on which the gate decided nothing. DAYLIGHT_PROGRAM is the program: of this installation, of PATH, or
 # the launcher of the source tree, which builds the program at the first test.
 get_filename_component(daylight_gate_folder ${CMAKE_CURRENT_LIST_DIR} ABSOLUTE)
@@ -34,6 +36,10 @@ function(daylight_add_gate)
     set(words gate --plugin $<TARGET_FILE:${it_PLUGIN}> --json ${json})
   else()
     set(words gate --command ${it_COMMAND} --json ${json})
+  endif()
+  if(it_AGAINST)  # the base has them, and the gate refuses others
+    unset(it_PAIRS)
+    unset(it_SEED)
   endif()
   foreach(option CLAIM PAIRS FOR SEED SUPPRESSIONS ANNOTATE AGAINST)
     if(it_${option})

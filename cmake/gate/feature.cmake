@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -DJSON=.. -DFEATURE=side-rim -P feature.cmake fails if a gate found failures of this contact feature beyond the
-# claim that no base has. FEATURE=other stands for failures without a feature. It also fails if no pair was decided.
+# claim that no base has. FEATURE=other stands for failures without a feature. It also fails if no pair was decided, or if a
+# remark fails the gate, such as a suppression that is not needed.
 cmake_policy(VERSION 3.19)
 set(features side-side side-rim rim-rim cap-side cap-rim cap-cap containment)
 file(READ ${JSON} gate)
@@ -60,6 +61,17 @@ if(last GREATER -1)
       string(JSON simplest GET "${failure}" simplest)
       string(REGEX REPLACE "[ \n]+" "" simplest "${simplest}")
       message("${bucket}: ${what}\n  ${simplest}")
+    endif()
+  endforeach()
+endif()
+elements(gate remarks)
+if(FEATURE STREQUAL "other" AND last GREATER -1)
+  foreach(r RANGE ${last})
+    string(JSON code GET "${gate}" remarks ${r} exit_code)
+    if(code EQUAL 2)
+      math(EXPR wrong "${wrong} + 1")
+      string(JSON text GET "${gate}" remarks ${r} text)
+      message("${text}")
     endif()
   endforeach()
 endif()

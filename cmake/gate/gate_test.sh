@@ -16,6 +16,13 @@ holds 'the decided pairs' err '^right on 300 independent pairs$'
 feature 0 100
 holds 'no decided pair' err '^not decided: '
 
+remarks='[{"text":"x is gone","exit_code":0},{"text":"y is stale","exit_code":2}]'
+printf '{"methods":[{"cells":[{"feature":"side-rim","pairs":9}]}],"failures":[],"remarks":%s}' "$remarks" >remarks.json
+expect 0 'a remark has no feature' cmake -DJSON=remarks.json -DFEATURE=side-rim -P "$source_tree/cmake/gate/feature.cmake"
+expect 1 'a remark that fails the gate' cmake -DJSON=remarks.json -DFEATURE=other -P "$source_tree/cmake/gate/feature.cmake"
+holds 'a remark that fails the gate' err '^y is stale$'
+lacks 'a remark that passes' err 'x is gone'
+
 project() { # FOLDER HOW: a project whose plug-in is that of the guide, and one that declines everything
   mkdir "$1"
   awk '/^```cpp file=mine.cpp/ { open = 1; next } /^```/ { open = 0 } open' "$source_tree/docs/guides/library.md" >"$1/mine.cpp"
@@ -57,7 +64,8 @@ printf '#!/bin/sh\nexec %s "$@" --cases ""\n' "$daylight" >bin/daylight
 chmod +x bin/daylight
 try fetched -DDAYLIGHT_PROGRAM="$scratch/bin/daylight"
 cp fetched/build/mine.gate.json base.json
-echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
+echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 PAIRS 9 SEED 9 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
+# No stored case needs the suppression, because this gate has no cases.
 printf '{"bucket":"told/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >told.jsonl
 printf '%s\n' 'echo "{\"name\":\"told\"}"' 'while read -r _; do echo "{\"verdict\":\"disjoint\"}"; done' >told.sh
 cat >>fetched/CMakeLists.txt <<END_OF_FILE
@@ -66,6 +74,8 @@ END_OF_FILE
 expect 0 'configured again' cmake -S fetched -B fetched/build
 expect 0 'nothing is new' ctest --test-dir fetched/build -R '^again'
 expect 0 'a command' ctest --test-dir fetched/build -R '^told.gate'
+expect 8 'a suppression that no case needs' ctest --test-dir fetched/build -R '^told.other' --output-on-failure
+holds 'a suppression that no case needs' out '^the suppression of told/wrong_disjoint \(line 1\) matches no stored case'
 expect 0 'its seed' grep -q '"seed": *5' fetched/build/told.gate.json
 
 # As cmake --install lays it out; install_test looks whether it does.

@@ -26,8 +26,15 @@ constexpr LineProgram::Cap start_cap{milliseconds(10'000), milliseconds(20'000)}
 /// The cap for the first start of all, when nothing is in the machine's memory yet.
 constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60'000)};
 
-/// The simplest pair that is disjoint.
-const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
+/// Returns a simple pair of solids of that kind, which are disjoint.
+Pair easy_pair(SolidKind kind) {
+  Cylinder solid{.radius = 1, .height = 2, .rounding = kind == SolidKind::cylinder ? 0.0 : 1.0};
+  if (kind == SolidKind::sphere) solid.height = 0;
+  if (kind == SolidKind::sphere || kind == SolidKind::capsule) solid.radius = 0;
+  Pair pair{solid, solid};
+  pair.b.center.x() = 5;
+  return pair;
+}
 
 /// Returns the words of its command that are files: `mine.py` of "python3 -u mine.py --fast".
 std::vector<std::string> files_of(const Guest& guest) {
@@ -159,11 +166,26 @@ class CommandMethod final : public Method {
     program_.reset();
   }
 
-  /// Starts the program and asks about an easy pair, so that the time to get ready counts for no pair.
+  /// Returns a pair of a shape that it supports, cylinders if it does.
+  Pair easy() const {
+    for (const SolidKind kind :
+         {SolidKind::cylinder, SolidKind::capsule, SolidKind::sphere, SolidKind::rounded})
+      if (supports(kind)) return easy_pair(kind);
+    return easy_pair(SolidKind::cylinder);
+  }
+
+  /// Starts the program and asks about an easy pair, so that the time to get ready counts for no pair. A
+  /// program without a hello waits for a question, so the first one comes before the hello. If the hello does
+  /// not list its shape, the program is started again and asked about another.
   MethodAnswer start(const LineProgram::Cap& cap) {
+    const Pair pair = easy();
     program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
-    program_->send(format_pair(easy) + '\n');
-    const MethodAnswer answer = read_answer(cap, true);
+    program_->send(format_pair(pair) + '\n');
+    const MethodAnswer answer = read_answer(cap, &pair);
+    if (!supports_kinds(pair) && supports_kinds(easy())) {
+      end_program();
+      return start(cap);
+    }
     if (broke(answer)) end_program();
     return answer;
   }
@@ -185,13 +207,16 @@ class CommandMethod final : public Method {
     return of_pair(pair, answer);
   }
 
-  MethodAnswer read_answer(const LineProgram::Cap& cap, bool may_greet = false) {
+  /// `first` is the pair of a new start, which the program may greet. Otherwise null.
+  MethodAnswer read_answer(const LineProgram::Cap& cap, const Pair* first = nullptr) {
     std::string line;
     LineProgram::Read read = program_->receive(line, cap);
     GuestLine said;
     if (read == LineProgram::Read::line) said = parse_guest_line(line);
-    if (may_greet && said.hello) {
+    if (first && said.hello) {
       if (!introduced_) hello_ = *said.hello;
+      introduced_ = true;
+      if (!supports_kinds(*first)) return decline(*first);
       read = program_->receive(line, cap);
       if (read == LineProgram::Read::line) said = parse_guest_line(line);
     }

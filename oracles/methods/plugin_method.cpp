@@ -121,7 +121,10 @@ double limit_or_none(double limit) { return limit == 0 ? std::numeric_limits<dou
 /// Returns all methods of a library.
 std::vector<const DaylightMethod*> load(const std::string& file) {
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | own_symbols_first);
-  if (!library) throw std::runtime_error(dlerror());
+  if (!library) {  // dlerror() may begin with the file, which the caller names
+    const std::string fault = dlerror(), named = file + ": ";
+    throw std::runtime_error(fault.starts_with(named) ? fault.substr(named.size()) : fault);
+  }
   const auto function = reinterpret_cast<const DaylightMethod* (*)()>(dlsym(library, "daylight_method"));
   if (!function) throw std::runtime_error("it has no function daylight_method");
   std::vector<const DaylightMethod*> methods{function()};

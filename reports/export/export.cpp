@@ -318,9 +318,12 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
           .whom = fmt::format("`{}` {}: a {}, `{}`", guest.name, one_line(method.version()), kind,
                               elsewhere.what),
           .how = fmt::format(
-              "With daylight, in a folder that has the {} and `case.jsonl`:\n\n    {}\n\nThe exit code is 2 "
-              "while the answer is wrong beyond the claim, and 0 once it is right.",
-              kind, command_for("daylight", "case.jsonl", elsewhere)),
+              "With daylight, in a folder that has the {} and `case.jsonl`:\n\n    {}\n\n{}", kind,
+              command_for("daylight", "case.jsonl", elsewhere),
+              within_claim(p)
+                  ? "It prints the answer, with \"within its claim\" while it is wrong. The exit code is 0, "
+                    "because the claim allows this answer."
+                  : "The exit code is 2 while the answer is wrong beyond the claim, and 0 once it is right."),
           .axes = AxesGiven::as_they_are,
           .files = {{"case.jsonl", format_pair(p.pair) + '\n'}}};
 }

@@ -381,7 +381,11 @@ TEST(Export, AtTheEdgeOfTheClaimTheWorstIsSent) {
   EXPECT_TRUE(has(sent(0.0078125, 1.0), "| b | (1, 0, 0)"));
   EXPECT_TRUE(has(sent(0.5, 1.0), "| b | (1.5, 0, 0)"));
   EXPECT_TRUE(has(sent(0.0078125, {}), "| b | (1.9921875, 0, 0)"));
-  EXPECT_TRUE(has(sent(0.001953125, {}), "within its tolerance")) << "within the claim";
+  EXPECT_TRUE(has(sent(0.0078125, {}), "\nThe exit code is 2 while the answer is wrong beyond the claim"));
+  const std::string within = sent(0.001953125, {});
+  EXPECT_TRUE(has(within, "within its tolerance")) << within;
+  EXPECT_TRUE(has(within, "The exit code is 0, because the claim allows this answer.")) << within;
+  EXPECT_FALSE(has(within, "exit code is 2")) << within;
 }
 
 // The margin of a touching pair is 0. It is the error of the distance that exceeds the claim.

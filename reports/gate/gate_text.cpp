@@ -88,7 +88,8 @@ std::string in_full(std::size_t number, const Alike& alike) {
     text += line("", format_pair(g->simplest));
   }
   if (alike.size() - 1 > also_cap)
-    text += line("", fmt::format("{} more buckets, which --json FILE lists", alike.size() - 1 - also_cap));
+    text += line(
+        "", fmt::format("{}, which --json FILE lists", counted(alike.size() - 1 - also_cap, "more bucket")));
   return text;
 }
 
@@ -133,21 +134,23 @@ struct Sample {
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
   std::uint64_t combinations = 0, empty = 0;  ///< those with decided pairs, and those without
   double worst = 0;                           ///< the largest bound of the error rate in a combination
+  bool few = false;  ///< whether the pairs of a combination would prove nothing even if all were right
 
-  void add(std::uint64_t in_cell, std::uint64_t wrong_in_cell, std::uint64_t undecided_in_cell,
-           double bound) {
+  /// `bound_if_right` is the bound if no pair of the cell were wrong.
+  void add(std::uint64_t in_cell, std::uint64_t wrong_in_cell, std::uint64_t undecided_in_cell, double bound,
+           double bound_if_right) {
     undecided += undecided_in_cell;
     ++(in_cell == 0 ? empty : combinations);
     if (in_cell == 0) return;
     pairs += in_cell;
     wrong += wrong_in_cell;
     worst = std::max(worst, bound);
+    few |= bound_if_right >= vain_bound;
   }
 
   std::string rate_in_each(const char* of) const {
-    return worst < vain_bound
-               ? fmt::format("{} in each of {} of {}", rate(worst), counted(combinations, "combination"), of)
-               : fmt::format("unknown in some combinations of {}, which have too few pairs", of);
+    return few ? fmt::format("unknown in some combinations of {}, which have too few pairs", of)
+               : fmt::format("{} in each of {} of {}", rate(worst), counted(combinations, "combination"), of);
   }
 
   /// Returns the lines below the first one.
@@ -169,11 +172,12 @@ std::string close_in_words(const GateMethod& method) {
     if (c.claimed)
       sample.add(
           c.gaps + c.overlaps, c.wrong_gaps + c.wrong_overlaps, c.undecided,
-          std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps)));
+          std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps)),
+          std::max(error_rate_bound(c.gaps, 0), error_rate_bound(c.overlaps, 0)));
   const std::string name = one_line(method.name);
   if (sample.pairs == 0)
     return sample.undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
-  return wrapped("", fmt::format("{} is {} close contacts.", name,
+  return wrapped("", fmt::format("The verdict of {} is {} close contacts.", name,
                                  success(sample.pairs, sample.wrong, none_beyond))) +
          sample.facts(
              sample.rate_in_each("axis position, small angle and decade, for gaps and for overlaps"));
@@ -184,9 +188,10 @@ std::string rounded_in_words(const GateMethod& method) {
   if (count.pairs + count.undecided == 0) return {};
   const std::string name = one_line(method.name);
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
-  std::string text = wrapped("", fmt::format("{} is {} with a sphere, capsule or rounded cylinder.", name,
-                                             success(count.pairs, count.wrong, none_beyond) +
-                                                 (count.pairs == 1 ? " pair" : " pairs")));
+  std::string text = wrapped(
+      "",
+      fmt::format("The verdict of {} is {} with a sphere, capsule or rounded cylinder.", name,
+                  success(count.pairs, count.wrong, none_beyond) + (count.pairs == 1 ? " pair" : " pairs")));
   if (count.undecided > 0)
     text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(count.undecided)));
   return text;
@@ -196,7 +201,9 @@ std::string rounded_in_words(const GateMethod& method) {
 std::string strata_in_words(const GateMethod& method) {
   Sample sample;
   for (const GateCell& c : method.cells)
-    if (c.claimed) sample.add(c.pairs, c.wrong, c.undecided, error_rate_bound(c.pairs, c.wrong));
+    if (c.claimed)
+      sample.add(c.pairs, c.wrong, c.undecided, error_rate_bound(c.pairs, c.wrong),
+                 error_rate_bound(c.pairs, 0));
   const std::string name = one_line(method.name);
   const std::string first =
       sample.pairs > 0

@@ -66,7 +66,10 @@ TEST(GateText, FurtherBucketsAreCapped) {
   gate.failures.assign(also_cap + 4, gate.failures[0]);
   const std::string text = gate_text(gate);
   EXPECT_EQ(occurrences(text, "   also "), also_cap);
-  EXPECT_TRUE(has(text, "3 more buckets, which --json FILE lists"));
+  EXPECT_TRUE(has(text, " 3 more buckets, which --json FILE lists"));
+  gate.failures.pop_back();
+  gate.failures.pop_back();
+  EXPECT_TRUE(has(gate_text(gate), " 1 more bucket, which --json FILE lists"));
 }
 
 TEST(GateText, KnownFailuresDoNotFail) {
@@ -101,7 +104,7 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
       "  claim.\n"
       "  The error rate is <= 5.2e-05 overall and <= 1.3e-03 in each of 24 combinations of contact feature\n"
       "  and decade of margin, at 95 % confidence.\n"
-      "intersect is never wrong beyond its claim on 117,251 close contacts.\n"
+      "The verdict of intersect is never wrong beyond its claim on 117,251 close contacts.\n"
       "  The error rate is <= 2.5e-01 in each of 144 combinations of axis position, small angle and decade,\n"
       "  for gaps and for overlaps, at 95 % confidence.\n");
   GateMethod other = gate.report.methods[1];
@@ -112,7 +115,8 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
                   "margin\n  exceeds its claim.\n"))
       << fake;
   EXPECT_EQ(occurrences(fake, "  No pair was decided in 1 combination.\n"), 2u) << fake;
-  EXPECT_TRUE(has(fake, "fake is wrong beyond its claim on 3 of 4,370 close contacts.\n")) << fake;
+  EXPECT_TRUE(has(fake, "The verdict of fake is wrong beyond its claim on 3 of 4,370 close contacts.\n"))
+      << fake;
   EXPECT_TRUE(has(fake, "  It is undecided on 48 more.\n")) << fake;
 }
 
@@ -145,6 +149,17 @@ TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
       "  It is undecided on 100 more.\n");
 }
 
+TEST(GateText, ACombinationThatIsAlwaysWrongHasARate) {
+  GateMethod m = example_gate().report.methods[0];
+  m.close_cells.clear();
+  m.cells.resize(1);
+  m.cells[0] = {{ContactFeature::side_side, 3}, true, 64, 64, 0};
+  EXPECT_TRUE(has(proved_in_words(m), "<= 1.0e+00 overall and <= 1.0e+00 in each of 1 combination"))
+      << proved_in_words(m);
+  m.cells[0].pairs = m.cells[0].wrong = 2;
+  EXPECT_TRUE(has(proved_in_words(m), "unknown in some combinations")) << proved_in_words(m);
+}
+
 TEST(GateText, RoundedSolidsHaveALine) {
   GateMethod m = example_gate().report.methods[0];
   m.cells.clear();
@@ -152,10 +167,12 @@ TEST(GateText, RoundedSolidsHaveALine) {
   m.rounded = {300, 0, 5};
   EXPECT_EQ(
       proved_in_words(m),
-      "intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule or rounded cylinder.\n"
+      "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule or\n"
+      "  rounded cylinder.\n"
       "  It is undecided on 5 more.\n");
   m.rounded.wrong = 2;
-  EXPECT_TRUE(has(proved_in_words(m), "intersect is wrong beyond its claim on 2 of 300 pairs with a "))
+  EXPECT_TRUE(
+      has(proved_in_words(m), "The verdict of intersect is wrong beyond its claim on 2 of 300 pairs with a "))
       << "wrong";
 }
 

@@ -18,6 +18,45 @@ namespace {
 constexpr std::size_t cases_at_once = 32;
 constexpr Caps caps = attended_caps(1);
 
+/// A wrong answer, its severity and the method's own words.
+struct WrongAnswer {
+  Failing failing;
+  Severity severity;
+  std::string reason;
+};
+
+std::set<std::string> causes_of(const GroupedMethods& of, const std::vector<WrongAnswer>& wrong) {
+  std::vector<Failing> failing;
+  for (const WrongAnswer& w : wrong) failing.push_back(w.failing);
+  const std::vector<Classification> classified = classify(of.methods, failing, caps);
+  std::set<std::string> causes;
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    causes.insert(cause_key(of, failing[i], wrong[i].severity, classified[i].mechanism, wrong[i].reason));
+  return causes;
+}
+
+/// Returns the answers beyond the claim that explain a failure. A broken law compares several answers or an
+/// answer with the truth, so at least one of its answers is wrong. Returns nothing for a law that asks about
+/// the pair in another way, because its answers may all be right.
+std::vector<WrongAnswer> wrong_answers(const JudgedFailure& f,
+                                       std::span<const std::unique_ptr<Method>> methods, std::size_t m) {
+  const auto kind = from_word<FindingKind>(f.kind);
+  if (kind || (f.failed && *f.failed != FindingKind::non_finite))
+    return {{{m, kind ? *kind : *f.failed, f.simplest}, f.severity, f.reason}};
+  std::vector<Pair> pairs{f.simplest};
+  if (f.law->queries != needs_none) {
+    if (f.law->kind == LawKind::answer) return {};
+    const MethodAnswer first = try_method(methods[m], pairs, caps)[0].answer();
+    if (first.status != Status::answered) return {};
+    for (const LawQuery& query : f.law->queries(*methods[m], f.simplest, first)) pairs.push_back(query.pair);
+  }
+  std::vector<WrongAnswer> wrong;
+  for (const Trial& trial : try_method(methods[m], pairs, caps))
+    if (const auto& finding = trial.finding(); finding && finding->severity == Severity::contract)
+      wrong.push_back({{m, finding->kind, trial.pair}, finding->severity, trial.answer().reason});
+  return wrong;
+}
+
 }  // namespace
 
 std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
@@ -30,18 +69,13 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
     for (const Case& c : cases.subspan(first, std::min(cases_at_once, cases.size() - first)))
       pairs.push_back(c.pair);
     const std::vector<Trial> trials = try_methods(methods, pairs, caps);
-    std::vector<Failing> failing;
-    std::vector<std::pair<Severity, std::string>> found;  // severity and the method's own words
+    std::vector<WrongAnswer> found;
     for (const Trial& trial : trials)
       for (std::size_t m = 0; m < methods.size(); ++m) {
         const std::optional<Finding>& wrong = trial.findings[m];
-        if (!wrong) continue;
-        failing.push_back({m, wrong->kind, trial.pair});
-        found.emplace_back(wrong->severity, trial.answers[m].reason);
+        if (wrong) found.push_back({{m, wrong->kind, trial.pair}, wrong->severity, trial.answers[m].reason});
       }
-    const std::vector<Classification> classified = classify(methods, failing, caps);
-    for (std::size_t i = 0; i < failing.size(); ++i)
-      causes.insert(cause_key(grouped, failing[i], found[i].first, classified[i].mechanism, found[i].second));
+    causes.merge(causes_of(grouped, found));
   }
   return causes;
 }
@@ -50,18 +84,16 @@ void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> 
                      const std::vector<Suppression>& suppressions, std::string_view today) {
   if (suppressions.empty()) return;
   const std::vector<std::size_t> groups = algorithm_groups(methods);
+  const GroupedMethods grouped{methods, groups};
+  const auto suppressed = [&](std::string_view key) {
+    return find_suppression(suppressions, key, today) != nullptr;
+  };
   for (JudgedFailure& f : gate.failures) {
-    const auto excuse = [&](std::string_view key) {
-      f.known |= find_suppression(suppressions, key, today) != nullptr;
-    };
-    excuse(f.bucket);
-    const auto kind = from_word<FindingKind>(f.kind);
+    f.known |= suppressed(f.bucket);
     const auto method = position_of(methods, f.method);
-    if (f.known || !kind || !method) continue;
-    const Failing failing{*method, *kind, f.simplest};
-    const GroupedMethods grouped{methods, groups};
-    const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
-    excuse(cause_key(grouped, failing, f.severity, mechanism, f.reason));
+    if (f.known || !method) continue;
+    const std::set<std::string> causes = causes_of(grouped, wrong_answers(f, methods, *method));
+    f.known = !causes.empty() && std::ranges::all_of(causes, suppressed);
   }
 }
 

@@ -21,7 +21,9 @@ namespace cyl {
 std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
                                 std::span<const Case> cases);
 
-/// Marks failures of a gate whose bucket or whose cause is suppressed as known.
+/// Marks a failure of a gate as known if its bucket is suppressed, or the cause of each answer beyond the
+/// claim that its law compares. Such answers explain no failure of a law that repeats a question. Cost: up to
+/// some tenths of a second for a law of several answers.
 void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today);
 

@@ -40,6 +40,41 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
   }
 }
 
+TEST(Suppressed, ALawIsKnownByTheCauseOfEveryWrongAnswerThatItCompares) {
+  std::vector<std::unique_ptr<Method>> methods;
+  // Its distances of parallel solids are 1 % too large, and it calls solids at a height of 9 apart.
+  methods.push_back(std::make_unique<Planted>([](const Pair& pair) {
+    MethodAnswer said = ask_ours("distance", pair);
+    said.witness = CertificateKind::none;
+    if (pair.a.axis == pair.b.axis) said.distance *= 1.01;
+    return pair.a.height == 9 ? answered(Verdict::disjoint) : said;
+  }));
+  const Pair apart{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 0}, {0, 0, 1}, 1, 2}};
+  const Pair meeting{{{0, 0, 0}, {0, 0, 1}, 1, 9}, {{1.5, 0, 0}, {0, 0, 1}, 1, 9}};
+  struct Expected {
+    int law;
+    Pair pair;
+    const char* causes;  ///< if these are suppressed, the law is known
+  };
+  constexpr const char *distance = "distance_outside", *verdict = "wrong_disjoint";
+  for (const auto& [law, pair, cause] :
+       {Expected{33, apart, distance}, Expected{22, apart, distance}, Expected{24, apart, distance},
+        Expected{31, meeting, verdict}, Expected{22, meeting, nullptr}, Expected{35, apart, nullptr}}) {
+    JudgedGate gate;
+    JudgedFailure& failure = gate.failures.emplace_back();
+    failure.method = "planted";
+    failure.law = &law_numbered(law);
+    failure.kind = law == verdict_law ? verdict : failure.law->name;
+    failure.found = failure.simplest = pair;
+    for (const char* suppressed : {distance, verdict}) {
+      failure.known = false;
+      const Suppression s{std::string("planted/") + suppressed, "r", "-", "ada", "2999-12-31", 1};
+      mark_suppressed(gate, methods, {s}, "2026-01-01");
+      EXPECT_EQ(failure.known, suppressed == cause) << law << ' ' << suppressed;
+    }
+  }
+}
+
 TEST(Suppressed, RemarksNameWhatHasExpiredAndWhatNoCaseShows) {
   const std::vector<Suppression> all{{"x", "r", "l", "ada", "2026-11-20", 1},
                                      {"y", "r", "l", "ada", "2027-01-01", 2}};
