@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What clang calls in a library that it compiled with -fsanitize=fuzzer-no-link. A fuzzer has real ones,
-// which count. In this program they let such a plug-in load. cmake/program.cmake exports them, and nothing
-// else.
+// The functions that clang calls in a library compiled with -fsanitize=fuzzer-no-link. A fuzzer has real
+// ones, which count. In this program they let such a plug-in load. cmake/program.cmake exports them, and
+// nothing else.
 #include <cstdint>
 
 #pragma GCC diagnostic ignored "-Wmissing-declarations"

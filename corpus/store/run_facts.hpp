@@ -33,7 +33,8 @@ inline constexpr const char *status_planned = "planned", *status_running = "runn
                             *status_stopped = "stopped", *status_complete = "complete",
                             *status_failed = "failed: ";
 
-/// The entry of a run whose fuzzer found a failure that a campaign does not see: a broken law, a dead process.
+/// The entry of a run whose fuzzer found a failure that a campaign does not see: a broken law, a dead
+/// process.
 inline constexpr const char* fuzz_failed_key = "fuzz_failed";
 
 /// A value of a configuration, or an empty text.

@@ -81,7 +81,7 @@ class Xcheck {
  public:
   Xcheck() {
     if (const char* plugin = std::getenv("DAYLIGHT_FUZZ_PLUGIN")) {
-      for (OpenedGuest& opened : open_plugins({.kind = GuestKind::plugin, .what = plugin}))
+      for (OpenedGuest& opened : open_plugins({GuestKind::plugin, "", plugin, ""}))
         methods_.push_back(std::move(opened.method));
     } else {
       methods_ = all_methods();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Coverage-guided fuzzing: one target in libFuzzer's fork mode, which runs jobs side by side and survives
-// their deaths. It finds pairs, and a campaign judges them. What it finds depends on timing, so the same seed
+// their deaths. It finds pairs, and a campaign judges them. Its finds depend on timing, so the same seed
 // does not give the same corpus.
 #pragma once
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t blind_share = 16;
 
 cyl::Pair decode(const std::uint8_t* data, std::size_t size) {
-  // What is not a record becomes a pair that the mutator makes legal.
+  // Other bytes become a pair that the mutator makes legal.
   return cyl::decode_record({data, size}).value_or(cyl::Pair{});
 }
 

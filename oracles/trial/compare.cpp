@@ -249,7 +249,7 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   if (verdict && verdict->severity == Severity::contract) return verdict;
   if (answer.states_distance())
     if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
-  // A witness of a wrong verdict proves nothing, and a second finding about one error says nothing new.
+  // A witness of a wrong verdict proves nothing, and a second finding about one error adds nothing.
   if (verdict || witness_holds(trial.pair, trial.truth, answer)) return verdict;
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
   wrong.severity = explains(claim, trial, answer) ? Severity::resolution : Severity::contract;
