@@ -267,7 +267,10 @@ void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) 
   if (options.budget.count() <= 0)
     throw UsageError("--fuzz is a share of the time: give --for or --stop-at, and not --pairs alone");
   try {
-    for (const std::string& target : arguments.fuzz_targets) fuzz_program(target);
+    if (!arguments.guests.plugins.empty())
+      fuzz_program("xcheck");
+    else
+      for (const std::string& target : arguments.fuzz_targets) fuzz_program(target);
   } catch (const std::runtime_error& error) {
     if (arguments.corpus_only) throw;
     options.fuzzing = "not fuzzed: no fuzzer is built here, which needs clang\n";

@@ -137,14 +137,16 @@ launch "$home/daylight"
 equal 'a change is built' goodbye "$out"
 equal 'a build shows its steps' yes "$([[ $err == *Building* ]] && echo yes)"
 
-# What fuzzes is built for `fuzz` alone, and only where clang++ is.
-printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/clang++"
+# What fuzzes is built for those who fuzz alone, and only where clang++ is.
+printf '#!/bin/sh\nexec c++ "$@"\n' >"$scratch/no packages/clang++"
 chmod +x "$scratch/no packages/clang++"
 equal 'without fuzz: no fuzzer' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target=core
 equal 'fuzz: exit code' 2 "$code"
 equal 'fuzz: its program is built' yes "$([[ -x $home/build/clang/fuzz_core_libfuzzer ]] && echo yes)"
 rm -rf "$home/build/clang"
+launch env PATH="$scratch/no packages:$PATH" "$home/daylight" campaign --for 1m
+equal 'a campaign without --fuzz: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target none
 equal 'fuzz: an unknown target is left to the command' 3 "$code"
 equal 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
