@@ -51,27 +51,24 @@ bool FindingSink::keep_first(const std::string& name, const Pair& pair) {
   return true;
 }
 
-void FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
-                              std::string_view what) {
+std::string FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
+                                     std::string_view what) {
   const std::string key = bucket_of(method, failure, pair), letters = letter_hash(key);
   ++findings_;
   const bool first = keep_first("findings/" + letters, pair);
-  if (!abort_ && !first) return;
+  if (!abort_ && !first) return {};
   std::fprintf(stderr, "%s: %s: %s\n", key.c_str(), std::string(what).c_str(), format_pair(pair).c_str());
-  if (!abort_) return;
+  if (!abort_) return letters;
   std::fprintf(stderr, "DEDUP_TOKEN: %s\n", letters.c_str());
   std::abort();
 }
 
 void FindingSink::add_broken(const Pair& pair, std::string_view method, std::string_view law,
                              std::string_view what) {
-  const std::string letters = letter_hash(bucket_of(method, law, pair));
-  const bool first = !out_.empty() && !known_.contains("findings/" + letters);
-  add_finding(pair, method, law, what);
-  if (first)
-    std::ofstream(out_ + "/broken", std::ios::app)
-        << std::string(method).append(" breaks ").append(law).append(": ").append(what).append("; record ") +
-               letters + '\n';
+  const std::string letters = add_finding(pair, method, law, what);
+  if (letters.empty() || out_.empty()) return;
+  const std::string line = std::string(method).append(" breaks ").append(law).append(": ").append(what);
+  std::ofstream(out_ + "/broken", std::ios::app) << line + "; record " + letters + '\n';
 }
 
 void FindingSink::add_undecided(const Pair& pair, const Stratum& stratum) {

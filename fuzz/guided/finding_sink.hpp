@@ -3,9 +3,8 @@
 // about them: what a target sees in microseconds is where to look, and no finding.
 //
 //   DAYLIGHT_FUZZ_OUT=FOLDER   findings/ and undecided/ (a record of each bucket, and of each stratum),
-//   broken (lines
-//                              about our own code that no campaign can see), visited (visited.hpp); processes
-//                              may share it
+//                              broken (a line for each failure that no campaign sees), visited
+//                              (visited.hpp); processes may share it
 //   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first failure, for services
 //                              that run targets (also by the macro of that name)
 #pragma once
@@ -23,9 +22,10 @@ class FindingSink {
  public:
   /// Reads the environment.
   FindingSink();
-  /// Keeps a pair on which a method fails if it is the first of its bucket. Prints it then.
-  void add_finding(const Pair& pair, std::string_view method, std::string_view failure,
-                   std::string_view what);
+  /// Keeps a pair on which a method fails if it is the first of its bucket. Prints it then, and returns the
+  /// name of its record.
+  std::string add_finding(const Pair& pair, std::string_view method, std::string_view failure,
+                          std::string_view what);
   /// Keeps a pair on which a law is broken, or a proof contradicts another.
   void add_broken(const Pair& pair, std::string_view method, std::string_view law, std::string_view what);
   /// Keeps a pair that is undecided within the target's time, if it is the first of its stratum.

@@ -237,8 +237,8 @@ Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer) {
 
 namespace {
 
-// The claim may excuse a verdict, and not the distance or the witness beside it. So the first finding beyond
-// the claim is returned, and only without one the first within it.
+// The claim may excuse a verdict, and not the distance beside it. So the first finding beyond the claim is
+// returned, and only without one the first within it.
 std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
