@@ -81,16 +81,6 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Reads "25%". Throws UsageError if the text has another form.
-unsigned parse_share(const std::string& text) {
-  unsigned percent = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, bad] = std::from_chars(text.data(), end, percent);
-  if (bad != std::errc() || std::string_view(rest, end) != "%" || percent == 0 || percent >= 100)
-    throw UsageError("--fuzz: '" + text + "' is not a share from 1% to 99%");
-  return percent;
-}
-
 /// Returns whether a campaign draws such solids. Without guests it draws all. With guests it draws those
 /// that a guest supports, and those that other methods support if a guest supports cylinders.
 bool is_drawn(const Pair& pair, const std::vector<std::unique_ptr<Method>>& methods) {
@@ -261,27 +251,6 @@ void hold(const std::string& run) {
   }
 }
 
-/// Gives a fuzzer its share of the time of a new run, if it can be had.
-void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) {
-  if (arguments.fuzz == 0) return;
-  if (options.budget.count() <= 0)
-    throw UsageError("--fuzz is a share of the time: give --for or --stop-at, and not --pairs alone");
-  try {
-    if (!arguments.guests.plugins.empty())
-      fuzz_program("xcheck");
-    else
-      for (const std::string& target : arguments.fuzz_targets) fuzz_program(target);
-  } catch (const std::runtime_error& error) {
-    if (arguments.corpus_only) throw;
-    options.fuzzing = "not fuzzed: no fuzzer is built here, which needs clang\n";
-    fmt::print(stderr, "daylight: not fuzzed: {}\n", error.what());
-    return;
-  }
-  options.fuzz_targets = fmt::format("{}", fmt::join(arguments.fuzz_targets, " "));
-  options.fuzz = options.budget * arguments.fuzz / 100;
-  options.budget -= options.fuzz;
-}
-
 /// Makes a new run whose pairs come from a corpus, which a fuzzer may still have to find, and plans to resume
 /// it.
 void begin_with_corpus(const CampaignArguments& arguments, CampaignOptions& options,
@@ -313,10 +282,9 @@ bool take_corpus(CampaignOptions& options, Selection& selection) {
   return true;
 }
 
-int stopped(const CampaignOptions& options) {
+void print_stopped(const CampaignOptions& options) {
   fmt::print(stderr, "stopped, resume with: {} campaign --resume {}\n", own_command(),
              shell_quoted(options.out));
-  return exit_undecided;
 }
 
 }  // namespace
@@ -349,7 +317,10 @@ int campaign(const CampaignArguments& arguments) {
     begin_with_corpus(arguments, options, selection);
     if (options.create_only) return exit_pass;
   }
-  if (!take_corpus(options, selection)) return stopped(options);
+  if (!take_corpus(options, selection)) {
+    print_stopped(options);
+    return exit_undecided;
+  }
 
   CampaignSummary summary;
   {
@@ -372,7 +343,7 @@ int campaign(const CampaignArguments& arguments) {
   print_not_asked(selection.methods);
   fmt::print("{}\n", cost_in_words(summary.cost));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
-  if (summary.interrupted) stopped(options);
+  if (summary.interrupted) print_stopped(options);
   return exit_code(summary);
 }
 

@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
 #include "cli/campaign.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -56,6 +59,35 @@ std::string fuzz_program(const std::string& target) {
       name + " is not built: it is no part of an installation. In a source tree `./daylight fuzz` " +
       "builds it where clang++ is; else:\n" + "    apt-get install clang libclang-rt-14-dev\n" +
       "    cmake --preset clang && ninja -C build/clang " + name);
+}
+
+unsigned parse_share(const std::string& text) {
+  unsigned percent = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, bad] = std::from_chars(text.data(), end, percent);
+  if (bad != std::errc() || std::string_view(rest, end) != "%" || percent == 0 || percent >= 100)
+    throw UsageError("--fuzz: '" + text + "' is not a share from 1% to 99%");
+  return percent;
+}
+
+void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) {
+  if (arguments.fuzz == 0) return;
+  if (options.budget.count() <= 0)
+    throw UsageError("--fuzz is a share of the time: give --for or --stop-at, and not --pairs alone");
+  try {
+    if (!arguments.guests.plugins.empty())
+      fuzz_program("xcheck");
+    else
+      for (const std::string& target : arguments.fuzz_targets) fuzz_program(target);
+  } catch (const std::runtime_error& error) {
+    if (arguments.corpus_only) throw;
+    options.fuzzing = "not fuzzed: no fuzzer is built here, which needs clang\n";
+    fmt::print(stderr, "daylight: not fuzzed: {}\n", error.what());
+    return;
+  }
+  options.fuzz_targets = fmt::format("{}", fmt::join(arguments.fuzz_targets, " "));
+  options.fuzz = options.budget * arguments.fuzz / 100;
+  options.budget -= options.fuzz;
 }
 
 void begin_corpus(const std::string& run, const std::string& from) {

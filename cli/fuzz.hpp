@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/campaign.hpp"
 #include "fuzz/campaign/campaign.hpp"
 
 namespace cyl {
@@ -12,6 +13,13 @@ namespace cyl {
 /// Returns the path of the program that fuzzes a target, beside this executable if clang built that, else in
 /// the folder of the clang build. Throws std::runtime_error, with the remedy, if there is none.
 std::string fuzz_program(const std::string& target);
+
+/// Reads "25%". Throws UsageError if the text has another form.
+unsigned parse_share(const std::string& text);
+
+/// Gives a fuzzer its share of the time of a new run. Says so if it cannot be had here, and throws
+/// std::runtime_error then if the run has no other pairs.
+void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options);
 
 /// Fills corpus/ in the folder of a run from the corpus of another run, after it has read all of it. Throws
 /// std::runtime_error if a file there is not a record.

@@ -150,8 +150,7 @@ int search_all(const WorstArguments& arguments) {
     for (const ContactFeature feature : features) {
       std::vector<Pair> starts = known;
       if (arguments.from.empty()) {
-        const std::vector<Pair> drawn = options.domain.fine ? close_starts(feature, arguments.seed)
-                                                            : drawn_starts(feature, arguments.seed);
+        const std::vector<Pair> drawn = drawn_starts(feature, arguments.seed, options.objective);
         starts.insert(starts.end(), drawn.begin(), drawn.end());
       }
       options.budget = std::max(milliseconds(0), (budget - elapsed()) / static_cast<int>(all - ended));

@@ -117,9 +117,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
 endif()
 
 # Schedulers as they are in the field.
-foreach(name parallel slurm)
-  daylight_script(${name}_test cluster 2400 ${PROJECT_SOURCE_DIR}/fuzz/slurm/${name}_test.sh ${program})
-endforeach()
+daylight_script(slurm_test cluster 2400 ${PROJECT_SOURCE_DIR}/fuzz/slurm/slurm_test.sh ${program})
 # A short campaign of many processes that are killed; a whole one: fuzz/campaign/night_test.sh build/release/daylight 1800 180
 daylight_script(night_test cluster 2400 ${PROJECT_SOURCE_DIR}/fuzz/campaign/night_test.sh ${program} 12 3)
 # gate_test keeps the machine busy for a while, to see that a gate says the same then.

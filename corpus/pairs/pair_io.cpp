@@ -302,23 +302,29 @@ void append(std::string& out, const Cylinder& c) {
 
 }  // namespace
 
-std::optional<CaseLine> CaseReader::next() {
+bool LineReader::next() {
   for (;;) {
     // The buffer has room for the \r of a line that just fits and for the terminating zero.
     in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     const auto got = static_cast<std::size_t>(in_.gcount());
-    if (in_.bad() || got == 0) return std::nullopt;
+    if (in_.bad() || got == 0) return false;
     ++line_;
     if (in_.fail()) {  // the buffer was full before the end of the line
       in_.clear();
       in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-      return refuse(line_, line_cap, too_long);
+      text_ = {buffer_.data(), got};
+      return true;
     }
-    std::string_view text(buffer_.data(), in_.eof() ? got : got - 1);  // a newline counts but is not stored
-    if (line_ == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    if (text.ends_with('\r')) text.remove_suffix(1);
-    if (text.find_first_not_of(" \t\r") != text.npos) return parse_case(text, line_);
+    text_ = {buffer_.data(), in_.eof() ? got : got - 1};  // a newline counts but is not stored
+    if (line_ == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+    if (text_.ends_with('\r')) text_.remove_suffix(1);
+    if (text_.find_first_not_of(" \t\r") != text_.npos) return true;
   }
+}
+
+std::optional<CaseLine> CaseReader::next() {
+  if (!lines_.next()) return std::nullopt;
+  return parse_case(lines_.text(), lines_.line());
 }
 
 CaseLine parse_case(std::string_view text, std::size_t line) {

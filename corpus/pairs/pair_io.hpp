@@ -47,17 +47,30 @@ struct CaseLine {
 
 /// Reads one non-blank line at a time; lines may end in \n or \r\n, and the first may begin with a byte order
 /// mark. Never throws on content.
-class CaseReader {
+class LineReader {
  public:
-  explicit CaseReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
-  /// Returns the next non-blank line, or nothing at the end of the stream or if it cannot be read (then
-  /// in.bad()).
-  std::optional<CaseLine> next();
+  explicit LineReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
+  /// Returns whether there is another line. If not, the stream has ended or cannot be read (then in.bad()).
+  bool next();
+  std::string_view text() const { return text_; }  ///< cut after line_cap + 1 bytes
+  std::size_t line() const { return line_; }       ///< from 1
 
  private:
   std::istream& in_;
   std::string buffer_;  ///< one line, its \r and a terminating zero
+  std::string_view text_;
   std::size_t line_ = 0;
+};
+
+/// Reads the cases of a stream, a line each.
+class CaseReader {
+ public:
+  explicit CaseReader(std::istream& in) : lines_(in) {}
+  /// Returns the next line, or nothing if there is none.
+  std::optional<CaseLine> next();
+
+ private:
+  LineReader lines_;
 };
 
 /// Parses one line (without its newline); `line` is only used in error texts.

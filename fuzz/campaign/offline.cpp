@@ -18,8 +18,6 @@
 namespace cyl {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-
 /// The source of a question begins with this. A seed, a colon, a blank and FAMILY/INDEX follow.
 constexpr std::string_view asked_by = "daylight ask --seed ";
 /// The family of pairs that no campaign drew.
@@ -70,77 +68,32 @@ Case question_at(const Workload& workload, const Schedule& schedule, std::uint64
   return question;
 }
 
-bool LineReader::read() {
-  place_ = next_;
-  in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-  const auto got = static_cast<std::size_t>(in_.gcount());
-  if (in_.bad() || got == 0) return false;
-  next_ += got;
-  ++line_;
-  if (in_.fail()) {  // the buffer was full before the end of the line
-    in_.clear();
-    in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-    next_ += static_cast<std::uint64_t>(in_.gcount());
-    text_ = {buffer_.data(), got};
-    return true;
-  }
-  text_ = {buffer_.data(), in_.eof() ? got : got - 1};
-  if (line_ == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-  if (text_.ends_with('\r')) text_.remove_suffix(1);
-  return true;
-}
-
-bool LineReader::next() {
-  while (read())
-    if (text_.find_first_not_of(" \t\r") != text_.npos) return true;
-  if (in_.bad()) throw std::runtime_error("reading failed");
-  return false;
-}
-
-// Seeking discards the bytes read ahead. If answers come in the order of their questions, it is not needed.
-bool LineReader::seek(std::uint64_t place, std::size_t line) {
-  if (place != next_ || !in_.good()) {
-    in_.clear();
-    in_.seekg(static_cast<std::streamoff>(place));
-    next_ = place;
-  }
-  line_ = line - 1;
-  return read();
-}
-
-Questions::Questions(const std::string& file, const OnBadLine& on_bad_line)
-    : file_(file), in_(std::make_unique<std::ifstream>(file)), reader_(*in_) {
-  if (!*in_ || in_->peek() == std::istream::traits_type::eof()) throw InputError(file + " is empty");
-  while (reader_.next()) {
-    const CaseLine c = parse_case(reader_.text(), reader_.line());
-    if (!c.value) {
-      on_bad_line(file, c.line, without_line(c.error));
+Questions::Questions(const std::string& file, const OnBadLine& on_bad_line) : file_(file) {
+  std::ifstream in(file);
+  if (!in || in.peek() == std::istream::traits_type::eof()) throw InputError(file + " is empty");
+  CaseReader reader(in);
+  while (std::optional<CaseLine> c = reader.next()) {
+    if (!c->value) {
+      on_bad_line(file, c->line, without_line(c->error));
       continue;
     }
-    const std::string id = c.value->id.empty() ? std::to_string(c.line) : c.value->id;
-    if (const auto [at, is_new] = by_id_.try_emplace(id, all_.size()); !is_new) {
-      on_bad_line(file, c.line,
-                  fmt::format("id {} stands on line {} already", quote_json(id), all_[at->second].line));
+    c->value->line = c->line;
+    if (c->value->id.empty()) c->value->id = std::to_string(c->line);
+    if (const auto [at, is_new] = by_id_.try_emplace(c->value->id, all_.size()); !is_new) {
+      on_bad_line(
+          file, c->line,
+          fmt::format("id {} stands on line {} already", quote_json(at->first), all_[at->second].asked.line));
       continue;
     }
-    all_.push_back({reader_.place(), c.line, index_in(families_, family_in(*c.value))});
+    const std::uint32_t family = index_in(families_, family_in(*c->value));
+    all_.push_back({std::move(*c->value), family});
   }
+  if (in.bad()) throw std::runtime_error(file + " cannot be read");
 }
 
 Questions::Question* Questions::find(const std::string& id) {
   const auto found = by_id_.find(id);
   return found == by_id_.end() ? nullptr : &all_[found->second];
-}
-
-Case Questions::read(const Question& question) {
-  if (reader_.seek(question.place, question.line)) {
-    CaseLine c = parse_case(reader_.text(), question.line);
-    if (c.value) {
-      if (c.value->id.empty()) c.value->id = std::to_string(question.line);
-      return std::move(*c.value);
-    }
-  }
-  throw std::runtime_error(file_ + " has changed while it was read");
 }
 
 OfflineJudge::OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line)
@@ -171,13 +124,13 @@ void OfflineJudge::judge_all(std::istream& in, const std::string& file,
     if (on_progress && n % progress_lines == 0) on_progress(n);
     take(file, reader.line(), reader.text());
   }
+  if (in.bad()) throw std::runtime_error("reading failed");
   if (name_.empty()) throw UsageError("the answers do not name their method: give --name");
   if (!questions_) return;
   for (const Questions::Question& question : questions_->all()) {
     if (question.answered != 0) continue;
-    on_bad_line_(questions_->file(), question.line, "no answer");
-    judge_answer(questions_->read(question), 0, question.family,
-                 failed_answer(Failure::malformed, "no answer"));
+    on_bad_line_(questions_->file(), question.asked.line, "no answer");
+    judge_answer(question.asked, 0, question.family, failed_answer(Failure::malformed, "no answer"));
   }
 }
 
@@ -212,12 +165,12 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   if (question->answered != 0) {
     const std::string twice = fmt::format("answered on line {} already", question->answered);
     on_bad_line_(file, line, fmt::format("id {} was {}", quote_json(*id), twice));
-    const Case again = questions_->read(*question);
-    return judge_answer(again, line, question->family, failed_answer(Failure::malformed, twice), true);
+    return judge_answer(question->asked, line, question->family, failed_answer(Failure::malformed, twice),
+                        true);
   }
   question->answered = line;
   if (!said.answer) on_bad_line_(file, line, said.error);
-  judge_answer(questions_->read(*question), line, question->family, answer);
+  judge_answer(question->asked, line, question->family, answer);
 }
 
 std::uint32_t OfflineJudge::family_of(const Case& question) {

@@ -26,55 +26,29 @@ namespace cyl {
 /// does not contain the truth.
 Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed, std::uint64_t index);
 
-/// Reads the non-blank lines of a stream, none longer than a line of pairs may be, with their places.
-class LineReader {
- public:
-  explicit LineReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
-  /// Reads the next non-blank line. Returns whether there is one.
-  bool next();
-  /// Reads the line at a place that text() had. Call it on files only.
-  bool seek(std::uint64_t place, std::size_t line);
-  std::string_view text() const { return text_; }  ///< cut after line_cap + 1 bytes
-  std::size_t line() const { return line_; }       ///< from 1
-  std::uint64_t place() const { return place_; }   ///< in bytes
-
- private:
-  bool read();
-  std::istream& in_;
-  std::string buffer_;
-  std::string_view text_;
-  std::size_t line_ = 0;
-  std::uint64_t place_ = 0, next_ = 0;
-};
-
 /// Called for an invalid line, which is skipped.
 using OnBadLine = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;
 
-/// The places of the pairs of a file, by id. About 100 bytes a pair.
+/// The pairs of a file, by id. About 400 bytes a pair.
 class Questions {
  public:
-  /// Reads the whole file once. A line that is not a pair, or that repeats an id, is reported and skipped.
-  /// The id of a line without one is its line number. Throws std::runtime_error if the file cannot be read.
+  /// Reads the whole file. A line that is not a pair, or that repeats an id, is reported and skipped. The id
+  /// of a line without one is its line number. Throws std::runtime_error if the file cannot be read.
   Questions(const std::string& file, const OnBadLine& on_bad_line);
 
   struct Question {
-    std::uint64_t place;
-    std::size_t line;
+    Case asked;
     std::uint32_t family;      ///< index into families()
     std::size_t answered = 0;  ///< line of the answer; 0 if there is none yet
   };
   /// Returns the question of that id, or nullptr.
   Question* find(const std::string& id);
-  /// Reads the pair again.
-  Case read(const Question& question);
-  std::vector<Question>& all() { return all_; }
+  const std::vector<Question>& all() const { return all_; }
   const std::vector<std::string>& families() const { return families_; }
   const std::string& file() const { return file_; }
 
  private:
   std::string file_;
-  std::unique_ptr<std::istream> in_;
-  LineReader reader_;
   std::vector<Question> all_;
   std::unordered_map<std::string, std::size_t> by_id_;
   std::vector<std::string> families_;

@@ -92,6 +92,13 @@ void scale_field(Pair& p, RandomStream& s) {
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
+// Between the powers of two, where a fault may want several ratios at once.
+void scale_length(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  double* const lengths[] = {&c.radius, &c.height, &c.rounding};
+  *lengths[s.below(3)] *= s.between(0.25, 2);
+}
+
 void change_field(Pair& p, RandomStream& s) {
   double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
   x += tenth(s) * (x == 0 ? 1 : x);
@@ -187,6 +194,7 @@ constexpr Move all_moves[] = {
     {"swap", swap},
     {"scale_all", scale_all},
     {"scale_field", scale_field},
+    {"scale_length", scale_length},
     {"change_field", change_field},
     {"snap_to_grid", snap_to_grid},
     {"make_coaxial", make_coaxial},

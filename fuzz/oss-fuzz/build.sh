@@ -9,7 +9,6 @@ ninja -C "$build" fuzz_core_libfuzzer fuzz_xcheck_libfuzzer make_records
 "$build/make_records" "$SRC/daylight/corpus/cases" "$build/records"
 for target in core xcheck; do
   cp "$build/fuzz_${target}_libfuzzer" "$OUT/fuzz_$target"
-  cp "$build/records.dict" "$OUT/fuzz_$target.dict"
   (cd "$build/records" && python3 -m zipfile -c "$OUT/fuzz_${target}_seed_corpus.zip" ./*)
   printf '[libfuzzer]\nmax_len = 160\nlen_control = 0\ntimeout = 25\n' >"$OUT/fuzz_$target.options"
 done

@@ -13,11 +13,11 @@ export CFLAGS='-O1 -g -fsanitize=address,fuzzer-no-link' LIB_FUZZING_ENGINE=-fsa
 export CXXFLAGS=$CFLAGS
 "$SRC/daylight/fuzz/oss-fuzz/build.sh"
 for target in core xcheck; do
-  for file in "" .dict .options _seed_corpus.zip; do [ -s "$OUT/fuzz_$target$file" ] || { echo "no fuzz_$target$file"; exit 1; }; done
+  for file in "" .options _seed_corpus.zip; do [ -s "$OUT/fuzz_$target$file" ] || { echo "no fuzz_$target$file"; exit 1; }; done
 done
 python3 -m zipfile -e "$OUT/fuzz_core_seed_corpus.zip" "$folder/seeds"
 cd "$folder"
-env -i "$OUT/fuzz_core" -dict="$OUT/fuzz_core.dict" -max_len=160 -len_control=0 -seed=1 -runs=0 seeds
+env -i "$OUT/fuzz_core" -max_len=160 -len_control=0 -seed=1 -runs=0 seeds
 # The methods as printed are wrong, so this one must abort, and name the bucket.
 python3 -m zipfile -e "$OUT/fuzz_xcheck_seed_corpus.zip" "$folder/seeds"
 if env -i "$OUT/fuzz_xcheck" -max_len=160 -len_control=0 -seed=1 -max_total_time=600 seeds 2>log; then

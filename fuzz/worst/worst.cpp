@@ -289,8 +289,7 @@ class WorstSearch {
     const std::optional<Ray> ray = ray_of(pair);
     if (!ray || !is_in(options_.domain, pair) || !is_in(options_.domain, ray->touching)) return {};
     const unsigned breaks = breaks_;
-    const Evaluation found =
-        options_.objective == Objective::margin ? most_wrong_on(pair, *ray) : highest_on(pair, *ray);
+    const Evaluation found = worst_on(pair, *ray);
     if (breaks_ > breaks) return {};
     if (found.value > best_.value) best_ = found;
     return found;
@@ -357,9 +356,14 @@ class WorstSearch {
     return gap >= claimed ? beyond + std::log10(margin) : std::log10(gap / claimed);
   }
 
-  /// The value if the answer is wrong, by the solver.
+  /// The value by the solver, which is fast.
   double likely_value(const Probe& probe) const {
     if (probe.answer.status != Status::answered) return nothing_wrong;
+    if (options_.objective != Objective::margin) {
+      const double score = score_of(probe, false).value;
+      const bool counts = score > 0 && likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b));
+      return counts ? std::log10(score) : nothing_wrong;
+    }
     const Verdict said = probe.answer.verdict;
     const bool wrong = probe.margin < 0 ? said == Verdict::disjoint
                                         : said == Verdict::intersecting || said == Verdict::touching;
@@ -384,30 +388,40 @@ class WorstSearch {
     return worst;
   }
 
-  Evaluation most_wrong_on(const Pair& pair, const Ray& ray) {
+  Evaluation worst_on(const Pair& pair, const Ray& ray) {
+    const bool by_margin = options_.objective == Objective::margin;
     Evaluation found;
-    const std::vector<Probe> probes = ask_along(pair, ray, margins_per_decade);
+    const std::vector<Probe> probes = ask_along(pair, ray, by_margin ? margins_per_decade : 1);
     const Probe* first = worst_among(probes, found.value);
     if (first == nullptr) return found;
     Probe worst = *first;
+    if (by_margin) refine(worst, found.value, ray);
+    found.pair = worst.pair;
+    if (found.value > proved_ + gain_tol) found.value = prove(worst, found.value);
+    return found;
+  }
+
+  /// Looks for a larger margin at which the answer is still wrong.
+  void refine(Probe& worst, double& value, const Ray& ray) {
     double step = std::pow(10, 1.0 / margins_per_decade);
-    for (int cut = 0; cut < cuts && found.value + std::log10(step) > best_.value; ++cut) {
+    for (int cut = 0; cut < cuts && value + std::log10(step) > best_.value; ++cut) {
       const double part = std::pow(step, 1.0 / parts);
       std::vector<Probe> between;
       double margin = worst.margin;
       for (int i = 1; i < parts; ++i) between.push_back({ray.at(margin *= part), margin});
       ask(between);
-      if (const Probe* worse = worst_among(between, found.value)) worst = *worse;
+      if (const Probe* worse = worst_among(between, value)) worst = *worse;
       step = part;
     }
-    found.pair = worst.pair;
-    if (found.value > proved_value() + gain_tol) found.value = prove(worst, found.value);
-    return found;
   }
 
-  double proved_value() const { return worst_.wrong ? proved_ : nothing_wrong; }
+  /// Returns the proved value, at most `likely`, and keeps the pair if it is the worst so far.
+  double prove(const Probe& probe, double likely) {
+    const double value = options_.objective == Objective::margin ? prove_verdict(probe) : prove_score(probe);
+    return std::min(value, likely);
+  }
 
-  double prove(const Probe& wrong, double likely) {
+  double prove_verdict(const Probe& wrong) {
     const MethodAnswer& answer = wrong.answer;
     Proofs proofs(wrong.pair, {&answer, 1});
     Trial& proved = proofs.of(wrong.pair);
@@ -418,64 +432,42 @@ class WorstSearch {
     if (sought_.kind && finding->kind != *sought_.kind) return nothing_wrong;
     if (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) return nothing_wrong;
     if (sought_.also && !sought_.also(wrong.pair)) return nothing_wrong;
-    const double size = size_of(wrong.pair);
-    const double margin = finding->margin->lo;
+    const double size = size_of(wrong.pair), margin = finding->margin->lo;
     const double value = finding->severity == Severity::contract ? beyond + std::log10(margin)
                                                                  : std::min(value_of(margin, size), 0.0);
-    if (value > proved_value()) {
+    if (value > proved_) {
       proved_ = value;
       worst_.wrong = WrongPair{wrong.pair, proved.truth.verdict, *finding};
     }
-    return std::min(value, likely);
+    return value;
   }
 
-  Score likely_score(const Probe& probe) const {
+  // A time that something else caused does not come again. An error is proved.
+  double prove_score(const Probe& probe) {
+    Score score = score_of(probe, true);
+    if (timed_) {
+      std::vector<Probe> again{probe, probe};
+      ask(again);
+      for (const Probe& a : again) score.value = std::min(score.value, score_of(a, true).value);
+    }
+    if (!(score.value > 0) || (sought_.feature && contact_feature(probe.pair) != sought_.feature) ||
+        (sought_.also && !sought_.also(probe.pair)))
+      return nothing_wrong;
+    const double value = std::log10(score.value);
+    if (value > proved_) {
+      proved_ = value;
+      worst_.scored = ScoredPair{probe.pair, score.value, score.beyond};
+    }
+    return value;
+  }
+
+  Score score_of(const Probe& probe, bool proved) const {
     if (probe.answer.status != Status::answered) return {};
     if (timed_) return {std::max(1.0, probe.answer.distance)};
-    return error_score(probe, false);
-  }
-
-  Score error_score(const Probe& probe, bool proved) const {
     if (!probe.answer.has_distance && !(probe.answer.error_bound > 0)) return {};
     Trial trial = proved ? Trial(probe.pair) : Trial(probe.pair, judge_verdict(probe.pair));
     const Enclosure ratio = error_over_bound(trial, claim_, probe.answer, proved);
     return {ratio.hi, proved && ratio.lo > 1};
-  }
-
-  /// A time that something else caused does not come again. An error is proved.
-  Score confirmed_score(const Probe& probe) {
-    if (!timed_) return error_score(probe, true);
-    std::vector<Probe> again{probe, probe};
-    ask(again);
-    Score score = likely_score(probe);
-    for (const Probe& a : again) score.value = std::min(score.value, likely_score(a).value);
-    return score;
-  }
-
-  /// For searches by a score.
-  Evaluation highest_on(const Pair& pair, const Ray& ray) {
-    Evaluation found;
-    const Probe* highest = nullptr;
-    const std::vector<Probe> probes = ask_along(pair, ray, 1);
-    for (const Probe& probe : probes) {
-      const double score = likely_score(probe).value;
-      if (!(score > 0) || std::log10(score) <= found.value) continue;
-      if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) continue;
-      found = {std::log10(score), probe.pair};
-      highest = &probe;
-    }
-    const double known = worst_.scored ? std::log10(worst_.scored->score) : nothing_wrong;
-    if (!highest || found.value <= known + gain_tol) return found;
-    const Score confirmed = confirmed_score(*highest);
-    if (!(confirmed.value > 0) || !belongs(highest->pair)) return {};
-    found.value = std::min(found.value, std::log10(confirmed.value));
-    if (found.value > known) worst_.scored = ScoredPair{highest->pair, confirmed.value, confirmed.beyond};
-    return found;
-  }
-
-  bool belongs(const Pair& pair) const {
-    if (sought_.feature && contact_feature(pair) != sought_.feature) return false;
-    return !sought_.also || sought_.also(pair);
   }
 
   const std::unique_ptr<Method>& method_;
@@ -513,29 +505,20 @@ Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> star
   return WorstSearch(method, sought, options, on_worst).run(starts);
 }
 
-std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed) {
+std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
+                               Objective objective) {
   constexpr std::uint64_t of_a_cell = 4, of_a_family = 4;
   std::vector<Pair> starts;
-  for (std::uint64_t index = 0; index < of_a_cell; ++index) {
-    for (int decade = first_decade; decade <= last_decade; ++decade) {
-      for (std::size_t f = 0; f < contact_feature_count; ++f) {
-        const auto drawn = static_cast<ContactFeature>(f);
-        if (feature && drawn != *feature) continue;
-        if (const auto pair = draw_in_stratum(drawn, decade, seed, index)) starts.push_back(*pair);
-      }
-    }
-  }
-  for (std::uint64_t index = 0; index < of_a_family; ++index)
-    for (const Family& family : families()) starts.push_back(family.generate(seed, index));
-  return starts;
-}
-
-std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint64_t seed) {
-  constexpr std::uint64_t of_a_family = 2;
-  std::vector<Pair> starts;
-  for (const CloseContact& contact : draw_close_round(seed, 0))
-    if (!feature || contact.feature == *feature || *feature == ContactFeature::containment)
-      starts.push_back(contact.pair);
+  if (objective == Objective::error)
+    for (const CloseContact& contact : draw_close_round(seed, 0))
+      if (!feature || contact.feature == *feature || *feature == ContactFeature::containment)
+        starts.push_back(contact.pair);
+  for (std::uint64_t index = 0; objective != Objective::error && index < of_a_cell; ++index)
+    for (int decade = first_decade; decade <= last_decade; ++decade)
+      for (const ContactFeature drawn : enum_values<ContactFeature>)
+        if (const auto pair =
+                !feature || drawn == *feature ? draw_in_stratum(drawn, decade, seed, index) : std::nullopt)
+          starts.push_back(*pair);
   for (std::uint64_t index = 0; index < of_a_family; ++index)
     for (const Family& family : families()) starts.push_back(family.generate(seed, index));
   return starts;

@@ -102,14 +102,11 @@ using OnWorst = std::function<void(const Worst& so_far, std::chrono::millisecond
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
-/// Pairs to start from without earlier findings: nearly touching pairs of that stratum, or of every stratum,
-/// and some of every family.
-std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
-
-/// Pairs at which solvers like ours are worst: close contacts of all positions and angles
-/// (corpus/pairs/close_contact.hpp). These are of the feature if they can be drawn by it. Some pairs of every
-/// family follow.
-std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
+/// Pairs to start from without earlier findings: nearly touching pairs of that stratum, or of every stratum.
+/// For Objective::error they are close contacts of all positions and angles (corpus/pairs/close_contact.hpp),
+/// at which solvers like ours are worst. Some pairs of every family follow.
+std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
+                               Objective objective = Objective::margin);
 
 /// The method's usual time of a call: the median over pairs of family `random`, each the least of a few
 /// calls. Nothing if it answers none.
