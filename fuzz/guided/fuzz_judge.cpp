@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/guided/fuzz_judge.hpp"
 
-#include <atomic>
-
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
@@ -27,7 +25,7 @@ FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bo
                      const Distance* measured)
     : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
   trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
-  std::atomic_ref(visited().executions).fetch_add(1, std::memory_order_relaxed);
+  count_execution();
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = judge(trial_.pair, offered, wide_bits_cap);

@@ -20,6 +20,7 @@
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
 #include "fuzz/guided/record.hpp"
+#include "fuzz/guided/visited.hpp"
 #include "oracles/methods/guest.hpp"
 
 namespace cyl {
@@ -103,14 +104,19 @@ class Xcheck {
   }
 
   void run(const Pair& pair) {
+    const bool guest = methods_.front()->guest();
+    // A pair that a plug-in declines is of no use to it, so it adds nothing that the engine would keep.
+    if (guest && !ask_guest(pair)) return count_execution();
     FuzzJudge fuzz_judge(pair, {}, false, sink_);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     const std::size_t drawn = literature_ == 0 ? 0 : fuzz_judge.draws().below(literature_);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
-      answers_[m] = {};
-      if (m < literature_ && m != drawn) continue;
-      if (!methods_[m]->guest() && methods_[m]->share() > 1 && !fuzz_judge.drawn(costly_share)) continue;
-      answers_[m] = ask_and_return(*methods_[m], fuzz_judge.pair());
+      if (!guest) {
+        answers_[m] = {};
+        if (m < literature_ && m != drawn) continue;
+        if (methods_[m]->share() > 1 && !fuzz_judge.drawn(costly_share)) continue;
+        answers_[m] = ask_and_return(*methods_[m], fuzz_judge.pair());
+      }
       fuzz_judge.record(*methods_[m], answers_[m]);
       for (std::size_t earlier = 0; earlier < m; ++earlier)
         if (differ(answers_[earlier], answers_[m])) count_difference(earlier, m);
@@ -118,6 +124,13 @@ class Xcheck {
   }
 
  private:
+  /// Returns whether a method of the plug-in does not decline the pair.
+  bool ask_guest(const Pair& pair) {
+    if (!is_legal(pair)) return false;
+    for (std::size_t m = 0; m < methods_.size(); ++m) answers_[m] = ask_and_return(*methods_[m], pair);
+    return std::ranges::any_of(answers_, [](const auto& said) { return said.status != Status::declined; });
+  }
+
   static bool differ(const MethodAnswer& x, const MethodAnswer& y) {
     return x.status == Status::answered && y.status == Status::answered &&
            (x.verdict == Verdict::disjoint) != (y.verdict == Verdict::disjoint);

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -32,6 +33,8 @@ Stratum stratum_at(std::size_t index) {
 }
 
 Visited& visited() { return *current; }
+
+void count_execution() { std::atomic_ref(current->executions).fetch_add(1, std::memory_order_relaxed); }
 
 void keep_visited(const std::string& file) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);

@@ -30,6 +30,7 @@ Stratum stratum_at(std::size_t index);
 
 /// Returns the counts of this process.
 Visited& visited();
+void count_execution();
 /// Makes the content of that file the value of visited(), and creates the file if necessary. Counting
 /// continues from its content. Throws std::system_error.
 void keep_visited(const std::string& file);
