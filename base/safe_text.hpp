@@ -32,9 +32,15 @@ inline std::string escaped_code(unsigned code) {
 /// Text that was escaped before stays the same, and JSON on one line keeps its meaning. The characters in
 /// `kept` stay too.
 inline std::string escaped_controls(std::string_view text, std::string_view kept = "") {
-  std::string safe;
+  // Most texts are long and need nothing: only these bytes can begin what is escaped.
+  const auto may_need = [](unsigned char byte) {
+    return byte < 0x20 || byte == 0x7f || byte == 0xc2 || byte == 0xe2;
+  };
+  std::size_t i = 0;
+  while (i < text.size() && !may_need(static_cast<unsigned char>(text[i]))) ++i;
+  std::string safe(text.substr(0, i));
   safe.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (; i < text.size(); ++i) {
     const unsigned byte = static_cast<unsigned char>(text[i]);
     const unsigned next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
     if (kept.find(text[i]) != std::string_view::npos) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -124,18 +125,25 @@ Pair widened(Pair pair, double clearance) {
   return pair;
 }
 
-/// Decides by the distance whether the solids overlap by more than the tolerated depth. Sets the verdict,
-/// which then has no certificate but the enclosure. Returns the enclosure, less the clearance.
+/// Decides by the distance whether the solids overlap by more than the tolerated depth. Sets the verdict. A
+/// direction proves that they do not. That they do has no certificate but the enclosure. Returns the
+/// enclosure, less the clearance.
 Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
   Enclosure beyond{};
+  AttainedDistance attained;
   for (const double width : decisive_widths) {
-    beyond = shifted(enclose_distance(pair, truth, width), Interval(-clearance));
+    attained = attain_distance(pair, truth, width);
+    beyond = shifted(attained.distance, Interval(-clearance));
     if (beyond.lo > 0 || beyond.hi < 0) break;
   }
   truth.verdict = beyond.lo > 0   ? Verdict::disjoint
                   : beyond.hi < 0 ? Verdict::intersecting
                                   : Verdict::undecided;
   truth.certificate = {};
+  if (truth.verdict == Verdict::disjoint && attained.direction != std::array{0.0, 0.0, 0.0}) {
+    truth.certificate.kind = CertificateKind::direction;
+    truth.certificate.vector.head = attained.direction;
+  }
   return beyond;
 }
 

@@ -76,8 +76,8 @@ int export_case(const ExportArguments& arguments) {
   const OneFailure failure = failure_of(arguments.failure, set.methods);
   const auto guest = std::ranges::find(set.guests, failure.method, &Guest::name);
   const bool is_guest = guest != set.guests.end();
-  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair,
-                                   is_guest ? &*guest : nullptr, failure.worst);
+  const Export files =
+      make_export(set.methods, failure.method, failure.kind, failure.pair, is_guest ? &*guest : nullptr);
   const bool shown = is_guest || shows_failure(files);
   write_export(files, arguments.out);
   std::vector<std::string_view> names;

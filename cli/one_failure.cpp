@@ -22,6 +22,7 @@
 #include "corpus/store/run_store.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
+#include "reports/export/export.hpp"
 #include "reports/triage/triage.hpp"
 
 namespace cyl {
@@ -69,15 +70,16 @@ OneFailure failure_with_cause(const FailureOptions& options,
     if (std::ranges::find(names, options.method) == names.end())
       throw UsageError(fmt::format("cause '{}' has the methods {}", options.key, fmt::join(names, ", ")));
     failure.method = options.method;
-    const auto method = position_of(methods, options.method);
-    if (method && !try_method(methods[*method], failure.pair).fails(failure.kind))
+    const auto asked = position_of(methods, options.method);
+    if (asked && !try_method(methods[*asked], failure.pair).fails(failure.kind))
       failure = stored_failure(run, cause, options.method).value_or(failure);
   } else if (names.size() > 1) {
     fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
                fmt::join(names, ", "), failure.method);
   }
-  if (const auto worst = cause.find("worst"); worst != cause.end() && worst->is_object())
-    failure.worst = pair_in(*worst);
+  const auto method = position_of(methods, failure.method);
+  if (const auto worst = cause.find("worst"); method && worst != cause.end() && worst->is_object())
+    failure.pair = pair_to_send(methods[*method], failure.kind, failure.pair, pair_in(*worst));
   return failure;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +16,6 @@ struct OneFailure {
   std::string method;
   FindingKind kind;
   Pair pair;
-  std::optional<Pair> worst{};  ///< of the same cause
 };
 
 /// The options of `explain` and `export` that name a failure: a pair, or a cause of a triaged run.
@@ -27,9 +25,10 @@ struct FailureOptions {
 };
 void add_failure_options(Command& command, FailureOptions& options);
 
-/// Returns the failure that the command line names. A cause stands for its simplest failure, or for one of
-/// --method. Missing parts come from the stored finding, else from a new answer. Throws UsageError if the
-/// command line names neither exactly one pair nor a cause, or if the method is right on the pair.
+/// Returns the failure that the command line names. A cause stands for the failure of its shown method on
+/// pair_to_send(), or for one of --method. Missing parts come from the stored finding, else from a new
+/// answer. Throws UsageError if the command line names neither exactly one pair nor a cause, or if the method
+/// is right on the pair.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 }  // namespace cyl

@@ -70,7 +70,7 @@ int triage(const TriageArguments& arguments) {
   const std::string changed = what_changed(result.causes);
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
-  write_page(read_run(arguments.run, campaign_families()));
+  write_page(read_run(arguments.run, campaign_families(), std::move(result.findings)));
   const TriageProgress& p = result.progress;
   const auto here_to_see = p.findings - p.absent;
   const std::string seen =

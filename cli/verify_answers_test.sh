@@ -15,6 +15,7 @@ trap 'rm -r "$folder"' EXIT
 "$daylight" check --distance --clearance 0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
 "$daylight" check --clearance -0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
+[[ $(grep '"disjoint"' "$folder/answers.jsonl" | grep -cv '"direction"') == 0 ]] || { echo 'no direction'; exit 1; }
 python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
 cat "${exact%vectors/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
 "$daylight" check --distance "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]

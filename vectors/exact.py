@@ -13,9 +13,10 @@ they are no farther apart than both roundings together. `hulls` names with a poi
 taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. They touch if they
 meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
 proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. If
-it is negative, the answer has no certificate: only the sign of its interval is checked, and the last line counts such
-answers. Of an interval of the distance, the order, the sign and what the direction shows are checked. A pair that is
-not valid has no other answer than `invalid`.
+it is negative, a direction proves that the overlap is not deeper than tolerated. That it is deeper has no certificate:
+only the sign of the interval is checked, and the last line counts such answers. Of an interval of the distance, the
+order, the sign and what the direction shows are checked. An answer with a part of another verdict's certificate is
+refused. A pair that is not valid has no other answer than `invalid`.
 """
 import json
 import re
@@ -28,6 +29,10 @@ CLAIMS = []
 
 DIGITS = (400, 2000, 9000)  # bits of a square root; more are tried only where fewer show nothing
 SPACE = ('space', 'space')
+# What a certificate consists of, one of the sets, by verdict; hulls come with a point or points.
+CERTIFICATES = {'disjoint': [{'direction'}], 'intersecting': [{'point'}, {'points'}],
+                'touching': [{'point'}, {'points'}, {'near'}]}
+PARTS = {'direction', 'point', 'points', 'near'}
 # A decimal or a fraction. An exponent of more digits would take all memory.
 NUMBER = re.compile(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,4000})?')
 
@@ -86,8 +91,8 @@ def gap(pair, direction, bits, above=False):
     return width / root(dot(d, d), bits, above == (width < 0))
 
 
-def separates(pair, direction):
-    return any(gap(pair, direction, bits) > 0 for bits in DIGITS)
+def separates(pair, direction, clearance=0):
+    return any(gap(pair, direction, bits) > clearance for bits in DIGITS)
 
 
 def equations(solid, hull):
@@ -221,6 +226,11 @@ def nearly_touch(pair, near):
     return separates(shrunk, near['direction'])
 
 
+def is_uncertified(answer):
+    """Whether the answer may have no certificate: it is to a negative clearance, and has none."""
+    return answer.get('clearance', 0) < 0 and not PARTS & set(answer)
+
+
 def fault(pair, answer):
     """What is wrong with an answer and its certificate, in words; None where nothing is."""
     verdict, why = answer.get('verdict'), defect(pair)
@@ -230,6 +240,11 @@ def fault(pair, answer):
         return f'the pair is not valid: {why}'
     if verdict not in ('disjoint', 'intersecting', 'touching', 'undecided'):
         return f'no verdict: {verdict!r}'
+    parts, possible = PARTS & set(answer), CERTIFICATES.get(verdict, [set()])
+    if parts not in possible and (parts or not is_uncertified(answer)):
+        return f'a certificate of {sorted(parts)}, which does not belong to the verdict' if parts else 'no certificate'
+    if 'hulls' in answer and not parts & {'point', 'points'}:
+        return 'hulls without a point'
     if 'clearance' in answer:
         if not is_number(answer['clearance']):
             return 'the clearance is not a length'
@@ -237,6 +252,9 @@ def fault(pair, answer):
             if 'distance' not in answer:
                 return 'a negative clearance has no distance'
             low, high = map(exact, answer['distance'])
+            tolerated = exact(answer['clearance'])
+            if 'direction' in answer and not separates(pair, answer['direction'], tolerated):
+                return 'the direction does not show that the overlap is tolerated'
             agrees = {'disjoint': 0 < low, 'intersecting': high < 0}.get(verdict, verdict == 'undecided')
             return None if low <= high and agrees else 'the distance contradicts the verdict'
         pair = dict(pair, a=dict(pair['a'], rounding=exact(pair['a'].get('rounding', 0)) + exact(answer['clearance'])))
@@ -330,7 +348,7 @@ def check(pairs, answers):
     for number, (pair, answer) in enumerate(zip(pairs, answers), 1):
         try:
             verdicts[answer.get('verdict')] += 1
-            unproved += answer.get('clearance', 0) < 0
+            unproved += is_uncertified(answer)
             why = fault(pair, answer)
         except (AttributeError, KeyError, TypeError, ValueError, ZeroDivisionError, OverflowError) as error:
             why = f'malformed: {error!r}'

@@ -79,6 +79,28 @@ class Exact(unittest.TestCase):
                             ({'verdict': 'invalid', 'error': 'b is odd'}, 'valid'), ({'verdict': 'far'}, 'no verdict')):
             self.assertIn(why or 'None', str(exact.fault(apart, answer)))
 
+    def test_a_tolerated_overlap(self):
+        """An overlap of 1: the direction shows that it is not deeper than tolerated, up to where it is."""
+        deep = {'a': UP, 'b': dict(UP, center=[5, 0, 0])}
+        answer = {'verdict': 'disjoint', 'direction': [1, 0, 0], 'distance': [JUST, 1]}
+        for tolerated, held in ((1 + JUST, True), (1, False), (1 - JUST, False)):
+            self.assertEqual(exact.fault(deep, dict(answer, clearance=-tolerated)) is None, held, tolerated)
+        self.assertIsNotNone(exact.fault(deep, dict(answer, direction=[0, 0, 1], clearance=-1.5)))
+
+    def test_what_does_not_belong_to_the_verdict(self):
+        deep, apart, touch = ({'a': UP, 'b': dict(UP, center=[x, 0, 0])} for x in (5, 7, 6))
+        whole = {'disjoint': (apart, {'direction': [1, 0, 0]}), 'intersecting': (deep, {'point': [2.5, 0, 0]}),
+                 'touching': (touch, {'point': [3, 0, 0]}), 'undecided': (touch, {})}
+        others = {'direction': [1, 0, 0], 'point': [2.5, 0, 0], 'points': [[2.5, 0, 0], [2.5, 0, 0]],
+                  'near': {'point': [3, 0, 0], 'direction': [1, 0, 0]}}
+        for verdict, (asked, proof) in whole.items():
+            self.assertIsNone(exact.fault(asked, dict(proof, verdict=verdict)), verdict)
+            for part in others.keys() - proof.keys():
+                stated = dict(proof, verdict=verdict) | {part: others[part]}
+                self.assertIn('does not belong', str(exact.fault(asked, stated)), (verdict, part))
+        self.assertEqual(exact.fault(apart, {'verdict': 'disjoint', 'direction': [1, 0, 0], 'hulls': ['line', 'space']}),
+                         'hulls without a point')
+
     def test_touching(self):
         """Parts of two solids in contact, and the same pairs a little deeper."""
         coin = {'center': [0, 0, 0], 'axis': [0, 0, 1], 'radius': 2, 'height': 0}

@@ -111,7 +111,13 @@ def wrong(v, flags):
     if v['result'] not in ('disjoint', 'intersecting', 'touching'):
         return 'no result'
     low, high = map(exact.exact, v['distance'])
-    answer = dict(v['certificate'], verdict=v['result'], distance=v['distance'])
+    proof = v['certificate']
+    of_distance = {'disjoint': {'nearest'}, 'intersecting': {'direction', 'nearest'},
+                   'touching': set() if 'near' in proof else {'direction'}}[v['result']]
+    answer = {part: proof[part] for part in proof.keys() - of_distance}
+    if 'nearest' in answer:
+        return 'nearest points, which do not belong to the result'
+    answer |= {'verdict': v['result'], 'distance': v['distance']}
     why = exact.fault(v, answer) or wrong_distance(v, low, high)
     if why:
         return why

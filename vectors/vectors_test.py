@@ -105,14 +105,16 @@ class Lint(unittest.TestCase):
                 v[path[-2]] = path[-1](v[path[-2]]) if callable(path[-1]) else path[-1]
             return change
         for change, of, why in (
-                (put('result', 'intersecting'), result('disjoint'), 'malformed'),
-                (put('result', 'disjoint'), result('intersecting'), 'does not separate'),
+                (put('result', 'intersecting'), result('disjoint'), 'no certificate'),
+                (put('result', 'disjoint'), result('intersecting'), 'does not belong'),
                 (put('result', 'touching'), result('intersecting'), 'they overlap at this point'),
                 (put('result', 'invalid'), result('disjoint'), 'called invalid'),
                 (put('a', 'radius', lambda r: r + 1e-9), result('disjoint'), 'the id'),
                 (put('certificate', 'direction', 0, lambda x: x + 1e-4), result('disjoint'), 'lower end'),
                 (put('certificate', 'direction', lambda d: d[1:] + d[:1]), result('disjoint'), 'separate'),
                 (put('certificate', 'nearest', 'points', 0, 0, [0, 0]), result('disjoint'), 'upper end'),
+                (lambda v: v['certificate'].update(nearest={}), result('touching'), 'do not belong'),
+                (lambda v: v['certificate'].update(point=[0, 0, 0]), result('disjoint'), 'does not belong'),
                 (put('certificate', 'point', 0, lambda x: [9, 9]), lambda v: 'point' in v.get('certificate', ()),
                  'both'),
                 (put('distance', 0, lambda x: x * (1 + 1e-9)), result('disjoint'), 'distance'),

@@ -113,12 +113,15 @@ class Asker::Parts {
   }
 
   bool given_up(std::size_t m) const {
-    return hangs_[m] >= caps_.hangs || crashes_[m] >= caps_.program_crashes;
+    return hangs_[m] >= caps_.hangs || crashes_[m] >= caps_.program_crashes || caps_.out_of_time();
   }
   ContainedAnswer gave_up(std::size_t m) const {
     ContainedAnswer said;
-    said.answer.set_reason("not asked any more after " + std::to_string(hangs_[m]) + " hangs and " +
-                           std::to_string(crashes_[m]) + " crashes");
+    if (caps_.out_of_time())
+      said.answer.set_reason("no time was left");
+    else
+      said.answer.set_reason("not asked any more after " + std::to_string(hangs_[m]) + " hangs and " +
+                             std::to_string(crashes_[m]) + " crashes");
     return said;
   }
   void count_hang(std::size_t m, ContainedAnswer& said) {

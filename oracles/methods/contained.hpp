@@ -62,6 +62,10 @@ struct Caps {
   unsigned hangs = std::numeric_limits<unsigned>::max();
   /// Likewise the crashes of a program. It is started again after each, which may take a second.
   unsigned program_crashes = std::numeric_limits<unsigned>::max();
+  /// From then on, questions are declined, and a call that a worker is in is ended and counts as declined.
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+
+  bool out_of_time() const { return std::chrono::steady_clock::now() >= until; }
 };
 
 /// Returns the caps of commands that people wait for, such as gate, triage and explain. The CPU time is that

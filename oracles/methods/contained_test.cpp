@@ -146,6 +146,17 @@ TEST(Contained, EndlessLoopIsAHangByItsCpuTime) {
   EXPECT_GE(spent, std::chrono::duration<double>(short_cap).count());
 }
 
+TEST(Contained, WhatIsAskedWhenTheTimeRunsOutIsDeclined) {
+  const auto methods = fakes({[] {
+    while (true) pause();
+  }});
+  Caps caps{.call_cpu = no_cap, .call_wall = no_cap};
+  caps.until = std::chrono::steady_clock::now() + milliseconds(100);
+  const std::vector<Question> questions(3, Question{0, 0});
+  for (const auto& said : ask_contained(methods, numbered_pairs(1), questions, caps))
+    EXPECT_EQ(said.answer.status, Status::declined);
+}
+
 TEST(Contained, LongSleepIsAHang) {
   const MethodAnswer answer = ask_between_good_ones(
       [] {

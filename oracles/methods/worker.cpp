@@ -110,6 +110,7 @@ Worker::~Worker() = default;
 
 struct Worker::Watched {
   bool lost = false;
+  bool out_of_time = false;
   std::string limit;  ///< the limit that question `at` exceeded, so that the worker was ended. Else empty
   std::size_t at = 0;
   nanoseconds cpu{0};                                      ///< of question `at`
@@ -183,7 +184,8 @@ Worker::Watched Worker::watch() {
     }
     const auto cpu_cap = loaded ? caps_.call_cpu : caps_.load,
                wall_cap = loaded ? caps_.call_wall : caps_.load;
-    if (cpu <= cpu_cap && wall <= wall_cap) continue;
+    watched.out_of_time = caps_.out_of_time();
+    if (cpu <= cpu_cap && wall <= wall_cap && !watched.out_of_time) continue;
     watched.limit = cpu > cpu_cap ? std::to_string(cpu_cap.count()) + " ms of CPU time"
                                   : std::to_string(wall_cap.count()) + " ms";
     if (!loaded) watched.limit += " to load";
@@ -211,6 +213,7 @@ std::string describe_death(const std::optional<SupervisedProcess::Ending>& endin
 }
 
 ContainedAnswer Worker::describe_loss(const Watched& watched) {
+  if (watched.out_of_time) return {};
   if (!watched.limit.empty()) {
     return {failed_answer(Failure::hang, "no answer within " + watched.limit),
             static_cast<double>(watched.cpu.count())};

@@ -298,7 +298,8 @@ std::string library_in_keys(const GroupedMethods& of, const Method& method) {
 
 bool fails_alike(const Trial& failing, const Trial& other) {
   const FindingKind kind = failing.finding()->kind;
-  if (!other.fails(kind)) return false;
+  const bool beyond = failing.finding()->severity == Severity::contract;
+  if (!other.fails(kind) || (beyond && other.finding()->severity != Severity::contract)) return false;
   const bool broke = is_failure(kind) && kind != FindingKind::non_finite;
   return !broke || slug(other.answer().reason) == slug(failing.answer().reason);
 }

@@ -68,8 +68,8 @@ struct Classification {
   std::optional<ScaleCure> smaller, larger;  ///< of `base`
 };
 
-/// Returns whether the other trial fails as the first does: with the same kind. If the library broke, its
-/// words must also be the same, except for numbers other than codes.
+/// Returns whether the other trial fails as the first does: with the same kind, and beyond the claim if that
+/// one is. If the library broke, its words must also be the same, except for numbers other than codes.
 bool fails_alike(const Trial& failing, const Trial& other);
 
 /// Returns "right once scaled down to a size of 12 (..), wrong at a size of 24 (..)". Empty if no scale cures

@@ -17,6 +17,8 @@ namespace {
 /// The relative widths of a distance that is only shown, and the part of it that may stay unsure.
 constexpr double shown_widths[] = {1e-6, 1e-9, 1e-12, 1e-15};
 constexpr double shown_share = 1e-3;
+/// A length whose enclosure is wider than this part of it is shown as a bound: its third digit is not known.
+constexpr double bound_share = 1e-2;
 
 bool same(const Pair& x, const Pair& y) {
   const auto p = numbers_of(x), q = numbers_of(y);
@@ -120,7 +122,9 @@ std::string distance_in_words(const Trial& trial) {
   const std::string length = std::abs(true_one) < std::numeric_limits<double>::max()
                                  ? told_from(sign * true_one, sign * other)
                                  : "more than 1.79e308";  // which is below the largest double
-  return trial.meets() ? "overlapping by " + length : length + " apart";
+  const bool is_bound = trial.distance.hi - trial.distance.lo > bound_share * std::abs(true_one);
+  const std::string shown = (is_bound ? "at least " : "") + length;
+  return trial.meets() ? "overlapping by " + shown : shown + " apart";
 }
 
 std::string said_distance(const Trial& trial) {

@@ -83,8 +83,8 @@ std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> 
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 
-/// Returns "3.1e-07 apart", "overlapping by 0.05" or "touching". If the method's distance is wrong, it has as
-/// many digits as make the two differ.
+/// Returns "3.1e-07 apart", "overlapping by at least 0.05" (if no more is proved) or "touching". If the
+/// method's distance is wrong, it has as many digits as make the two differ.
 std::string distance_in_words(const Trial& trial);
 
 /// Returns the method's distance, with as many digits as make it differ from the true one.

@@ -20,11 +20,14 @@ constexpr unsigned several = 3;
 std::string beyond_in_words(const RegionEnd& end) {
   if (!end.beyond) return "as far as tried";
   const Trial& p = *end.beyond;
-  if (p.finding()) return to_string(p.finding()->kind);
+  if (p.finding())
+    return p.fails(end.failing.finding()->kind) && p.finding()->severity == Severity::resolution
+               ? "within the claim"
+               : to_string(p.finding()->kind);
   if (!p.decided()) return "truth unproved";
   if (p.answer().status != Status::answered || p.answer().verdict == Verdict::undecided) return "no answer";
   if (p.meets() != end.failing.meets()) return p.meets() ? "they meet" : "they are apart";
-  return fmt::format("right ({})", counted(end.right_samples, "sample"));
+  return end.right_samples == 0 ? "right" : fmt::format("right ({})", counted(end.right_samples, "sample"));
 }
 
 std::string column_title(Parameter p) {
@@ -37,10 +40,11 @@ std::string column_title(Parameter p) {
 std::string failure_in_words(const Trial& asked, const std::vector<FailingRegion>& regions) {
   switch (asked.finding()->kind) {
     case FindingKind::wrong_intersecting:
-      return fmt::format("calls solids up to {:.3g} apart {}", regions[0].high.fails_at,
+      return fmt::format("calls solids up to {:.3g} apart {}",
+                         std::max(regions[0].high.fails_at, asked.distance.lo),
                          to_string(asked.answer().verdict));
     case FindingKind::wrong_disjoint: {
-      const double depth = -regions[0].low.fails_at;
+      const double depth = std::max(-regions[0].low.fails_at, -asked.distance.hi);
       return depth > 0 ? fmt::format("calls solids that overlap by up to {:.3g} disjoint", depth)
                        : "calls solids that touch disjoint";
     }
@@ -67,6 +71,20 @@ unsigned failing_samples(const FailingRegion& r) {
 bool is_supported(const FailingRegion& r, const RegionEnd& end) {
   return end.beyond && end.beyond->right() && end.beyond->meets() == end.failing.meets() &&
          !end.fails_beyond && end.right_samples >= several && failing_samples(r) >= several;
+}
+
+/// Returns the parameters along which the table shows an end, but too few samples for a range in words.
+std::vector<std::string> hardly_sampled(const std::vector<FailingRegion>& regions) {
+  std::vector<std::string> found;
+  for (const FailingRegion& r : regions) {
+    const auto ends = [&](const RegionEnd& end) {
+      return end.beyond && end.beyond->right() && end.beyond->meets() == end.failing.meets() &&
+             !is_supported(r, end);
+    };
+    const bool is_named = r.parameter == Parameter::distance || r.parameter == Parameter::scale;
+    if (!is_named && (ends(r.low) || ends(r.high))) found.emplace_back(to_string(r.parameter));
+  }
+  return found;
 }
 
 /// Returns the parameters along which the failure continues on both sides as far as was tried.
@@ -142,6 +160,8 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                                       cause_in_words(methods, {index, kind, pair}, asked));
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
+  if (const auto few = hardly_sampled(regions); !few.empty())
+    sentences += fmt::format(" The table shows an end along {}, but few samples.", fmt::join(few, " and "));
   if (const auto rest = indifferent(regions); !rest.empty())
     sentences += fmt::format(" Samples do not show that it depends on {}.", fmt::join(rest, " or "));
   return text + '\n' + regions_table(regions) + '\n' + sentences + '\n';

@@ -341,8 +341,18 @@ std::string command_for(const std::string& daylight, const std::string& file, co
                      options_for(guest));
 }
 
+Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
+                  const Pair& worst) {
+  const auto is_clear = [&](const Pair& pair) {
+    const Trial asked = try_method(method, pair);
+    return asked.fails(kind) && asked.decided() && asked.finding()->margin &&
+           !at_edge(asked, method->claim());
+  };
+  return !is_clear(simplest) && is_clear(worst) ? worst : simplest;
+}
+
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
-                   const Pair& pair, const Guest* guest, const std::optional<Pair>& worst) {
+                   const Pair& pair, const Guest* guest) {
   const auto& method = find_method(methods, name);
   const LibraryCall* call = find_library_call(name);
   if (call == nullptr && guest == nullptr)
@@ -359,10 +369,6 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
                                  format_method_answer(asked.answer())));
   if (!asked.decided())
     throw UsageError("the referee could not decide this pair, so there is nothing to send");
-  if (worst && at_edge(asked, method->claim()))
-    if (Trial other = try_method(method, *worst);
-        other.fails(kind) && other.decided() && other.finding()->margin && !at_edge(other, method->claim()))
-      asked = std::move(other);
   if (guest) asked.answers[0].set_reason(without_folders(asked.answers[0].reason, *guest));
   Recipient to = guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
   to.files["exact.py"] = exact_check(asked, method->claim(), to.axes);

@@ -5,7 +5,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,12 +24,15 @@ std::string command_for(const std::string& daylight, const std::string& file, co
 
 /// Asks the method again, contained. `guest` is the method's guest, or null if it is of a packaged library.
 /// Throws UsageError if no method has that name, if nothing can be written for it, or if it does not fail in
-/// this way on this pair now. Throws std::runtime_error if it fails only because axes are rounded. If the
-/// pair is at the edge of the claim and `worst` is not, the export is about the worst. The files do not
-/// contain a path of this machine.
+/// this way on this pair now. Throws std::runtime_error if it fails only because axes are rounded. The files
+/// do not contain a path of this machine.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
-                   FindingKind kind, const Pair& pair, const Guest* guest = nullptr,
-                   const std::optional<Pair>& worst = {});
+                   FindingKind kind, const Pair& pair, const Guest* guest = nullptr);
+
+/// Returns the pair that stands for a cause: the simplest, or the worst if only the simplest is at the edge
+/// of the claim.
+Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
+                  const Pair& worst);
 
 /// Creates the folder if it does not exist, and overwrites an earlier export. Throws std::runtime_error that
 /// names a file that cannot be written.

@@ -373,10 +373,10 @@ TEST(Export, AtTheEdgeOfTheClaimTheWorstIsSent) {
     return Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 - depth, 0, 0}, {0, 0, 1}, 1, 2}};
   };
   const auto sent = [&](double simplest, std::optional<double> worst) {
-    std::optional<Pair> pair;
-    if (worst) pair = overlap(*worst);
-    return make_export(methods, "edge", FindingKind::wrong_disjoint, overlap(simplest), &guest, pair)
-        .at("issue.md");
+    const FindingKind kind = FindingKind::wrong_disjoint;
+    const Pair pair =
+        worst ? pair_to_send(methods[0], kind, overlap(simplest), overlap(*worst)) : overlap(simplest);
+    return make_export(methods, "edge", kind, pair, &guest).at("issue.md");
   };
   EXPECT_TRUE(has(sent(0.0078125, 1.0), "| b | (1, 0, 0)"));
   EXPECT_TRUE(has(sent(0.5, 1.0), "| b | (1.5, 0, 0)"));

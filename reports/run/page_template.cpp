@@ -22,7 +22,7 @@ std::string compressed(std::string_view text) {
   uLongf size = compressBound(text.size());
   std::string bytes(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-                text.size(), Z_BEST_COMPRESSION) != Z_OK)
+                text.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
     throw std::runtime_error("compressing the data of the page failed");
   bytes.resize(size);
   return bytes;

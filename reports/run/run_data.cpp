@@ -7,7 +7,8 @@
 #include "reports/run/charts.hpp"
 
 namespace cyl {
-RunData read_run(const std::string& folder, std::span<const Family> families) {
+RunData read_run(const std::string& folder, std::span<const Family> families,
+                 std::vector<FindingRecord> findings) {
   const RunStore store = RunStore::open(folder);
   RunData run;
   run.folder = folder;
@@ -17,7 +18,7 @@ RunData read_run(const std::string& folder, std::span<const Family> families) {
   run.methods = store.methods();
   run.tallies = store.tallies();
   run.groups = store.groups();
-  run.findings = store.findings();
+  run.findings = findings.empty() ? store.findings() : std::move(findings);
   for (const FindingRecord& finding : run.findings)
     run.pairs.push_back({parse_case(finding.pair, 1).value, proved_verdict(finding)});
   run.cells = store.cells();

@@ -38,7 +38,8 @@ struct RunData {
 };
 
 /// Reads the run in a folder. Throws UsageError if there is none, and std::runtime_error that names a file
-/// that cannot be read.
-RunData read_run(const std::string& folder, std::span<const Family> families);
+/// that cannot be read. `findings`: those of the run, if they were read before.
+RunData read_run(const std::string& folder, std::span<const Family> families,
+                 std::vector<FindingRecord> findings = {});
 
 }  // namespace cyl

@@ -87,6 +87,9 @@ std::string format_summary(const RunData& run) {
   std::string text = escaped_controls(value_of(run.config, "fuzzing"), "\n");
   text += fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
   if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
+  std::uint64_t findings = 0;  // as the page counts them: all that follow
+  for (const GroupRecord& g : run.groups) findings += g.count;
+  text += fmt::format("findings: {}\n", grouped(findings));
   text += fmt::format("wrong beyond the claim: {}, {}\n  most: {}\n", counted(beyond.size(), "method"),
                       counted(all_beyond, "answer"), most_of(beyond));
   text += fmt::format("wrong within the claim: {}\n", counted(all_within, "answer"));

@@ -27,5 +27,12 @@ TEST(RunSummary, TheWorstIsOfOrdinarySizeIfOneIs) {
   EXPECT_EQ(worst_finding(run), &run.findings[4]);
 }
 
+TEST(RunSummary, CountsFindingsAsThePageDoes) {
+  RunData run;
+  run.groups = {{{"m", FindingKind::crash, Severity::contract, "f"}, 75, 0},
+                {{"m", FindingKind::wrong_disjoint, Severity::resolution, "f"}, 41, 0}};
+  EXPECT_NE(format_summary(run).find("\nfindings: 116\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cyl

@@ -58,20 +58,24 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism,
   return mechanism == Mechanism::unclassified ? said : fmt::format("{} ({})", in_words(mechanism), said);
 }
 
-std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, const Trial& simplest_now,
+std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, const ShownPair& simplest_now,
                                    const GroupedMethods& of) {
   const std::span<const std::unique_ptr<Method>> methods = of.methods;
   std::vector<std::string> labels{b.description};
+  const auto own = position_of(methods, b.method);
+  const bool was_asked = !own || simplest_now.asked[*own];
   if (!b.seen_again)
-    labels.push_back(
-        fmt::format("not reproduced: {} does not fail in this way when it is asked alone", b.method));
+    labels.push_back(fmt::format(
+        fmt::runtime(was_asked ? "not reproduced: {} does not fail in this way when it is asked alone"
+                               : "not asked again: no time was left for {}, which hangs"),
+        b.method));
   if (hangs_on_our_sums(b.method, b.kind, group.simplest->pair).value_or(false))
     labels.push_back(
         "the simplest pair depends on the last bit of our support function: the method is right if its sums "
         "change their order");
   std::string elsewhere;
-  if (const auto m = position_of(methods, b.method))
-    for (const std::size_t sharer : methods_sharing_algorithm(of, *m))
+  if (own)
+    for (const std::size_t sharer : methods_sharing_algorithm(of, *own))
       elsewhere += (elsewhere.empty() ? "" : ", ") + std::string(methods[sharer]->name());
   if (!elsewhere.empty()) labels.push_back("shared code, judging by common errors: " + elsewhere);
   std::vector<std::pair<std::size_t, std::string>> often;
@@ -84,7 +88,7 @@ std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, c
                                                group.findings.size()));
   std::string shared;
   for (std::size_t m = 0; m < methods.size(); ++m)
-    if (const auto& wrong = simplest_now.findings[m];
+    if (const auto& wrong = simplest_now.trial.findings[m];
         methods[m]->name() != b.method && wrong && wrong->kind == b.kind)
       shared += (shared.empty() ? "" : ", ") + std::string(methods[m]->name());
   if (!shared.empty()) labels.push_back("wrong in the same way on the simplest pair: " + shared);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "oracles/trial/mechanism.hpp"
-#include "oracles/trial/trial.hpp"
 #include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
+#include "reports/triage/shown_pair.hpp"
 
 namespace cyl {
 
@@ -21,6 +21,6 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism,
 /// Returns the description and the labels of a cause: what applies to how many of its findings, and which
 /// other methods are wrong. `simplest_now` holds the answers to its simplest pair.
 std::vector<std::string> labels_of(const Cause& cause, const CauseFindings& findings,
-                                   const Trial& simplest_now, const GroupedMethods& methods);
+                                   const ShownPair& simplest_now, const GroupedMethods& methods);
 
 }  // namespace cyl

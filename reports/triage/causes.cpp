@@ -70,22 +70,27 @@ std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
 }
 
 /// Takes the first candidate on which its method fails when it is asked alone. If none fails, takes the
-/// first finding as it was found.
-void choose_simplest(CauseFindings& group, std::span<const std::unique_ptr<Method>> methods,
-                     const std::function<bool()>& out_of_time) {
+/// first finding as it was found. Returns what was shown of it, if it was asked about.
+std::optional<ShownPair> choose_simplest(CauseFindings& group,
+                                         std::span<const std::unique_ptr<Method>> methods, PairShower& shower,
+                                         const std::function<bool()>& out_of_time) {
   std::stable_sort(group.candidates.begin(), group.candidates.end(), shown_first(group.worst->kind));
   const auto fallback = std::find_if(group.candidates.begin(), group.candidates.end(),
                                      [](const ShownCandidate& c) { return c.as_found; });
   if (fallback != group.candidates.end()) group.simplest = *fallback;
+  std::optional<ShownPair> of_simplest;
   std::size_t tried = 0;
   for (const ShownCandidate& c : group.candidates) {
-    if (tried++ == tried_cap || (tried > 1 && out_of_time())) return;
+    if (tried++ == tried_cap || (tried > 1 && out_of_time())) break;
     const auto blamed = failing_method_of(*c.of, methods);
-    if (!blamed || !fails_alone(methods, *blamed, c.pair)) continue;
-    group.simplest = c;
-    group.seen_again = true;
-    return;
+    if (!blamed) continue;
+    ShownPair shown = shower.show(c.pair, {&*blamed, 1});
+    group.seen_again = shown.fails(*blamed);
+    if (group.seen_again) group.simplest = c;
+    if (group.seen_again || &c == &*fallback) of_simplest = std::move(shown);
+    if (group.seen_again) break;
   }
+  return of_simplest;
 }
 
 /// Whether the searched pair is wrong today in the way it was found, beyond the claim, and worse than the
@@ -126,7 +131,7 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
     if (shown.asked[m]) c["answers"][std::string(methods[m]->name())] = answer_to_json(trial.answers[m]);
   if (finding != nullptr) {
     const auto m = position_of(methods, finding->method);
-    const bool right_today = !m || !trial.findings[*m];
+    const bool right_today = !m || (shown.asked[*m] && !trial.findings[*m]);
     const Json said = Json::parse(finding->answers, nullptr, false);
     for_each_answer(said, [&](const Json& answer, const auto& its_methods) {
       if (!right_today || std::ranges::count(its_methods, finding->method) == 0) return;
@@ -298,11 +303,11 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
   const FailingMethod failing{fault.method, kind};
   CauseFindings group;
   group.simplest = ShownCandidate{true, complexity(fault.pair), nullptr, fault.pair};
-  group.seen_again = fails_alone(of.methods, failing, fault.pair);
   const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
+  group.seen_again = shown.fails(failing);
   show_simplest(b, group, shown, of.methods, run_folder, !out_of_time());
   b.ordinary = is_ordinary(fault.pair);
-  b.labels = labels_of(b, group, shown.trial, of);
+  b.labels = labels_of(b, group, shown, of);
   return b;
 }
 
@@ -321,7 +326,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
       causes.back().chance.reset();
       continue;
     }
-    choose_simplest(group, of.methods, out_of_time);
+    std::optional<ShownPair> shown = choose_simplest(group, of.methods, shower, out_of_time);
     if (!group.simplest) continue;  // none of its pairs can be read
     choose_worst(group);
     const auto counted = counts.find(key);
@@ -329,11 +334,11 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
     const auto blamed = failing_method_of(group.first(), of.methods);
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
-    const ShownPair shown = shower.show(group.simplest->pair, failing);
-    show_simplest(b, group, shown, of.methods, records.folder, !out_of_time());
-    show_worst(b, group, shown, shower, of.methods, records.folder);
+    if (!shown) shown = shower.show(group.simplest->pair, failing);
+    show_simplest(b, group, *shown, of.methods, records.folder, !out_of_time());
+    show_worst(b, group, *shown, shower, of.methods, records.folder);
     b.ordinary = is_ordinary(group.simplest->pair);
-    b.labels = labels_of(b, group, shown.trial, of);
+    b.labels = labels_of(b, group, *shown, of);
     causes.push_back(std::move(b));
   }
   std::stable_sort(causes.begin(), causes.end(), [](const Cause& x, const Cause& y) {

@@ -20,7 +20,7 @@ namespace {
 
 /// Pairs of one method and family that are drawn again, and pairs that are asked at once.
 constexpr std::uint64_t redrawn_cap = 4'096, redraw_batch = 256;
-constexpr Caps again_caps = attended_caps(1);
+constexpr unsigned again_hangs_cap = 1;
 
 /// The pairs of a family that the earlier version was asked about.
 struct DrawnFamily {
@@ -82,8 +82,10 @@ void ask(const TriageContext& context, std::size_t method, const RunStore& run, 
       const auto wrong = compare(trial, claim, said);
       if (!wrong || wrong->severity != Severity::contract) continue;
       ++wrong_now;
-      NewFault& fault = faults[find_cause(context.grouped(), {method, wrong->kind, some[p]}, wrong->severity,
-                                          said.reason, asker)];
+      const std::string cause =
+          find_cause(context.grouped(), {method, wrong->kind, some[p]}, wrong->severity, said.reason, asker);
+      if (context.out_of_time(part)) break;
+      NewFault& fault = faults[cause];
       const bool simpler = fault.pairs++ == 0 || complexity(some[p]) < complexity(fault.pair);
       if (simpler) fault = {fault.pairs, some[p], method, *wrong, std::string(drawn.family->name)};
     }
@@ -118,7 +120,7 @@ std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
     ChangedGuest guest{name, version, version_in(past->methods, name), past->id, 0, 0, {}};
     if (guest.earlier_version == version) continue;
     const RunStore run = RunStore::open(past->folder);
-    Asker asker(context.methods, again_caps);
+    Asker asker(context.methods, context.caps(part, again_hangs_cap));
     for (const DrawnFamily& drawn : families_of(run, name)) ask(context, m, run, drawn, part, guest, asker);
     changed.push_back(std::move(guest));
   }

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// The findings classified together. More would cost a user of a slow method more time than the budget.
+/// The causes that are stored in one transaction.
 constexpr std::size_t together_cap = 32;
 
 /// Drops the results about a guest that has changed. Keeps the results about a guest that is not here.
@@ -58,20 +58,13 @@ std::string mechanism_labels(const Classification& found, std::span<const std::u
   return labels;
 }
 
-std::vector<CauseRecord> causes_together(std::span<const Subject* const> subjects,
-                                         const GroupedMethods& methods) {
-  std::vector<Failing> failing;
-  for (const Subject* s : subjects)
-    if (s->can_be_classified()) failing.push_back(s->failing());
-  const std::vector<Classification> found = classify(methods.methods, failing, triage_caps);
-  std::vector<CauseRecord> causes;
-  auto next = found.begin();
-  for (const Subject* s : subjects) {
-    const Classification c = s->can_be_classified() ? *next++ : Classification{};
-    causes.push_back(
-        {s->record->id, key_of(*s, methods, c.mechanism), c.mechanism, mechanism_labels(c, methods.methods)});
+CauseRecord cause_of(const Subject& s, const GroupedMethods& methods, Asker& asker) {
+  Classification c;
+  if (s.can_be_classified()) {
+    const Failing failing = s.failing();
+    c = classify(methods.methods, {&failing, 1}, asker)[0];
   }
-  return causes;
+  return {s.record->id, key_of(s, methods, c.mechanism), c.mechanism, mechanism_labels(c, methods.methods)};
 }
 
 }  // namespace
@@ -85,14 +78,19 @@ void classify_findings(const TriageContext& context, double part) {
     if (!s.absent && !known.contains(s.record->id)) open.push_back(&s);
   if (open.empty()) return;
   put_in_turns(open);
-  const std::size_t jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
-    for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time(part);
-         first += jobs * together_cap) {
-      const std::size_t count = std::min(together_cap, open.size() - first);
-      store.add(causes_together(std::span(open).subspan(first, count), context.grouped()));
+    Asker asker(context.methods, context.caps(part));
+    std::vector<CauseRecord> causes;  // stored a few at a time, as each transaction takes a while
+    for (std::size_t i = job; i < open.size(); i += context.options.jobs) {
+      CauseRecord cause = cause_of(*open[i], context.grouped(), asker);
+      if (context.out_of_time(part)) break;
+      causes.push_back(std::move(cause));
+      if (causes.size() < together_cap) continue;
+      store.add(causes);
+      causes.clear();
     }
+    store.add(causes);
   });
 }
 

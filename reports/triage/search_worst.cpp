@@ -73,14 +73,14 @@ std::vector<CauseSought> causes_sought(const TriageContext& context) {
 
 /// Continues from the result of an earlier search that was cut.
 WorstRecord searched(const TriageContext& context, CauseSought cause, const WorstRecord& earlier,
-                     milliseconds budget) {
+                     milliseconds budget, double part) {
   if (const CaseLine line = parse_case(earlier.pair, 1); line.value)
     cause.starts.insert(cause.starts.begin(), line.value->pair);
   WorstOptions options;
   options.evaluation_cap = shapes_cap;
   options.budget = budget;
   const milliseconds began = context.elapsed();
-  const auto found = worst_of_cause(context.grouped(), cause, options, triage_caps);
+  const auto found = worst_of_cause(context.grouped(), cause, options, context.caps(part));
   return {cause.key, std::string(context.methods[cause.method]->name()), cause.kind,
           found ? format_pair(found->pair) : earlier.pair, context.elapsed() - began < budget};
 }
@@ -101,7 +101,7 @@ void search_worst(const TriageContext& context, double part) {
       const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / jobs + 1);
       const auto until = std::chrono::duration_cast<milliseconds>(part * context.budget);
       const milliseconds budget = (until - context.elapsed()) / left;
-      store.add(searched(context, open[i], earlier[open[i].key], budget));
+      store.add(searched(context, open[i], earlier[open[i].key], budget, part));
     }
   });
 }

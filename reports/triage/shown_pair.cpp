@@ -26,6 +26,11 @@ bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Failing
       .fails(blamed.kind);
 }
 
+bool ShownPair::fails(const FailingMethod& blamed) const {
+  const std::optional<Finding>& wrong = trial.findings[blamed.method];
+  return wrong && wrong->kind == blamed.kind;
+}
+
 PairShower::PairShower(std::span<const std::unique_ptr<Method>> methods, std::function<bool()> out_of_time)
     : methods_(methods),
       out_of_time_(std::move(out_of_time)),
@@ -40,7 +45,8 @@ ShownPair PairShower::show(const Pair& pair, std::span<const FailingMethod> blam
     const auto accusation =
         std::find_if(blamed.begin(), blamed.end(), [m](const FailingMethod& b) { return b.method == m; });
     const bool failing = accusation != blamed.end();
-    if (!failing && (hangs_[m] >= hangs_cap || out_of_time_())) continue;
+    const bool cheap = failing && accusation->kind != FindingKind::hang;
+    if ((!failing && hangs_[m] >= hangs_cap) || (!cheap && out_of_time_())) continue;
     shown.asked[m] = true;
     auto& questions = failing ? of_blamed : of_others;
     questions.insert(questions.end(), failing ? times_of(accusation->kind) : times, Question{m, 0});

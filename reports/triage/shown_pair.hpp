@@ -19,17 +19,19 @@ namespace cyl {
 /// A method that hangs once on a pair would hang again.
 inline constexpr Caps shown_caps = attended_caps(1);
 
-struct ShownPair {
-  Trial trial;              ///< an answer a method; who was not asked has none that means anything
-  std::vector<bool> asked;  ///< by method
-};
-
 /// A method and its kind of failure.
 struct FailingMethod {
   std::size_t method;
   FindingKind kind;
 
   bool operator==(const FailingMethod&) const = default;
+};
+
+struct ShownPair {
+  Trial trial;              ///< an answer a method; who was not asked has none that means anything
+  std::vector<bool> asked;  ///< by method
+
+  bool fails(const FailingMethod& blamed) const;
 };
 
 /// Returns whether the method, asked alone in a worker of its own, fails on the pair in that way. A failure
@@ -39,7 +41,7 @@ bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Failing
 
 class PairShower {
  public:
-  /// Once `out_of_time()`, only who is blamed is asked.
+  /// Once `out_of_time()`, only who is blamed is asked, unless it hangs.
   PairShower(std::span<const std::unique_ptr<Method>> methods, std::function<bool()> out_of_time);
 
   ShownPair show(const Pair& pair, std::span<const FailingMethod> blamed);

@@ -19,8 +19,8 @@ namespace {
 /// The most questions of the shrinker about one finding, and about a finding that hangs. Each question that
 /// hangs costs half a second.
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
-/// If a method hangs, one pair at a time is enough.
-constexpr Caps hang_caps = attended_caps(1);
+/// The hangs in one round of questions about a finding. If it hangs, one pair at a time is enough.
+constexpr unsigned round_hangs_cap = 4, hang_hangs_cap = 1;
 
 /// A finding that waits in its cause for its turn.
 struct Waiting {
@@ -82,7 +82,8 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
                         const SimpleRecord& earlier, double part) {
-  Asker asker(context.methods, s.kind() == FindingKind::hang ? hang_caps : triage_caps);
+  Asker asker(context.methods,
+              context.caps(part, s.kind() == FindingKind::hang ? hang_hangs_cap : round_hangs_cap));
   Likeness like{contact_feature(s.pair), {}};
   if (s.kind() == FindingKind::distance_outside) {
     const Question question{*s.method, 0};
@@ -92,9 +93,11 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
   }
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
+    std::vector<bool> fails(pairs.size());
+    if (!cut) fails = fail_alike(context.grouped(), s, cause, like, pairs, asker);
     cut = cut || context.out_of_time(part);
-    return cut ? std::vector<bool>(pairs.size())
-               : fail_alike(context.grouped(), s, cause, like, pairs, asker);
+    if (cut) fails.assign(pairs.size(), false);
+    return fails;
   };
   const CaseLine begun = parse_case(earlier.pair, 1);
   const std::size_t cap = s.kind() == FindingKind::hang ? simplify_hang_cap : simplify_cap;

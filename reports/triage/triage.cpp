@@ -100,7 +100,7 @@ void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes
 
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress) {
-  const TriageContext context(options, methods, on_progress);
+  TriageContext context(options, methods, on_progress);
   const std::vector<TriagedRun> earlier = earlier_runs(context);
   std::set<std::string> known;
   for (const TriagedRun& past : earlier)
@@ -156,6 +156,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     for (GateRemark& remark : suppression_remarks(options.suppressions, options.today, seen))
       triage.remarks.push_back(std::move(remark.text));
   }
+  triage.findings = std::move(context.findings);
   return triage;
 }
 

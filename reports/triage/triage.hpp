@@ -48,9 +48,10 @@ struct TriageProgress {
 };
 
 struct Triage {
-  std::vector<Cause> causes;         ///< those beyond claims first, then by count; what is gone last
-  TriageProgress progress;           ///< at the end
-  std::vector<std::string> remarks;  ///< on earlier runs half looked at, and on suppressions
+  std::vector<Cause> causes;            ///< those beyond claims first, then by count; what is gone last
+  TriageProgress progress;              ///< at the end
+  std::vector<FindingRecord> findings;  ///< of the run, by id
+  std::vector<std::string> remarks;     ///< on earlier runs half looked at, and on suppressions
 };
 
 /// Triages a run. `methods` are all of this build and the guests. Throws UsageError if there is no run, and

@@ -22,8 +22,6 @@
 
 namespace cyl {
 
-inline constexpr Caps triage_caps = attended_caps(4);
-
 /// A finding with what is read of it once.
 struct Subject {
   const FindingRecord* record;
@@ -82,7 +80,17 @@ struct TriageContext {
   std::vector<SimpleRecord> simples() const { return here(store().simples()); }
 
   std::chrono::milliseconds elapsed() const;
-  bool out_of_time(double part = 1) const { return Clock::now() - start >= part * budget; }
+  Clock::time_point end_of(double part) const {
+    return start + std::chrono::duration_cast<Clock::duration>(part * budget);
+  }
+  bool out_of_time(double part = 1) const { return Clock::now() >= end_of(part); }
+  /// Returns the limits of questions until that part of the budget is used up. A question after that is
+  /// declined, so the asker drops its last result.
+  Caps caps(double part, unsigned hangs = 4) const {
+    Caps caps = attended_caps(hangs);
+    caps.until = end_of(part);
+    return caps;
+  }
   TriageProgress progress() const;
 
   /// Calls `work(job)` in as many processes at once as there are jobs, and shows the progress. Throws

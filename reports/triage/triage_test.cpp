@@ -194,6 +194,36 @@ TEST(Causes, NameTheAngleWhereItAloneMatters) {
   EXPECT_EQ(causes[0].coordinate, "angle");
 }
 
+TEST(Causes, WhatHangsIsNotAskedOnceTheTimeIsOver) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("endless", [](const Pair&) -> MethodAnswer {
+    volatile bool forever = true;
+    while (forever) {
+    }
+    return answered(Verdict::disjoint);
+  }));
+  TriageRecords records;
+  records.folder = "run";
+  records.findings = {finding("endless", "f", apart(), FindingKind::hang)};
+  records.findings[0].id = 1;
+  records.causes = {{1, "endless/hang", Mechanism::unclassified, ""}};
+  const std::vector<std::size_t> groups{0};
+  const auto causes = make_causes(records, {methods, groups}, {}, [] { return true; });
+  ASSERT_EQ(causes.size(), 1u);
+  ASSERT_FALSE(causes[0].seen_again);
+  EXPECT_EQ(causes[0].labels[1], "not asked again: no time was left for endless, which hangs");
+}
+
+TEST(Causes, NoShareIsNamedIfNoRandomPairShowsTheCause) {
+  Cause cause;
+  cause.key = "x/hang";
+  cause.count = 1;
+  cause.share = Cause::Share{1, 64};
+  EXPECT_NE(format_causes({cause}).find("1 of 64 similar"), std::string::npos);
+  cause.share->wrong = 0;
+  EXPECT_EQ(format_causes({cause}).find("of 64"), std::string::npos);
+}
+
 /// A run with one cause, on which one method is wrong for so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
   const std::string key = std::string("x/") + to_string(kind);

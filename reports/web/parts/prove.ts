@@ -431,9 +431,20 @@ function proveNear(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof 
   return { holds: null, steps, text: `Not decided with ${apart.bits} binary digits.` };
 }
 
-/** Never throws: what cannot be read proves nothing. */
+/** The parts of a truth that each prove its verdict alone. */
+const proofs = ["direction", "point", "points", "near"] as const,
+  proofsOf: Record<string, readonly string[]> = {
+    disjoint: ["direction"],
+    intersecting: ["point", "points"],
+    touching: ["point", "points", "near"],
+  };
+
+/** Never throws: what cannot be read proves nothing, nor does what has a part that does not belong to its verdict. */
 export function prove(pair: Pair, truth: Truth): Proof {
   try {
+    const given = proofs.filter((part) => truth[part] !== undefined),
+      odd = given.filter((part, i) => i > 0 || !(proofsOf[truth.verdict] ?? []).includes(part));
+    if (odd.length > 0) throw new Error(`the ${odd[0]} does not belong to the verdict`);
     const a = solid(pair.a),
       b = solid(pair.b);
     switch (truth.verdict) {

@@ -169,6 +169,18 @@ test("what is no certificate proves nothing, and throws nothing", () => {
   assert.equal(holds({ a: upright, b: { ...upright, axis: [0, 0, 0] } }, direction(1, 0, 0)), false);
 });
 
+test("a part that does not belong to the verdict is refused", () => {
+  const proofs = { direction: [1, 0, 0], point: [1, 0, 0], points: [[1, 0, 0], [1, 0, 0]], near: { point: [1, 0, 0] } };
+  const extra = (truth, ...parts) => {
+    for (const part of parts)
+      assert.match(prove(apart, { ...truth, [part]: proofs[part] }).text, /does not belong to the verdict/, part);
+  };
+  extra(direction(1, 0, 0), "point", "points", "near");
+  extra(point(1, 0, 0), "direction", "points", "near");
+  extra({ verdict: "touching", point: [1, 0, 0] }, "direction", "points", "near");
+  extra({ verdict: "undecided" }, "direction", "point", "points", "near");
+});
+
 test("doubles are taken exactly, roots rounded down", () => {
   assert.deepEqual(exact(0.1), { n: 3602879701896397n * 2n, d: 2n ** 56n });
   assert.deepEqual(exact(-5e-324), { n: -1n, d: 2n ** 1074n });
