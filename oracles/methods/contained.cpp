@@ -117,6 +117,7 @@ class Asker::Parts {
   }
   ContainedAnswer gave_up(std::size_t m) const {
     ContainedAnswer said;
+    said.asked = false;
     said.answer.set_reason("not asked any more after " + std::to_string(hangs_[m]) + " hangs and " +
                            std::to_string(crashes_[m]) + " crashes");
     return said;
