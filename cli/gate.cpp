@@ -229,7 +229,9 @@ void add_gate(Program& program) {
       "Guard", "gate", "Tests methods before a merge: on all known cases, all laws, and random pairs");
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
-  command.number("--pairs N", arguments->pairs, "random pairs to draw besides the cases", 1)
+  command
+      .number("--pairs N", arguments->pairs,
+              "random pairs to draw besides the cases, in whole rounds; the text states how many", 1)
       .default_text(std::to_string(gate_pairs));
   command.option("--for DURATION", arguments->cap,
                  "limit of wall time, such as 40s; if it skips pairs, the exit code is 3");
