@@ -16,7 +16,7 @@ namespace cyl {
 bool is_from_case(const JudgedFailure& failure);
 
 /// Failures of one method, law and kind, in different buckets, which are shown together. Failures of the
-/// method itself with one kind and reason are shown together for all laws. Those on a
+/// method itself with one kind and reason are shown together for all laws. Failures on a
 /// pair that no law had changed come first, then those that the base lacks, then the worst.
 using Alike = std::vector<const JudgedFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
