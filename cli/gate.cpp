@@ -136,27 +136,20 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
 }
 
 /// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone`
-/// holds the methods of this build and the guests: the key of a cause does not depend on which of them the
-/// gate tests. It may be empty if nothing is suppressed.
+/// may be empty if nothing is suppressed.
 JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> everyone,
                  std::span<const Guest> guests, std::span<const Case> cases,
                  const std::map<std::string, SourceLine>& places) {
   JudgedGate gate = judged(std::move(report));
   mark_known(gate, known.base);
   note_gaps(gate, known.base);
-  mark_suppressed(gate, everyone, known.suppressions, today());
+  judge_suppressions(gate, everyone, cases, known.suppressions, today());
   for (const Guest& guest : guests)
     for (JudgedFailure& failure : gate.failures) {
       if (failure.method != guest.name) continue;
       failure.options = options_for(guest);
       if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
     }
-  if (known.suppressions.empty()) return gate;
-  std::set<std::string> stored = causes_of(everyone, cases);
-  for (const JudgedFailure& f : gate.failures)
-    if (is_from_case(f)) stored.insert(f.bucket);
-  for (GateRemark& remark : suppression_remarks(known.suppressions, today(), stored))
-    gate.remarks.push_back(std::move(remark));
   return gate;
 }
 
@@ -236,7 +229,9 @@ void add_gate(Program& program) {
       "Guard", "gate", "Tests methods before a merge: on all known cases, all laws, and random pairs");
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
-  command.number("--pairs N", arguments->pairs, "random pairs to draw besides the cases", 1)
+  command
+      .number("--pairs N", arguments->pairs,
+              "random pairs to draw besides the cases, in whole rounds; the text states how many", 1)
       .default_text(std::to_string(gate_pairs));
   command.option("--for DURATION", arguments->cap,
                  "limit of wall time, such as 40s; if it skips pairs, the exit code is 3");

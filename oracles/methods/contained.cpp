@@ -117,6 +117,7 @@ class Asker::Parts {
   }
   ContainedAnswer gave_up(std::size_t m) const {
     ContainedAnswer said;
+    said.asked = false;
     if (caps_.out_of_time())
       said.answer.set_reason("no time was left");
     else

@@ -39,6 +39,7 @@ struct ContainedAnswer {
   /// CPU time of the run that this call belongs to, divided by the calls in it. For a run of one call: its
   /// wall time. For a hang: the CPU time up to its end. 0 if the run ended in a crash.
   double nanoseconds = 0;
+  bool asked = true;  ///< false if the method had hung or crashed too often, or no time was left
 };
 
 /// CPU time that one call may take before the worker is killed and the answer becomes failed(hang).

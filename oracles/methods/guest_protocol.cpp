@@ -105,6 +105,7 @@ GuestHello hello_of(const json& line) {
   hello.version = text_of(line, "version");
   if (const auto supports = line.find("takes"); supports != line.end()) {
     if (!supports->is_array()) throw std::invalid_argument("takes is no list");
+    if (supports->empty()) throw std::invalid_argument("takes is empty, so there is nothing to ask");
     hello.supports.fill(false);
     for (const json& word : *supports) {
       const auto kind = from_word<SolidKind>(word.is_string() ? word.get<std::string>() : "");

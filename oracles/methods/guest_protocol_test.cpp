@@ -84,6 +84,7 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"least":1}})").hello->sizes, (SizeRange{.least = 1}));
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"coordinate":9,"gap":2}})").hello->sizes,
             (SizeRange{.coordinate = 9, .gap = 2}));
+  EXPECT_TRUE(parse_guest_line(R"({"name":"x","takes":[]})").error.starts_with("takes is empty"));
   for (const char* wrong :
        {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
         R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",

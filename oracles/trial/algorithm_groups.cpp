@@ -70,18 +70,21 @@ bool differ_in_setting(const Method& x, const Method& y) {
   return first != second && library_and_way(first) == library_and_way(second);
 }
 
-std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods) {
+std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods,
+                                          const std::function<bool(const Method&)>& asked) {
   const std::vector<Pair> pairs = draw_in_all_strata(pairs_per_cell, group_seed);
   std::vector<Question> questions;
   for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (methods[m]->guest() || !asked(*methods[m])) continue;
     const std::size_t step = methods[m]->share() >= costly_share ? pairs_per_cell : 1;
-    for (std::size_t p = 0; p < pairs.size() && !methods[m]->guest(); p += step) questions.push_back({m, p});
+    for (std::size_t p = 0; p < pairs.size(); p += step) questions.push_back({m, p});
   }
   Caps caps;
   caps.hangs = 4;
   const std::vector<ContainedAnswer> answers = ask_contained(methods, pairs, questions, caps);
   std::vector<Verdict> truths;
-  for (const Pair& pair : pairs) truths.push_back(judge(pair).verdict);
+  for (const Pair& pair : pairs)
+    if (!questions.empty()) truths.push_back(judge(pair).verdict);
   std::vector<Outcome> said(methods.size() * pairs.size(), Outcome::nothing);
   for (std::size_t q = 0; q < questions.size(); ++q) {
     const auto& [m, p, way, run] = questions[q];

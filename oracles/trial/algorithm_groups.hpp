@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,7 +24,10 @@ bool differ_in_setting(const Method& x, const Method& y);
 /// 2. methods of one library, if one is hardly ever wrong on a pair on which the other is right,
 /// 3. methods of different libraries for which 2 holds, and which are wrong about equally often.
 /// A guest is grouped by its name alone, and changes no other group. Cost: all methods but guests are asked,
-/// contained, about 400 pairs near touching. That is about a second for all_methods().
-std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods);
+/// contained, about 400 pairs near touching. That is about a second for all_methods(). Methods that are not
+/// `asked` are grouped by name alone. That changes no group within a library of methods that are asked.
+std::vector<std::size_t> algorithm_groups(
+    std::span<const std::unique_ptr<Method>> methods,
+    const std::function<bool(const Method&)>& asked = [](const Method&) { return true; });
 
 }  // namespace cyl

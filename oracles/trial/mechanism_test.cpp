@@ -285,5 +285,21 @@ TEST(Kin, IsTheSettingOrTheSameErrors) {
       << "of guests the name counts";
 }
 
+TEST(Kin, ALibraryAloneHasTheGroupsThatItHasAmongAll) {
+  const Methods methods = all_methods();
+  const std::vector<std::size_t> among_all = algorithm_groups(methods);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const auto is_of_library = [&](const Method& other) { return other.library() == methods[m]->library(); };
+    if (m > 0 && is_of_library(*methods[m - 1])) continue;
+    const std::vector<std::size_t> alone = algorithm_groups(methods, is_of_library);
+    for (std::size_t x = 0; x < methods.size(); ++x)
+      for (std::size_t y = 0; y < x; ++y)
+        if (is_of_library(*methods[x]) && is_of_library(*methods[y])) {
+          EXPECT_EQ(alone[x] == alone[y], among_all[x] == among_all[y])
+              << methods[x]->name() << ' ' << methods[y]->name();
+        }
+  }
+}
+
 }  // namespace
 }  // namespace cyl

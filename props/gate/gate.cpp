@@ -173,7 +173,8 @@ class Gate {
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
-  /// Adds a break to the breaks of the same law and bucket. Returns a failure if this is its first break.
+  /// Adds a break to the breaks of the same law and bucket. Returns the failure if this is its first or its
+  /// worst break so far.
   GateFailure* record(std::size_t method, const Law& law, const Violation& violation, const Pair& pair,
                       const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = violation_kind(law, violation);
@@ -185,11 +186,11 @@ class Gate {
     if (contract) violated_.emplace(method, law.number, kind);
     const auto [at, is_new] =
         by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
-    if (!is_new) {
-      ++report_.failures[at->second].count;
-      return nullptr;
-    }
-    GateFailure& failure = report_.failures.emplace_back();
+    GateFailure& failure = is_new ? report_.failures.emplace_back() : report_.failures[at->second];
+    ++failure.count;
+    const GatePhase phase = report_.phases.back().phase;
+    failure.in_case |= phase == GatePhase::corpus || phase == GatePhase::corpus_laws;
+    if (!is_new && violation.excess <= failure.excess) return nullptr;
     failure.method = name;
     failure.law = &law;
     failure.kind = std::move(kind);
@@ -198,10 +199,10 @@ class Gate {
     failure.reason = violation.reason;
     if (violation.kind && is_failure(*violation.kind)) failure.failed = violation.kind;
     failure.severity = violation.severity;
-    failure.phase = report_.phases.back().phase;
+    failure.phase = phase;
     failure.origin = origin;
     failure.found = failure.simplest = pair;
-    failure.count = 1;
+    failure.excess = violation.excess;
     return &failure;
   }
 
@@ -297,7 +298,7 @@ class Gate {
       for (std::size_t i = 0; i < examined.answers.size(); ++i)
         said[i % methods_.size()].answers.push_back(examined.answers[i]);
       for (const LawViolation& b : examined.violations) {
-        if (b.law->number <= verdict_law) {  // one pair may break several laws
+        if (b.law->number == verdict_law) {  // a failed answer has no verdict
           said[b.method].wrong[b.pair] = true;
           if (b.violation.severity == Severity::contract) said[b.method].wrong_beyond[b.pair] = true;
         }

@@ -34,6 +34,16 @@ std::string remark_on(const AnswerCounts& counts) {
   return {};
 }
 
+VerdictCount close_contacts_of(const GateMethod& method) {
+  VerdictCount all;
+  for (const CloseGateCell& c : method.close_cells) {
+    all.pairs += c.gaps + c.overlaps;
+    all.wrong += c.wrong_gaps + c.wrong_overlaps;
+    all.undecided += c.undecided;
+  }
+  return all;
+}
+
 bool shows_in_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
 
 bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }

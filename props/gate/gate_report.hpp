@@ -49,22 +49,24 @@ struct GateFailure {
   std::string method;
   const Law* law = nullptr;
   std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
-  std::string what;    ///< what broke, on the first pair
-  std::string reason;  ///< of a failure: the method's own words, on the first pair
+  std::string what;    ///< what broke, on the worst pair
+  std::string reason;  ///< of a failure: the method's own words, on that pair
   /// How the method failed, on the pair itself or on a changed pair that the law asks about. Empty if it
   /// answered.
   std::optional<FindingKind> failed;
   Severity severity = Severity::contract;
   GatePhase phase = GatePhase::corpus;
-  std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
-  Pair found;          ///< the first pair
-  Pair simplest;       ///< a simple one that breaks the same law in the same way
-  std::string what_of_simplest;  ///< the fault on that pair; if empty, the same as on the first
+  std::string origin;  ///< of the worst pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
+  Pair found;          ///< the first pair with the largest excess
+  double excess = 0;   ///< of that pair, as in Violation
+  bool in_case = false;          ///< some kept case fails like this
+  Pair simplest;                 ///< a simple one that breaks the same law in the same way
+  std::string what_of_simplest;  ///< the fault on that pair; if empty, the same as on the worst
   std::string
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
-           failed_again = 0;  ///< of the first pair; if fewer than reruns, the failure is not
+           failed_again = 0;  ///< of the worst pair; if fewer than reruns, the failure is not
                               ///< deterministic
 };
 
@@ -88,9 +90,8 @@ struct CloseGateCell {
   std::uint64_t drawn = 0;      ///< also pairs that the method declines
 };
 
-/// Independent random pairs with a sphere, a capsule or a rounded cylinder. Wrong: if the proved margin is
-/// beyond the claim.
-struct RoundedCount {
+/// Verdicts on independent random pairs. Wrong: if the proved margin is beyond the claim.
+struct VerdictCount {
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
 };
 
@@ -101,9 +102,12 @@ struct GateMethod {
   AnswerCounts counts;
   std::vector<GateCell> cells;
   std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
-  RoundedCount rounded;
+  VerdictCount rounded;                    ///< of pairs with a sphere, a capsule or a rounded cylinder
   std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };
+
+/// Returns the counts of all cells of close contacts, claimed or not.
+VerdictCount close_contacts_of(const GateMethod& method);
 
 struct GatePhaseReport {
   GatePhase phase;

@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -376,6 +377,38 @@ TEST(Gate, SameSeedSameFailures) {
     EXPECT_EQ(one.count, other.count) << one.bucket;
     EXPECT_EQ(format_pair(one.simplest), format_pair(other.simplest)) << one.bucket;
   }
+}
+
+TEST(Gate, ShowsTheWorstOfABucket) {
+  std::vector<Case> cases(3);
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    cases[i].pair = {{{0, 0, 0}, {0, 0, 1}, 1, 4}, {{0, std::array{1.9, 1.5, 1.8}[i], 0}, {1, 0, 0}, 1, 4}};
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>(
+      [](const Pair& pair) {
+        return pair.a.height == 4 && pair.b.height == 4 ? say(Verdict::disjoint) : honest(pair);
+      },
+      "planted", Claim{1e-12, 0, "planted"}));
+  const GateReport report = run_gate(methods, cases, {.pairs = 1, .as_found = true});
+  const auto wrong = std::ranges::find(report.failures, "wrong_disjoint", &GateFailure::kind);
+  ASSERT_NE(wrong, report.failures.end());
+  EXPECT_EQ(wrong->count, 3u);
+  EXPECT_EQ(wrong->found.b.center.y(), 1.5);
+  EXPECT_EQ(wrong->simplest.b.center.y(), 1.5);
+  EXPECT_NEAR(wrong->excess, 0.05, 1e-9);
+  EXPECT_TRUE(wrong->in_case);
+}
+
+TEST(Gate, AFailedAnswerIsNoWrongVerdict) {
+  const GateReport report = gate_on([](const Pair& pair) -> MethodAnswer {
+    if (pair.a.radius > pair.b.radius) throw std::runtime_error("wide");
+    return honest(pair);
+  });
+  const GateMethod& method = report.methods.at(0);
+  EXPECT_GT(method.counts.failed, 0u);
+  EXPECT_GT(close_contacts_of(method).pairs, 0u);
+  EXPECT_EQ(close_contacts_of(method).wrong, 0u);
+  for (const GateCell& cell : method.cells) EXPECT_EQ(cell.wrong, 0u);
 }
 
 TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {

@@ -29,8 +29,8 @@ void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 |
 /// truth.
 bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided) {
   const MethodAnswer& answer = said.answers[p];
-  if (answer.status == Status::declined) return false;
-  const bool silent = answer.status == Status::answered && answer.verdict == Verdict::undecided;
+  if (answer.status != Status::answered) return false;
+  const bool silent = answer.verdict == Verdict::undecided;
   undecided += silent;
   return !silent && said.truths[p] != Verdict::undecided;
 }

@@ -50,7 +50,7 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods);
 void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,
                     const SizeRange& sizes);
 
-/// The answers of one method to the pairs of a round, and whether each is wrong: refuted, or missing.
+/// The answers of one method to the pairs of a round, and whether each verdict is refuted.
 struct RoundAnswers {
   std::vector<MethodAnswer> answers;
   std::span<const std::optional<Verdict>> truths;

@@ -31,9 +31,15 @@ std::optional<Violation> refuted(const LawCase& c, const MethodAnswer& answer,
       finding->kind == FindingKind::bad_witness ? miss_in_words(c.pair, answer) : std::string();
   if (!miss.empty())
     what += ": " + miss;
+  else if (finding->margin && finding->kind == FindingKind::distance_outside)
+    what += fmt::format(", error {:.3g}", finding->margin->lo);
   else if (finding->margin)
     what += ", " + margin_in_words({finding->margin->lo, finding->margin->lo});
-  return Violation{std::move(what), finding->severity, finding->kind};
+  Violation violation{std::move(what), finding->severity, finding->kind};
+  const double size = size_of(c.pair);
+  if (size > 0 && finding->margin && !is_failure(finding->kind) && miss.empty())
+    violation.excess = finding->margin->lo - reach(claim, size) / size;
+  return violation;
 }
 
 std::optional<Violation> break_answers(const LawCase& c) {

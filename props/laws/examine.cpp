@@ -19,7 +19,9 @@ struct Job {
   std::size_t first_question = 0;
 };
 
-void count(AnswerCounts& counts, const MethodAnswer& answer) {
+void count(AnswerCounts& counts, const ContainedAnswer& said) {
+  if (!said.asked) return;
+  const MethodAnswer& answer = said.answer;
   ++counts.asked;
   counts.declined += answer.status == Status::declined;
   counts.failed += answer.status == Status::failed;
@@ -74,7 +76,7 @@ class Examination {
     const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       answer(questions[q].method, questions[q].pair) = said[q].answer;
-      count(result_.counts[questions[q].method], said[q].answer);
+      count(result_.counts[questions[q].method], said[q]);
       count_loss(result_.counts[questions[q].method], said[q]);
     }
   }

@@ -47,8 +47,8 @@ struct Examined {
 using LawFilter = std::function<bool(std::size_t method, const Law& law)>;
 
 /// Asks the methods, contained: each pair that a method supports once, then all queries of the laws that
-/// `wanted` selects for it. An unsupported pair is declined without a question, and is not counted.
-/// Deterministic except for hangs.
+/// `wanted` selects for it. A pair that is not sent is declined and not counted: an unsupported one, or one
+/// after too many hangs. Deterministic except for hangs.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const LawFilter& wanted, Asker& asker);
 

@@ -145,5 +145,15 @@ TEST(Examine, HoldsAMethodToTheLawsThatAreWanted) {
   }
 }
 
+TEST(Examine, PairsThatAreNotSentAreNotCounted) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("program", [](const Pair&) { return failed_answer(Failure::crash, "gone"); },
+                                {.is_out_of_process = true}));
+  const Examined examined = examine(methods, some_pairs(), every_law, {.program_crashes = 2});
+  EXPECT_EQ(examined.counts[0].asked, 2u);
+  EXPECT_EQ(examined.counts[0].failed, 2u);
+  EXPECT_EQ(examined.counts[0].declined, 0u);
+}
+
 }  // namespace
 }  // namespace cyl

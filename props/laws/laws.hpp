@@ -52,6 +52,8 @@ struct Violation {
   Severity severity = Severity::contract;
   std::optional<FindingKind> kind = {};  ///< set if compare() found it
   std::string reason = {};               ///< of a failure: the method's own words
+  /// By how much a verdict or a distance is beyond the claim, relative to the size. 0 if no number shows it.
+  double excess = 0;
   bool operator==(const Violation&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <filesystem>
 #include <optional>
+#include <tuple>
 
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
@@ -91,11 +92,13 @@ std::vector<Alike> alike_failures(const JudgedGate& gate, bool failing) {
     });
     if (at == all.end())
       all.push_back({&f});
-    else if (f.failed && shows_in_answer(*f.law) && !shows_in_answer(*at->front()->law))
-      at->insert(at->begin(), &f);
     else
       at->push_back(&f);
   }
+  const auto rank = [](const JudgedFailure* f) {
+    return std::tuple(f->failed && !shows_in_answer(*f->law), f->in_base > 0, -f->excess);
+  };
+  for (Alike& alike : all) std::ranges::stable_sort(alike, {}, rank);
   return all;
 }
 

@@ -16,8 +16,8 @@ namespace cyl {
 bool is_from_case(const JudgedFailure& failure);
 
 /// Failures of one method, law and kind, in different buckets, which are shown together. Failures of the
-/// method itself with one kind and reason are shown together for all laws. Then the first of them is on a
-/// pair that no law had changed, if there is one.
+/// method itself with one kind and reason are shown together for all laws. Failures on a
+/// pair that no law had changed come first, then those that the base lacks, then the worst.
 using Alike = std::vector<const JudgedFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const JudgedGate& gate, bool failing);

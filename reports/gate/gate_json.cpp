@@ -32,6 +32,10 @@ json counts(const AnswerCounts& c) {
           {"hangs", c.hangs}, {"hung_seconds", c.hung_seconds}, {"said", std::move(said)}};
 }
 
+json verdicts(const VerdictCount& c) {
+  return {{"pairs", c.pairs}, {"wrong", c.wrong}, {"undecided", c.undecided}};
+}
+
 json method(const GateMethod& m) {
   json cells = json::array();
   for (const GateCell& c : m.cells) {
@@ -63,8 +67,8 @@ json method(const GateMethod& m) {
           {"counts", counts(m.counts)},
           {"cells", std::move(cells)},
           {"close_cells", std::move(close_cells)},
-          {"rounded",
-           {{"pairs", m.rounded.pairs}, {"wrong", m.rounded.wrong}, {"undecided", m.rounded.undecided}}},
+          {"close_contacts", verdicts(close_contacts_of(m))},
+          {"rounded", verdicts(m.rounded)},
           {"remark", m.remark}};
 }
 
@@ -82,6 +86,7 @@ json failure(const JudgedFailure& f) {
           {"simplest", pair_json(f.simplest)},
           {"bucket", f.bucket},
           {"count", f.count},
+          {"excess", number_json(f.excess)},
           {"reruns", f.reruns},
           {"failed_again", f.failed_again},
           {"known", f.known},

@@ -175,16 +175,18 @@ std::string close_in_words(const GateMethod& method) {
           std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps)),
           std::max(error_rate_bound(c.gaps, 0), error_rate_bound(c.overlaps, 0)));
   const std::string name = one_line(method.name);
-  if (sample.pairs == 0)
-    return sample.undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
+  const VerdictCount all = close_contacts_of(method);
+  sample.undecided = all.undecided;
+  if (all.pairs == 0)
+    return all.undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
   return wrapped("", fmt::format("The verdict of {} is {} close contacts.", name,
-                                 success(sample.pairs, sample.wrong, none_beyond))) +
+                                 success(all.pairs, all.wrong, none_beyond))) +
          sample.facts(
              sample.rate_in_each("axis position, small angle and decade, for gaps and for overlaps"));
 }
 
 std::string rounded_in_words(const GateMethod& method) {
-  const RoundedCount& count = method.rounded;
+  const VerdictCount& count = method.rounded;
   if (count.pairs + count.undecided == 0) return {};
   const std::string name = one_line(method.name);
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
@@ -231,6 +233,9 @@ std::string gate_text(const JudgedGate& gate) {
     text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), counted(p.pairs, "pair"),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
+  std::uint64_t drawn = 0;
+  for (const GatePhaseReport& p : gate.report.phases) drawn += p.rounds > 0 ? p.pairs : 0;
+  text += fmt::format("Whole rounds drew {}, for --pairs {}.\n", counted(drawn, "pair"), gate.report.pairs);
   for (const std::string& line : gate.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(gate) + '\n' + failures_text(gate) + '\n';
   for (const GateMethod& m : gate.report.methods) text += proved_in_words(m);

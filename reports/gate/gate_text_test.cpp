@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <tuple>
+
+#include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_example_test.hpp"
 #include "reports/gate/gate_writers.hpp"
 
@@ -43,6 +47,35 @@ TEST(GateText, ReportsOneKindOfFailureOnce) {
   EXPECT_EQ(occurrences(text, "intersect breaks law 1 "), 1u);
   EXPECT_TRUE(has(text, " on 1,974 pairs: said disjoint"));
   EXPECT_TRUE(has(text, "also       intersect/law-1/rim-rim, 740 pairs, 1 in the base"));
+}
+
+TEST(GateText, OfALawTheNewAndThenTheWorstComesFirst) {
+  JudgedGate gate = example_gate();
+  gate.failures.resize(1);
+  for (const auto& [what, in_base, excess] :
+       {std::tuple("old", 1u, 0.9), {"slight", 0u, 0.1}, {"worst", 0u, 0.5}}) {
+    JudgedFailure& f = gate.failures.emplace_back(gate.failures[0]);
+    f.what = what;
+    f.in_base = in_base;
+    f.excess = excess;
+  }
+  const Alike alike = alike_failures(gate, true).at(0);
+  EXPECT_EQ(alike.at(0)->what, "worst");
+  EXPECT_EQ(alike.at(1)->what, "slight");
+  EXPECT_EQ(alike.back()->what, "old");
+}
+
+TEST(GateText, CountsWrongVerdictsOfAllCellsAsJsonDoes) {
+  GateMethod m = example_gate().report.methods[1];
+  m.name = "fake";
+  const auto unclaimed = std::ranges::find(m.close_cells, false, &CloseGateCell::claimed);
+  ASSERT_NE(unclaimed, m.close_cells.end());
+  const VerdictCount before = close_contacts_of(m);
+  unclaimed->wrong_gaps = 1;
+  EXPECT_EQ(close_contacts_of(m).wrong, before.wrong + 1);
+  EXPECT_TRUE(has(proved_in_words(m), fmt::format("wrong beyond its claim on {} of {} close contacts",
+                                                  before.wrong + 1, grouped(before.pairs))))
+      << proved_in_words(m);
 }
 
 TEST(GateText, OneCrashIsOneWayToFail) {
@@ -115,9 +148,9 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
                   "margin\n  exceeds its claim.\n"))
       << fake;
   EXPECT_EQ(occurrences(fake, "  No pair was decided in 1 combination.\n"), 2u) << fake;
-  EXPECT_TRUE(has(fake, "The verdict of fake is wrong beyond its claim on 3 of 4,370 close contacts.\n"))
+  EXPECT_TRUE(has(fake, "The verdict of fake is wrong beyond its claim on 3 of 27,170 close contacts.\n"))
       << fake;
-  EXPECT_TRUE(has(fake, "  It is undecided on 48 more.\n")) << fake;
+  EXPECT_TRUE(has(fake, "  It is undecided on 288 more.\n")) << fake;
 }
 
 TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {

@@ -25,13 +25,26 @@ struct WrongAnswer {
   std::string reason;
 };
 
+/// Returns whether the key of a method's cause may be suppressed: it begins with "own" or with its library.
+bool may_name(const std::vector<Suppression>& suppressions, const Method& method) {
+  return std::ranges::any_of(suppressions, [&](const Suppression& s) {
+    return s.cause.starts_with(method.library()) || (!method.foreign() && s.cause.starts_with("own/"));
+  });
+}
+
 std::set<std::string> causes_of(const GroupedMethods& of, const std::vector<WrongAnswer>& wrong) {
+  // The key of an answer within the claim names no mechanism, so none is looked for.
+  const auto within = [](const WrongAnswer& w) { return w.severity == Severity::resolution; };
   std::vector<Failing> failing;
-  for (const WrongAnswer& w : wrong) failing.push_back(w.failing);
+  for (const WrongAnswer& w : wrong)
+    if (!within(w)) failing.push_back(w.failing);
   const std::vector<Classification> classified = classify(of.methods, failing, caps);
   std::set<std::string> causes;
-  for (std::size_t i = 0; i < wrong.size(); ++i)
-    causes.insert(cause_key(of, failing[i], wrong[i].severity, classified[i].mechanism, wrong[i].reason));
+  std::size_t next = 0;
+  for (const WrongAnswer& w : wrong) {
+    const auto mechanism = within(w) ? Mechanism::unclassified : classified[next++].mechanism;
+    causes.insert(cause_key(of, w.failing, w.severity, mechanism, w.reason));
+  }
   return causes;
 }
 
@@ -59,42 +72,46 @@ std::vector<WrongAnswer> wrong_answers(const JudgedFailure& f,
 
 }  // namespace
 
-std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
-                                std::span<const Case> cases) {
-  const std::vector<std::size_t> groups = algorithm_groups(methods);
-  const GroupedMethods grouped{methods, groups};
+std::set<std::string> causes_of(const GroupedMethods& of, std::span<const Case> cases,
+                                const std::vector<Suppression>& suppressions) {
   std::set<std::string> causes;
   for (std::size_t first = 0; first < cases.size(); first += cases_at_once) {
     std::vector<Pair> pairs;
     for (const Case& c : cases.subspan(first, std::min(cases_at_once, cases.size() - first)))
       pairs.push_back(c.pair);
-    const std::vector<Trial> trials = try_methods(methods, pairs, caps);
     std::vector<WrongAnswer> found;
-    for (const Trial& trial : trials)
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        const std::optional<Finding>& wrong = trial.findings[m];
-        if (wrong) found.push_back({{m, wrong->kind, trial.pair}, wrong->severity, trial.answers[m].reason});
-      }
-    causes.merge(causes_of(grouped, found));
+    for (std::size_t m = 0; m < of.methods.size(); ++m) {
+      if (!may_name(suppressions, *of.methods[m])) continue;
+      for (const Trial& trial : try_method(of.methods[m], pairs, caps))
+        if (const std::optional<Finding>& wrong = trial.finding())
+          found.push_back({{m, wrong->kind, trial.pair}, wrong->severity, trial.answer().reason});
+    }
+    causes.merge(causes_of(of, found));
   }
   return causes;
 }
 
-void mark_suppressed(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
-                     const std::vector<Suppression>& suppressions, std::string_view today) {
+void judge_suppressions(JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
+                        std::span<const Case> cases, const std::vector<Suppression>& suppressions,
+                        std::string_view today) {
   if (suppressions.empty()) return;
-  const std::vector<std::size_t> groups = algorithm_groups(methods);
+  const auto named = [&](const Method& method) { return may_name(suppressions, method); };
+  const std::vector<std::size_t> groups = algorithm_groups(methods, named);
   const GroupedMethods grouped{methods, groups};
   const auto suppressed = [&](std::string_view key) {
     return find_suppression(suppressions, key, today) != nullptr;
   };
+  std::set<std::string> stored = causes_of(grouped, cases, suppressions);
   for (JudgedFailure& f : gate.failures) {
     f.known |= suppressed(f.bucket);
+    if (f.in_case) stored.insert(f.bucket);
     const auto method = position_of(methods, f.method);
-    if (f.known || !method) continue;
+    if (f.known || !method || !named(*methods[*method])) continue;
     const std::set<std::string> causes = causes_of(grouped, wrong_answers(f, methods, *method));
     f.known = !causes.empty() && std::ranges::all_of(causes, suppressed);
   }
+  for (GateRemark& remark : suppression_remarks(suppressions, today, stored))
+    gate.remarks.push_back(std::move(remark));
 }
 
 std::vector<GateRemark> suppression_remarks(const std::vector<Suppression>& suppressions,

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -34,7 +36,7 @@ TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
     for (const bool same : {true, false}) {
       crash.known = false;
       const Suppression suppression{same ? cause : cause + "-elsewhere", "r", "-", "ada", "2999-12-31", 1};
-      mark_suppressed(gate, methods, {suppression}, "2026-01-01");
+      judge_suppressions(gate, methods, {}, {suppression}, "2026-01-01");
       EXPECT_EQ(crash.known, same) << what;
     }
   }
@@ -69,10 +71,38 @@ TEST(Suppressed, ALawIsKnownByTheCauseOfEveryWrongAnswerThatItCompares) {
     for (const char* suppressed : {distance, verdict}) {
       failure.known = false;
       const Suppression s{std::string("planted/") + suppressed, "r", "-", "ada", "2999-12-31", 1};
-      mark_suppressed(gate, methods, {s}, "2026-01-01");
+      judge_suppressions(gate, methods, {}, {s}, "2026-01-01");
       EXPECT_EQ(failure.known, suppressed == cause) << law << ' ' << suppressed;
     }
   }
+}
+
+TEST(Suppressed, OnlyMethodsOfANamedLibraryAreAsked) {
+  std::array<std::size_t, 3> calls{};
+  std::vector<std::unique_ptr<Method>> methods;
+  for (const char* name : {"mine", "yours-fast", "own-like"}) {
+    std::size_t& called = calls[methods.size()];
+    methods.push_back(fake_method(name,
+                                  [&called](const Pair&) { return ++called, answered(Verdict::disjoint); },
+                                  {.is_out_of_process = true}));
+  }
+  Case stored;
+  stored.pair = Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1, 0, 0}, {0, 0, 1}, 1, 2}};
+  const Suppression wrong{"yours-fast/wrong_disjoint", "r", "-", "ada", "2999-12-31", 1};
+  JudgedGate gate;
+  for (const char* method : {"mine", "yours-fast"}) {
+    JudgedFailure& failure = gate.failures.emplace_back();
+    failure.method = method;
+    failure.law = &law_numbered(verdict_law);
+    failure.kind = "wrong_disjoint";
+    failure.simplest = stored.pair;
+  }
+  judge_suppressions(gate, methods, {&stored, 1}, {wrong}, "2026-01-01");
+  EXPECT_TRUE(gate.remarks.empty()) << gate.remarks.front().text;
+  EXPECT_FALSE(gate.failures[0].known);
+  EXPECT_TRUE(gate.failures[1].known);
+  EXPECT_EQ(calls[0] + calls[2], 0u);
+  EXPECT_GT(calls[1], 0u);
 }
 
 TEST(Suppressed, RemarksNameWhatHasExpiredAndWhatNoCaseShows) {

@@ -150,7 +150,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
   if (!options.suppressions.empty()) {
-    std::set<std::string> seen = causes_of(methods, options.cases);
+    std::set<std::string> seen = causes_of(context.grouped(), options.cases, options.suppressions);
     for (const Cause& b : triage.causes)
       if (b.count > 0) seen.insert(b.key);
     for (GateRemark& remark : suppression_remarks(options.suppressions, options.today, seen))
