@@ -38,6 +38,9 @@ namespace {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
+/// The rounded families of vectors/v1, which never change.
+constexpr std::size_t rounded_in_v1 = 9;
+
 /// The relative width of the distance that is searched.
 constexpr double direction_width = 1e-13;
 
@@ -442,7 +445,7 @@ class Source {
                                "axes_nearly_parallel", "points", "axes_perpendicular"},
                               k)));
     if (turn == 14) {
-      const auto rounded = rounded_families();
+      const auto rounded = rounded_families().first(rounded_in_v1);
       const Pair pair = rounded[k % rounded.size()].generate(seed_, k / rounded.size());
       return one(vector_of(k / rounded.size() % 2 ? in_floats(pair) : pair));
     }

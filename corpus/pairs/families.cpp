@@ -369,6 +369,8 @@ constexpr std::array rounded_entries{
     Entry{"cylinder_rounded", "a cylinder and a rounded one",
           rounded_pair<SolidKind::cylinder, SolidKind::rounded>},
     Entry{"rounded_rounded", "two rounded cylinders", rounded_pair<SolidKind::rounded, SolidKind::rounded>},
+    Entry{"rounded_unequal", "nearly touching at margins 1e-1 to 1e-12, one solid 1e-6 to 1 of the other",
+          draw_unequal},
 };
 
 template <const auto& some, std::size_t i>

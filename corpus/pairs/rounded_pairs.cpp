@@ -13,6 +13,7 @@ namespace {
 constexpr std::array<double, 2> lengths{0.1, 1};  // 0.1 to 10
 constexpr std::array<double, 15> margins{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
                                          1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
+constexpr std::array<double, 6> parts{1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> dusts{1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
 constexpr std::array<double, 8> scales{1e-300, 1e-150, 1e-50, 1e-10, 1e10, 1e50, 1e100, 1e150};
 
@@ -77,9 +78,10 @@ Vector3 touch_plane(Cylinder& c, const Vector3& n, RandomStream& s) {
 
 // The cores lie on either side of two parallel planes. The planes are as far apart as both roundings and the
 // margin together. So the cores are too, at the two contacts.
-Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
+Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index, double b_to_a = 1) {
   const auto length = [&] { return s.between(0.5, 2); };
   Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
+  for (double* x : {&p.b.radius, &p.b.height, &p.b.rounding}) *x *= b_to_a;
   const double margin = margins[(index / 2) % margins.size()] * (index % 2 == 0 ? 1 : -1);
   const Vector3 n = s.unit_vector();
   const Vector3 on_a = touch_plane(p.a, n, s), on_b = touch_plane(p.b, -n, s);
@@ -145,6 +147,14 @@ Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index
     default:
       return index % 8 == 3 ? draw_integers(a, b, s) : draw_awkward(a, b, s);
   }
+}
+
+Pair draw_unequal(RandomStream& s, std::uint64_t index) {
+  constexpr std::array kinds{SolidKind::sphere, SolidKind::capsule, SolidKind::rounded, SolidKind::cylinder};
+  const SolidKind a = kinds[s.below(kinds.size())], b = kinds[s.below(kinds.size() - 1)];  // one is round
+  constexpr std::uint64_t resolved_cap = 24;  // margins 1e-1 to 1e-12, which both signs have
+  const Pair p = draw_near(a, b, s, index % resolved_cap, s.within_decades(parts));
+  return s.coin() ? p : Pair{p.b, p.a};
 }
 
 }  // namespace cyl

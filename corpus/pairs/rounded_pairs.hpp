@@ -19,4 +19,7 @@ namespace cyl {
 /// It is random which solid is `a`.
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index);
 
+/// Draws pairs like the second and the third, of random kinds. One solid is up to a million times smaller.
+Pair draw_unequal(RandomStream& stream, std::uint64_t index);
+
 }  // namespace cyl

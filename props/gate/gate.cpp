@@ -189,8 +189,8 @@ class Gate {
     GateFailure& failure = is_new ? report_.failures.emplace_back() : report_.failures[at->second];
     ++failure.count;
     const GatePhase phase = report_.phases.back().phase;
-    failure.in_case |= phase == GatePhase::corpus || phase == GatePhase::corpus_laws;
-    if (!is_new && violation.excess <= failure.excess) return nullptr;
+    if (!is_new && (violation.excess <= failure.excess || (failure.in_case() && cases_are_done())))
+      return nullptr;
     failure.method = name;
     failure.law = &law;
     failure.kind = std::move(kind);
@@ -222,6 +222,7 @@ class Gate {
     }
   }
 
+  bool cases_are_done() const { return report_.phases.back().phase > GatePhase::corpus_laws; }
   bool is_program(std::size_t m) const { return methods_[m]->is_out_of_process(); }
   /// A method that hangs again and again is not asked any more. Otherwise the gate would not end.
   bool given_up(std::size_t m) const {

@@ -59,7 +59,8 @@ struct GateFailure {
   std::string origin;  ///< of the worst pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
   Pair found;          ///< the first pair with the largest excess
   double excess = 0;   ///< of that pair, as in Violation
-  bool in_case = false;          ///< some kept case fails like this
+  /// Returns whether a kept case fails like this. Then the worst of the cases is shown.
+  bool in_case() const { return phase == GatePhase::corpus || phase == GatePhase::corpus_laws; }
   Pair simplest;                 ///< a simple one that breaks the same law in the same way
   std::string what_of_simplest;  ///< the fault on that pair; if empty, the same as on the worst
   std::string

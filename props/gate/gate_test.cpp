@@ -396,7 +396,20 @@ TEST(Gate, ShowsTheWorstOfABucket) {
   EXPECT_EQ(wrong->found.b.center.y(), 1.5);
   EXPECT_EQ(wrong->simplest.b.center.y(), 1.5);
   EXPECT_NEAR(wrong->excess, 0.05, 1e-9);
-  EXPECT_TRUE(wrong->in_case);
+  EXPECT_TRUE(wrong->in_case());
+}
+
+TEST(Gate, ShowsAKeptCaseEvenIfADrawnPairIsWorse) {
+  Case shallow;
+  shallow.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 4}, {{0, 1.999, 0}, {1, 0, 0}, 1, 4}};
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>([](const Pair&) { return say(Verdict::disjoint); }, "planted",
+                                              Claim{1e-12, 0, "planted"}));
+  const GateReport report = run_gate(methods, {&shallow, 1}, {.pairs = 2000, .as_found = true});
+  const auto kept = std::ranges::find(report.failures, true, &GateFailure::in_case);
+  ASSERT_NE(kept, report.failures.end());
+  EXPECT_GT(kept->count, 1u);
+  EXPECT_EQ(kept->found.b.center.y(), 1.999);
 }
 
 TEST(Gate, AFailedAnswerIsNoWrongVerdict) {

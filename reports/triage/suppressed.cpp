@@ -104,7 +104,7 @@ void judge_suppressions(JudgedGate& gate, std::span<const std::unique_ptr<Method
   std::set<std::string> stored = causes_of(grouped, cases, suppressions);
   for (JudgedFailure& f : gate.failures) {
     f.known |= suppressed(f.bucket);
-    if (f.in_case) stored.insert(f.bucket);
+    if (f.in_case()) stored.insert(f.bucket);
     const auto method = position_of(methods, f.method);
     if (f.known || !method || !named(*methods[*method])) continue;
     const std::set<std::string> causes = causes_of(grouped, wrong_answers(f, methods, *method));
