@@ -7,6 +7,7 @@ endif()
 include(CTest)
 include(GoogleTest)
 find_package(GTest REQUIRED)
+find_package(rapidcheck REQUIRED CONFIG)
 daylight_precompiled_set(tests Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt GTest::gtest rapidcheck rapidcheck_gtest)
 target_precompile_headers(daylight_precompiled_tests PRIVATE ${daylight_common_headers}
                           <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h>)

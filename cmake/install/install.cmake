@@ -64,7 +64,7 @@ set(licences "")
 set(bundled bullet ccd console-bridge fcl fmt gmp lodepng mpfi mpfr mujoco nlopt octomap ode pugixml qhull-r seccomp sqlite3- tinyxml
     urdfdom-model)
 list(TRANSFORM bundled REPLACE "(.+)" "/usr/share/doc/lib\\1*[0-9]/copyright")
-set(compiled_in libcli11-dev libeigen3-dev librapidcheck-dev libsqlitecpp-dev nlohmann-json3-dev zlib1g)
+set(compiled_in libcli11-dev libeigen3-dev libsqlitecpp-dev nlohmann-json3-dev zlib1g)
 list(TRANSFORM compiled_in REPLACE "(.+)" "/usr/share/doc/\\1/copyright")
 file(GLOB copyrights ${bundled} ${compiled_in})
 foreach(file ${copyrights})

@@ -17,7 +17,7 @@
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
-#include "props/gate/law_search.hpp"
+#include "props/gate/law_pairs.hpp"
 #include "props/shrink/simplify.hpp"
 
 namespace cyl {
@@ -28,8 +28,6 @@ using std::chrono::milliseconds;
 
 /// The number of cases asked together.
 constexpr std::size_t cases_at_once = 32;
-/// The number of draws of one round of the search.
-constexpr int draws_per_round = 4;
 /// A pair under all laws takes as long as this many of the sample. Both phases are to take equally long.
 constexpr std::uint64_t law_cost = 50;
 /// It takes a hundred times as long to enclose a distance as to prove a verdict. So that law is checked in
@@ -97,16 +95,15 @@ class Gate {
                    std::min<std::uint64_t>(amount_.cases_under_laws.value_or(cases_.size()), cases_.size()));
     });
     if (solids_.cylinders) {
-      in_phase(GatePhase::laws, [&] { search_laws(PairSource::kinds, amount_.law_rounds); });
+      in_phase(GatePhase::laws, [&] { check_laws(draw_law_pairs, amount_.law_rounds); });
       in_phase(GatePhase::sample, [&] { sample(draw_strata, amount_.sample_rounds, distance_share); });
-      in_phase(GatePhase::close_laws,
-               [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
+      in_phase(GatePhase::close_laws, [&] { check_laws(draw_close_law_pairs, amount_.close_law_rounds); });
       in_phase(GatePhase::close_sample,
                [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
     }
     if (amount_.rounded_rounds > 0) {
       in_phase(GatePhase::rounded_laws,
-               [&] { search_laws(PairSource::rounded, amount_.rounded_law_rounds); });
+               [&] { check_laws(draw_rounded_law_pairs, amount_.rounded_law_rounds); });
       in_phase(GatePhase::rounded_sample,
                [&] { sample(draw_rounded_solids, amount_.rounded_rounds, distance_share); });
     }
@@ -183,7 +180,6 @@ class Gate {
     std::string bucket = stratum ? bucket_key(name, kind, stratum->feature,
                                               coordinate_of(pair, std::pow(10.0, -stratum->decade - 0.5)))
                                  : bucket_of(name, kind, pair);
-    if (contract) violated_.emplace(method, law.number, kind);
     const auto [at, is_new] =
         by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
     GateFailure& failure = is_new ? report_.failures.emplace_back() : report_.failures[at->second];
@@ -259,26 +255,15 @@ class Gate {
     return static_cast<double>(done) / static_cast<double>(due);
   }
 
-  void search_laws(PairSource source, std::uint64_t due) {
-    const LawFilter all = [&](std::size_t m, const Law&) { return !given_up(m); };
-    const WorthShrinking is_worth_shrinking =
-        [&](const LawFailure& c) {  // shrinking a hang would take an hour
-          return !options_.first_failure && !out_of_time() && c.violation.kind != FindingKind::hang &&
-                 !violated_.contains(
-                     std::tuple(c.method, c.law->number, violation_kind(*c.law, c.violation)));
-        };
+  void check_laws(SampleRound (*draw)(std::uint64_t, std::uint64_t), std::uint64_t due) {
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
-      // Each round has its own seed. RapidCheck's generators of neighbouring seeds are unrelated.
-      const SearchRound found = find_violations(methods_, all, is_worth_shrinking, source,
-                                                options_.seed + round, draws_per_round, asker_);
-      count(found.counts);
-      for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
-      for (const LawFailure& c : found.failures) {
-        GateFailure* first = record(c.method, *c.law, c.violation, c.pair,
-                                    c.from + fmt::format(", seed {}", options_.seed + round));
-        if (first && c.shrunk) first->simplest = *c.shrunk;
-      }
-      show_progress(found.pairs, part(++round, due));
+      SampleRound drawn = draw(options_.seed, round);
+      keep_supported(drawn, methods_, solids_.sizes);
+      const Examined examined = examine_all(drawn.pairs, [](std::size_t, const Law&) { return true; });
+      count(examined.counts);
+      for (const LawViolation& b : examined.violations)
+        record(b.method, *b.law, b.violation, drawn.pairs[b.pair], drawn.origins[b.pair]);
+      show_progress(drawn.pairs, part(++round, due));
     }
   }
 
@@ -411,7 +396,6 @@ class Gate {
   GateReport report_;
   std::vector<bool> skipped_;  ///< by method: some pairs were not asked because others of their batch hung
   std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< index of failures
-  std::set<std::tuple<std::size_t, int, std::string>> violated_;  ///< method, law and kind: contracts broken
 };
 
 }  // namespace

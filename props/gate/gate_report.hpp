@@ -5,7 +5,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -128,8 +127,6 @@ struct GateReport {
   std::vector<GateFailure> failures;
   std::vector<GatePhaseReport> phases;
   std::uint64_t undecided_truths = 0;  ///< pairs without a proved verdict
-  std::map<std::string, std::uint64_t>
-      drawn;  ///< pairs that laws were tried on, by what they were drawn from
 };
 
 /// Returns whether a break shows in the answer to the pair itself, so that no law need be named to see it

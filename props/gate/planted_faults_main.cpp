@@ -15,14 +15,14 @@ namespace {
 
 using namespace cyl;
 
-/// So many that luck plays no part with these faults.
-constexpr std::uint64_t pairs = 1'000;
+/// So many rounds that luck plays no part with these faults.
+constexpr GateAmount amount{.law_rounds = 2, .sample_rounds = 1, .close_law_rounds = 1, .close_rounds = 1};
 
 /// The numbers of the laws that a method breaks beyond its claim, with this fault.
 std::set<int> broken_laws(int fault, std::span<const Case> cases) {
   planted_fault = fault;
   GateOptions options;
-  options.pairs = pairs;
+  options.amount = amount;
   options.as_found = true;
   std::set<int> laws;
   for (const GateFailure& f :

@@ -129,8 +129,7 @@ std::string gate_json(const JudgedGate& gate) {
                     {"failures", std::move(failures)},
                     {"remarks", std::move(remarks)},
                     {"phases", std::move(phases)},
-                    {"undecided_truths", gate.report.undecided_truths},
-                    {"drawn", gate.report.drawn}};
+                    {"undecided_truths", gate.report.undecided_truths}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/law_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t seed = 20261121, rounds = 40;
+
+std::set<std::string> kinds_of(SampleRound (*draw)(std::uint64_t, std::uint64_t)) {
+  std::set<std::string> kinds;
+  for (std::uint64_t round = 0; round < rounds; ++round)
+    for (const std::string& origin : draw(seed, round).origins)
+      kinds.insert(origin.substr(0, origin.find(", seed ")));
+  return kinds;
+}
+
+TEST(LawPairs, KindsTakeTurns) {
+  const std::set<std::string> kinds = kinds_of(draw_law_pairs);
+  EXPECT_TRUE(kinds.contains("grid"));
+  EXPECT_GT(kinds.size(), 50u);
+  for (const std::string& kind : kinds_of(draw_close_law_pairs))
+    EXPECT_TRUE(kind.starts_with("close ") || kind.starts_with("family close_") ||
+                kind == "family range_ends" || kind == "family whiskers")
+        << kind;
+  EXPECT_GT(kinds_of(draw_rounded_law_pairs).size(), 5u);
+}
+
+TEST(LawPairs, AreAPureFunctionOfSeedAndRound) {
+  for (const auto draw : {draw_law_pairs, draw_close_law_pairs, draw_rounded_law_pairs}) {
+    const SampleRound once = draw(seed, 3), again = draw(seed, 3);
+    ASSERT_EQ(once.pairs.size(), once.origins.size());
+    ASSERT_EQ(once.origins, again.origins);
+    EXPECT_GT(once.pairs.size(), draws_per_round * pairs_per_draw / 2);
+    for (std::size_t i = 0; i < once.pairs.size(); ++i) {
+      EXPECT_EQ(format_pair(once.pairs[i]), format_pair(again.pairs[i]));
+      EXPECT_EQ(find_defect(once.pairs[i].a), Defect::none);
+    }
+    EXPECT_NE(format_pair(draw(seed, 4).pairs[0]), format_pair(once.pairs[0]));
+    EXPECT_NE(format_pair(draw(seed + 1, 3).pairs[0]), format_pair(once.pairs[0]));
+  }
+}
+
+}  // namespace
+}  // namespace cyl
