@@ -14,6 +14,13 @@ runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { 
 
 export const daylight = globalThis.daylight;
 
+/** The charts of a report with the values of the page's colours, as they are by day. */
+export function charts(report) {
+  const values = new Map([.../:root\{([^}]*)/.exec(template)[1].matchAll(/(--[^:;]+):\s*([^;]+)/g)].map((m) => m.slice(1)));
+  const painted = (svg) => svg.replace(/var\((--[^)]+)\)/g, (_, name) => values.get(name));
+  return new Map([...daylight.charts(report)].map(([name, svg]) => [name, painted(svg)]));
+}
+
 if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   const folder = argv[2];
   if (folder === undefined) {
@@ -23,7 +30,7 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   mkdirSync(folder, { recursive: true });
   let text = "";
   for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
-  for (const [name, svg] of daylight.charts(daylight.expand(JSON.parse(text)), daylight.plainDocument())) {
+  for (const [name, svg] of charts(daylight.expand(JSON.parse(text)))) {
     writeFileSync(`${folder}/${name}.svg`, svg);
     console.log(`${folder}/${name}.svg`);
   }

@@ -37,13 +37,6 @@ export function range(of: [number, number] | null | undefined): string {
   return low === high ? low : `${low} to ${high}`;
 }
 
-/** Of least margins: each is proved, and may be larger. */
-export function leastRange(of: [number, number] | null | undefined) {
-  if (!of) return "\u2013";
-  const [low, high] = [short(of[0]), short(of[1])];
-  return low === high ? `at least ${low}` : `${low} up to ${high} or more`;
-}
-
 export function seconds(s: number): string {
   if (s < 120) return `${short(s)} s`;
   if (s < 7200) return `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`;

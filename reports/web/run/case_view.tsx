@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A pair with its picture, its truth, the certificate and the answers.
+// A pair with its picture, its truth, the certificate, which the reader may edit and have proved again, and the answers.
 import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import type { Answer, Cylinder, Pair, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
-import { full, range, safe } from "../parts/words.ts";
-import { Answers } from "./answers.tsx";
-import { Prover } from "./certificate.tsx";
+import { prove, type Proof } from "../parts/prove.ts";
+import { full, groupBy, inOrder, plural, range, safe } from "../parts/words.ts";
 import type { Case } from "./data.ts";
-import { Fact } from "./elements.tsx";
+import { Fact, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { PairView } from "./pair_view.tsx";
+import { formatCoordinate } from "./words.ts";
 
 /** A vector in brackets, or a number; breaks between numbers, not in them. */
 const Numbers = ({ of }: { of: readonly number[] }) => (
@@ -26,10 +28,8 @@ const Numbers = ({ of }: { of: readonly number[] }) => (
   </>
 );
 
-type Solid = Case["pair"]["a"];
-
-function Solids({ pair: { a, b } }: { pair: Case["pair"] }) {
-  const rows: [string, (s: Solid) => readonly number[]][] = [
+function Solids({ pair: { a, b } }: { pair: Pair }) {
+  const rows: [string, (s: Cylinder) => readonly number[]][] = [
     ["centre", (s) => s.center],
     ["axis", (s) => s.axis],
     ["radius", (s) => [s.radius]],
@@ -39,17 +39,6 @@ function Solids({ pair: { a, b } }: { pair: Case["pair"] }) {
   if (!a.rounding && !b.rounding) rows.pop();
   return (
     <table class="plain solids">
-      <thead>
-        <tr>
-          <td />
-          {["a", "b"].map((name) => (
-            <th scope="col" title={`Solid ${name} of the pair`} key={name}>
-              <i class={`swatch ${name}`} />
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
       <tbody>
         {rows.map(([name, of]) => (
           <tr key={name}>
@@ -58,7 +47,7 @@ function Solids({ pair: { a, b } }: { pair: Case["pair"] }) {
             </th>
             {[a, b].map((solid, i) => (
               <td key={i}>
-                <Numbers of={of(solid)} />
+                <i class={`swatch ${"ab"[i]}`} /> <Numbers of={of(solid)} />
               </td>
             ))}
           </tr>
@@ -68,18 +57,135 @@ function Solids({ pair: { a, b } }: { pair: Case["pair"] }) {
   );
 }
 
-const stageLabels: Record<string, string> = {
-  filter: "double intervals",
-  wide: "multiple precision",
-  exact: "rationals",
-};
+function formatAnswer(a: Answer): string {
+  if (a.failed) return `failed: ${a.failed}${a.reason ? `, \u201c${a.reason}\u201d` : ""}`;
+  if (a.declined !== undefined) return `declined${a.declined ? `: ${a.declined}` : ""}`;
+  return [
+    a.verdict ?? "no verdict",
+    ...(a.distance === undefined ? [] : [`distance ${full(a.distance)}`]),
+    ...(a.direction ? [`direction (${a.direction.map(full).join(", ")})`] : []),
+    ...(a.point ? [`point (${a.point.map(formatCoordinate).join(", ")})`] : []),
+  ].join(", ");
+}
+
+const isMeeting = (verdict: string | undefined) => verdict === "intersecting" || verdict === "touching";
+const isWrong = (a: Answer, truth: Truth) =>
+  a.failed !== undefined ||
+  (a.verdict === "disjoint" && isMeeting(truth.verdict)) ||
+  (isMeeting(a.verdict) && truth.verdict === "disjoint");
+
+const namesShown = 8;
+
+/** The answers, each once: that of `method` first, then the wrong ones, then what most say. */
+function Answers({ shown: { answers, truth }, method }: { shown: Case; method: string }) {
+  const same = groupBy(Object.entries(answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
+  const rows = [...same.values()].map((given) => {
+    const who = given.map(([name]) => name);
+    return { answer: given[0]![1], who, isIts: who.includes(method), wrong: isWrong(given[0]![1], truth) };
+  });
+  const ranked = inOrder(
+    rows,
+    (x, y) => Number(y.isIts) - Number(x.isIts) || Number(y.wrong) - Number(x.wrong) || y.who.length - x.who.length,
+  );
+  if (rows.length === 0) return null;
+  return (
+    <section>
+      <h3>The answer of each method</h3>
+      <Table kind="answers" of={["answer", "from"]}>
+        {ranked.map(({ answer, who, isIts, wrong }, row) => {
+          const names = safe(who.join(", "));
+          return (
+            <tr key={row} class={isIts ? "its" : ""}>
+              <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(formatAnswer(answer))}</td>
+              <td class={`wrap ${wrong ? "bad" : ""}`}>
+                {wrong || who.length <= namesShown ? (
+                  names
+                ) : (
+                  <details>
+                    <summary>{plural(who.length, "method")}</summary>
+                    {names}
+                  </details>
+                )}
+              </td>
+            </tr>
+          );
+        })}
+      </Table>
+    </section>
+  );
+}
+
+/** What proves a truth, and why it does. */
+const describeCertificate = (t: Truth): [string, string] =>
+  t.direction
+    ? ["separating direction", "A plane perpendicular to this direction has one solid on each side."]
+    : t.point
+      ? ["common point", "This point lies in both solids."]
+      : t.points
+        ? ["near points", "One is in the core of a, one in that of b, no farther apart than both roundings together."]
+        : [
+            "point near both",
+            "No rational common point is known. This point is within 2^-200 of the size of both, and along the " +
+              "direction no gap or overlap is wider than that.",
+          ];
+
+function Prover({ shown }: { shown: Case }) {
+  const [kind, why] = describeCertificate(shown.truth);
+  const { distance: _, stage: __, ...certificate } = shown.truth,
+    given = JSON.stringify(certificate);
+  const [{ text, proof }, set] = useState<{ text: string; proof: Proof | null }>({ text: given, proof: null });
+  const check = () => {
+    try {
+      set({ text, proof: prove(shown.pair, JSON.parse(text) as Truth) });
+    } catch {
+      set({ text, proof: { holds: false, text: "Refuted: this is not JSON.", steps: [] } });
+    }
+  };
+  return (
+    <section class="prover">
+      <h3>
+        Certificate: <span title={about(kind)}>{kind}</span>
+      </h3>
+      <p>{why}</p>
+      <textarea
+        spellcheck={false}
+        rows={Math.min(6, Math.ceil(text.length / 62))}
+        value={text}
+        aria-label="The certificate; change it to see the proof fail"
+        onInput={(event) => set({ text: event.currentTarget.value, proof: null })}
+      />
+      <p class="tools">
+        <button type="button" class="prove" onClick={check}>
+          Prove again
+        </button>
+        {text !== given && (
+          <button type="button" onClick={() => set({ text: given, proof: null })}>
+            Reset
+          </button>
+        )}
+        <span class="soft">This page checks it in exact integers. Change a digit to see it fail.</span>
+      </p>
+      {proof && (
+        <div
+          class={`proof ${proof.holds === true ? "ok" : proof.holds === false ? "bad" : "warn"}`}
+          role="status"
+          data-holds={String(proof.holds)}>
+          <b>{proof.text}</b>
+          <ul>
+            {proof.steps.map((s) => (
+              <li key={s}>{s}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+    </section>
+  );
+}
 
 /** `method`: the one that is wrong; `story`: what is known of its cause, beside the picture. */
 export function CaseView({ shown, method, story }: { shown: Case; method: string; story?: ComponentChildren }) {
-  const { truth } = shown,
-    stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
+  const { truth } = shown;
   const isProved = Boolean(truth.direction || truth.point || truth.points || truth.near);
-  const proof = isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>;
   const facts = (
     <dl class="facts">
       <Fact label="truth">
@@ -88,37 +194,25 @@ export function CaseView({ shown, method, story }: { shown: Case; method: string
       </Fact>
       <Fact label="signed distance">{range(truth.distance)}</Fact>
       <Fact label="margin">{range(shown.margin)}</Fact>
-      {stage && (
-        <Fact label="settled in">
-          <span title={about(stage)}>{stage}</span>
-        </Fact>
-      )}
     </dl>
   );
-  const answers = <Answers shown={shown} method={method} />;
   return (
     <>
       <div class="case">
         <div>
           <PairView shown={shown} />
-          {story && facts}
           <Solids pair={shown.pair} />
-          {story && proof}
           <Copy label="Ask again" text={shown.replay} />
           <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
           {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
         </div>
-        <div class="right">
-          {story ?? (
-            <>
-              {facts}
-              {proof}
-              {answers}
-            </>
-          )}
+        <div>
+          {facts}
+          {story}
+          {isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>}
         </div>
       </div>
-      {story && answers}
+      <Answers shown={shown} method={method} />
     </>
   );
 }

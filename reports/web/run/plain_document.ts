@@ -2,27 +2,24 @@
 // A document to draw plots in where there is no browser: as much of one as Observable Plot asks for, and its text as
 // SVG.
 
-const xhtml = "http://www.w3.org/1999/xhtml";
-
-const escaped = (text: string) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+export const escaped = (text: string) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
 class PlainNode {
   parentNode: PlainNode | null = null;
   childNodes: PlainNode[] = [];
+  attributes = new Map<string, string>();
+  style = {}; // of the whole plot alone, whose own element is not kept
+  /** A name of null is that of a text. */
   constructor(
     readonly ownerDocument: object,
     readonly namespaceURI: string | null,
-    readonly nodeName: string,
+    readonly tagName: string | null,
     private text = "",
   ) {}
-  attributes = new Map<string, string>();
-  style = {}; // of the whole plot alone, whose own element is not kept
 
-  get tagName() {
-    return this.nodeName;
-  }
   get children() {
-    return this.childNodes.filter((n) => n.namespaceURI !== null);
+    return this.childNodes.filter((n) => n.tagName !== null);
   }
   get firstChild() {
     return this.childNodes[0] ?? null;
@@ -31,20 +28,14 @@ class PlainNode {
     const all = this.parentNode?.childNodes ?? [];
     return all[all.indexOf(this) + 1] ?? null;
   }
-  get textContent(): string {
-    return this.text + this.childNodes.map((n) => n.textContent).join("");
-  }
   set textContent(text: string) {
     this.childNodes = [];
-    if (text !== "") this.append(text);
+    this.append(text);
   }
   get outerHTML(): string {
-    if (this.namespaceURI === null) return escaped(this.text);
-    const attributes = [...this.attributes]
-      .reverse()
-      .map(([name, value]) => ` ${name}="${escaped(value).replaceAll('"', "&quot;")}"`);
-    const head = `<${this.nodeName}${attributes.join("")}`;
-    return this.childNodes.length === 0 ? `${head} />` : `${head}>${this.innerHTML}</${this.nodeName}>`;
+    if (this.tagName === null) return escaped(this.text);
+    const attributes = [...this.attributes].map(([name, value]) => ` ${name}="${escaped(value)}"`);
+    return `<${this.tagName}${attributes.join("")}>${this.innerHTML}</${this.tagName}>`;
   }
   get innerHTML(): string {
     return this.childNodes.map((n) => n.outerHTML).join("");
@@ -67,8 +58,7 @@ class PlainNode {
   }
   insertBefore(node: PlainNode, next: PlainNode | null) {
     node.remove();
-    const at = next === null ? -1 : this.childNodes.indexOf(next);
-    this.childNodes.splice(at < 0 ? this.childNodes.length : at, 0, node);
+    this.childNodes.splice(next === null ? this.childNodes.length : this.childNodes.indexOf(next), 0, node);
     node.parentNode = this;
     return node;
   }
@@ -76,23 +66,20 @@ class PlainNode {
     return this.insertBefore(node, null);
   }
   append(...nodes: (PlainNode | string)[]) {
-    for (const n of nodes)
-      this.appendChild(typeof n === "string" ? new PlainNode(this.ownerDocument, null, "#text", n) : n);
+    for (const n of nodes) this.appendChild(typeof n === "string" ? new PlainNode(this.ownerDocument, null, null, n) : n);
   }
   remove() {
     const all = this.parentNode?.childNodes;
-    if (all) all.splice(all.indexOf(this), 1);
-    this.parentNode = null;
+    all?.splice(all.indexOf(this), 1);
   }
 }
 
 export function plainDocument(): Document {
-  const document = {
+  const document: Record<string, unknown> = {
     createElementNS: (namespace: string, name: string) => new PlainNode(document, namespace, name),
-    createElement: (name: string) => new PlainNode(document, xhtml, name),
-    createTextNode: (text: string) => new PlainNode(document, null, "#text", text),
-    documentElement: null as unknown,
+    createElement: (name: string) => new PlainNode(document, null, name),
+    createTextNode: (text: string) => new PlainNode(document, null, null, text),
   };
-  document.documentElement = document.createElement("html");
+  document.documentElement = new PlainNode(document, null, "html");
   return document as unknown as Document;
 }
