@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The share of wrong answers as margins shrink, compared with the claim.
 import * as Plot from "@observablehq/plot";
+import { sort } from "d3-array";
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { colours, common, decades, power, tips, type Options } from "../parts/plot.ts";
-import { grouped, inOrder, percent, safe, shareBounds, short } from "../parts/words.ts";
+import { grouped, percent, safe, shareBounds, short } from "../parts/words.ts";
 import type { Calibration as Curve, Report } from "./data.ts";
 import { ClaimWords } from "./elements.tsx";
 import { isText } from "./words.ts";
@@ -18,7 +19,7 @@ export const colourOf = (of: Curve[], method: string) => colours.series[of.findI
 export function firstOfEach(all: Curve[]): Curve[] {
   const rank = ({ library }: Curve) => (library === "ours" ? 0 : isText(library) ? 2 : 1);
   const firsts = all.filter((h, i) => all.findIndex(({ library }) => library === h.library) === i);
-  return inOrder(firsts, (x, y) => rank(x) - rank(y)).slice(0, shownCap);
+  return sort(firsts, (x, y) => rank(x) - rank(y)).slice(0, shownCap);
 }
 
 const sides = [

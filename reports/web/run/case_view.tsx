@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: MIT
 // A pair with its picture, its truth, the certificate, which the reader may edit and have proved again, and the answers.
+import { group, sort } from "d3-array";
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import type { Answer, Cylinder, Pair, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { prove, type Proof } from "../parts/prove.ts";
-import { full, groupBy, inOrder, plural, range, safe } from "../parts/words.ts";
+import { full, range, safe } from "../parts/words.ts";
 import type { Case } from "./data.ts";
 import { Fact, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { PairView } from "./pair_view.tsx";
 import { formatCoordinate } from "./words.ts";
-
-/** A vector in brackets, or a number; breaks between numbers, not in them. */
-const Numbers = ({ of }: { of: readonly number[] }) => (
-  <>
-    {of.map((x, i) => (
-      <>
-        {i > 0 && " "}
-        <span class="whole">
-          {of.length > 1 && i === 0 && "("}
-          {full(x)}
-          {of.length > 1 && (i < of.length - 1 ? "," : ")")}
-        </span>
-      </>
-    ))}
-  </>
-);
 
 function Solids({ pair: { a, b } }: { pair: Pair }) {
   const rows: [string, (s: Cylinder) => readonly number[]][] = [
@@ -47,7 +32,13 @@ function Solids({ pair: { a, b } }: { pair: Pair }) {
             </th>
             {[a, b].map((solid, i) => (
               <td key={i}>
-                <i class={`swatch ${"ab"[i]}`} /> <Numbers of={of(solid)} />
+                <i class={`swatch ${"ab"[i]}`} />
+                {of(solid).map((x) => (
+                  <>
+                    {" "}
+                    <span class="whole">{full(x)}</span>
+                  </>
+                ))}
               </td>
             ))}
           </tr>
@@ -74,16 +65,14 @@ const isWrong = (a: Answer, truth: Truth) =>
   (a.verdict === "disjoint" && isMeeting(truth.verdict)) ||
   (isMeeting(a.verdict) && truth.verdict === "disjoint");
 
-const namesShown = 8;
-
 /** The answers, each once: that of `method` first, then the wrong ones, then what most say. */
 function Answers({ shown: { answers, truth }, method }: { shown: Case; method: string }) {
-  const same = groupBy(Object.entries(answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
+  const same = group(Object.entries(answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
   const rows = [...same.values()].map((given) => {
     const who = given.map(([name]) => name);
     return { answer: given[0]![1], who, isIts: who.includes(method), wrong: isWrong(given[0]![1], truth) };
   });
-  const ranked = inOrder(
+  const ranked = sort(
     rows,
     (x, y) => Number(y.isIts) - Number(x.isIts) || Number(y.wrong) - Number(x.wrong) || y.who.length - x.who.length,
   );
@@ -92,24 +81,12 @@ function Answers({ shown: { answers, truth }, method }: { shown: Case; method: s
     <section>
       <h3>The answer of each method</h3>
       <Table kind="answers" of={["answer", "from"]}>
-        {ranked.map(({ answer, who, isIts, wrong }, row) => {
-          const names = safe(who.join(", "));
-          return (
-            <tr key={row} class={isIts ? "its" : ""}>
-              <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(formatAnswer(answer))}</td>
-              <td class={`wrap ${wrong ? "bad" : ""}`}>
-                {wrong || who.length <= namesShown ? (
-                  names
-                ) : (
-                  <details>
-                    <summary>{plural(who.length, "method")}</summary>
-                    {names}
-                  </details>
-                )}
-              </td>
-            </tr>
-          );
-        })}
+        {ranked.map(({ answer, who, isIts, wrong }, row) => (
+          <tr key={row} class={isIts ? "its" : ""}>
+            <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(formatAnswer(answer))}</td>
+            <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(who.join(", "))}</td>
+          </tr>
+        ))}
       </Table>
     </section>
   );

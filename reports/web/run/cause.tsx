@@ -2,15 +2,13 @@
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
-import { capital, grouped, jsonLine, plural, range, safe, shellQuoted, short } from "../parts/words.ts";
+import { grouped, plural, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
-import { addressOf } from "./findings.tsx";
+import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
 import { kindLabel, sentenceOf } from "./words.ts";
-
-const claimOf = (report: Report, method: string) => report.methods.find((m) => m.name === method)?.claim;
 
 /** The runs, the last one first. */
 const Nights = ({ b }: { b: Cause }) => (
@@ -32,17 +30,11 @@ const Nights = ({ b }: { b: Cause }) => (
 const day = 86_400_000,
   suppressedDays = 90;
 
-/** One line for suppressions.jsonl; a person fills in the empty fields. */
-function suppressionLine(key: string, started: string): string {
-  const begun = Date.parse(started);
-  const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressedDays * day);
-  const expires = end.toISOString().slice(0, 10);
-  return jsonLine({ bucket: key, reason: "", link: "", owner: "", expires });
-}
-
 function NextSteps({ report, b }: { report: Report; b: Cause }) {
   const run = shellQuoted(report.run.folder),
-    key = shellQuoted(b.key);
+    key = shellQuoted(b.key),
+    expires = new Date(Date.now() + suppressedDays * day).toISOString().slice(0, 10),
+    suppression = { bucket: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
   return (
     <section class="handling">
       <h3>Next steps</h3>
@@ -51,7 +43,7 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
         label="For the maintainers: a proof, the text of an issue, and a program or case"
         text={`./daylight export ${run} ${key} --out upstream`}
       />
-      <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
+      <Copy label="A line for suppressions.jsonl" text={safe(JSON.stringify(suppression))} />
     </section>
   );
 }
@@ -60,7 +52,7 @@ const fromTo = (first: string, last: string) => safe(first === last || last === 
 
 /** What it is, since when, who shares it, and what to do. */
 function Story({ report, b }: { report: Report; b: Cause }) {
-  const claim = claimOf(report, b.method);
+  const claim = report.methods.find((m) => m.name === b.method)?.claim;
   return (
     <>
       <dl class="facts">
@@ -68,7 +60,8 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           <Severity of={b.severity} />
         </Fact>
         <Fact label="findings">
-          {grouped(b.count)} <span class="soft">on {plural(b.pairs, "pair")}</span>
+          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>{" "}
+          <span class="soft">on {plural(b.pairs, "pair")}</span>
         </Fact>
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
@@ -77,8 +70,8 @@ function Story({ report, b }: { report: Report; b: Cause }) {
         <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
         {b.first_version && <Fact label="versions">{fromTo(b.first_version, b.last_version)}</Fact>}
       </dl>
-      <p>
-        {capital(safe([b.cause, ...b.labels.filter((l) => l !== b.cause)].join("; ")))}.{" "}
+      <p class="reason">
+        {safe([b.cause, ...b.labels.filter((l) => l !== b.cause)].join("; "))}.{" "}
         <span class="soft">
           Methods: {safe(b.methods.join(", "))}.
           {claim && (
@@ -98,30 +91,6 @@ function Story({ report, b }: { report: Report; b: Cause }) {
       {b.nights.length > 0 && <Nights b={b} />}
       <NextSteps report={report} b={b} />
     </>
-  );
-}
-
-const shownExamples = 300;
-
-function Examples({ report, b }: { report: Report; b: Cause }) {
-  const kept = report.findings.filter((f) => f.bucket === b.key);
-  if (kept.length === 0) return null;
-  return (
-    <details open={kept.length <= 30}>
-      <summary>{plural(kept.length, "finding")} kept as examples</summary>
-      <Table kind="examples" of={["n:#", "method", "family", "n:margin"]}>
-        {kept.slice(0, shownExamples).map((f) => (
-          <tr key={f.id}>
-            <td class="n">
-              <a href={`#/finding/${f.id}`}>{f.id}</a>
-            </td>
-            <td>{safe(f.method)}</td>
-            <td>{safe(kindLabel(f.family))}</td>
-            <td class="n">{short(f.margin?.[0])}</td>
-          </tr>
-        ))}
-      </Table>
-    </details>
   );
 }
 
@@ -149,7 +118,6 @@ export function CauseView({ report, named }: { report: Report; named: string }) 
         story={<Story report={report} b={b} />}
         key={worst ? "worst" : "simplest"}
       />
-      <Examples report={report} b={b} />
     </>
   );
 }
@@ -158,7 +126,7 @@ export function FindingView({ report, named }: { report: Report; named: string }
   const at = report.findings.findIndex(({ id }) => String(id) === named),
     f = report.findings[at];
   if (!f) return <p class="missing">This page has no finding {safe(named)}.</p>;
-  const claim = claimOf(report, f.method),
+  const of = report.methods.find((m) => m.name === f.method),
     beside = [report.findings[at - 1], report.findings[at + 1]] as const;
   return (
     <>
@@ -175,10 +143,10 @@ export function FindingView({ report, named }: { report: Report; named: string }
       </h2>
       <p class="soft">
         Family {safe(kindLabel(f.family))}.
-        {claim && (
+        {of && (
           <>
             {" "}
-            It claims to be <ClaimWords of={claim} />: {safe(claim.source)}.
+            {safe(`${of.library} ${of.version}`)} claims to be <ClaimWords of={of.claim} />: {safe(of.claim.source)}.
           </>
         )}
         {f.reason && ` The method reports: ${safe(f.reason)}`}

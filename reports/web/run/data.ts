@@ -21,16 +21,11 @@ export interface Method {
   version: string;
   claim: Claim;
   own: boolean;
-  share: number;
 }
-export interface Tally extends Doer {
+type Counts<Key extends string> = Record<Key, number>;
+export interface Tally
+  extends Doer, Counts<"asked" | "declined" | "failed" | "contract" | "resolution" | "undecided"> {
   family: string;
-  asked: number;
-  declined: number;
-  failed: number;
-  contract: number;
-  resolution: number;
-  undecided: number;
 }
 /** "rare": on so few pairs that its absence from the other runs may be chance. */
 export type Standing = "new" | "back" | "rare" | "known" | "gone";
@@ -52,15 +47,6 @@ export interface Finding extends Case, Doer {
   reason?: string;
 }
 
-/** On how many pairs a cause was seen in one run; the rate is of a million pairs, with its bounds. */
-export interface Night {
-  run: string;
-  started: string;
-  count: number;
-  asked: number;
-  per_million: [number, number, number]; // rate, low, high
-}
-
 export interface Cause {
   key: string; // "fcl-libccd/wrong_disjoint/side-rim/angle"
   method: string;
@@ -76,13 +62,13 @@ export interface Cause {
   simplest: Case;
   worst: Case;
   suppressed: { reason: string; link: string; owner: string; expires: string } | null;
-  findings: number[]; // ids of those kept
   cause: string; // in words
   methods: string[]; // all that it makes wrong; `method` is one of them
   methods_of_kind: string[]; // those that fail in the way that `kind` names
   libraries: string[]; // of these methods; expand() adds them
   libraries_of_kind: string[];
-  nights: Night[]; // oldest first, this run last
+  /** On how many pairs each run saw it, the oldest first, this run last; the rate is of a million, with its bounds. */
+  nights: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
   pairs: number; // on which one of its methods was wrong in this run
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
@@ -92,71 +78,43 @@ export interface Cause {
 /** How often a method was asked and wrong, by cell of a plane. Cells not listed were not visited. */
 export interface FailureMap extends Doer {
   plane: string;
-  x: Axis;
-  y: Axis;
+  x: { title: string; labels: string[] }; // of bin i its decade
+  y: { title: string; labels: string[] };
   cells: MapCell[];
 }
-export interface MapCell {
-  x: number;
-  y: number;
-  asked: number;
-  wrong_disjoint: number;
-  wrong_intersecting: number;
-  failed: number;
-  undecided: number;
-  declined: number;
-  within_disjoint: number; // of wrong_disjoint, those that the claim allows
-  within_intersecting: number;
+/** within_...: of the wrong ones, those that the claim allows. */
+export interface MapCell
+  extends
+    Counts<"x" | "y" | "asked" | "failed" | "undecided" | "declined">,
+    Counts<"wrong_disjoint" | "wrong_intersecting" | "within_disjoint" | "within_intersecting"> {
   finding?: number;
 }
-/** Bins are numbered from 0; labels[i] names bin i, its decade. */
-interface Axis {
-  title: string;
-  labels: string[];
-}
-
 /** Share wrong against margin: bin d holds margins in (10^(-d-1), 10^-d]; the last all below. */
 export interface Calibration extends Doer {
-  family: string | null;
   bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; declined?: number }[];
 }
 
 /** From `daylight bench`: speed against accuracy. `digits`: -log10 of the least margin from which on the method was
  * always right; `digits_low`: the same where at most that share is wrong with 95 % confidence. */
-export interface SpeedPoint extends Doer {
-  curve: string;
-  setting: string; // curve: methods that differ in a setting only share it; setting as a number or word
+export interface SpeedPoint extends Doer, Counts<"ns" | "asked" | "wrong_disjoint" | "wrong_intersecting"> {
+  curve: string; // methods that differ in a setting only share it
+  setting: string;
   family: string; // or "all"
   query: string;
-  ns: number;
   p99: number | null;
-  asked: number;
-  wrong_disjoint: number;
-  wrong_intersecting: number;
   digits: number | null;
   digits_low: number | null;
 }
 /** Along a path of pairs through touching or through parallel axes. */
-export interface PathStability extends Doer {
+export interface PathStability extends Doer, Counts<"steps" | "flips"> {
   path: string;
-  steps: number;
-  flips: number;
   distance_jump: number | null;
   direction_jump_degrees: number | null;
   trace?: { at: number; verdict: Verdict; distance: number | null }[];
 }
 export interface Report {
-  run: {
-    id: string;
-    seed: string;
-    pairs: number;
-    started: string;
-    status: string;
-    seconds: number;
-    build: string;
-    command: string;
-    folder: string;
-  };
+  run: Record<"id" | "seed" | "started" | "status" | "build" | "command" | "folder", string> &
+    Counts<"pairs" | "seconds">;
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];

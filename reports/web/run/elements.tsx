@@ -35,24 +35,18 @@ export const Table = ({ of, kind, children }: { of: string[]; kind: string; chil
   </div>
 );
 
-/** What the colours of cells stand for. In a dark page the larger share is the brighter one. */
+/** What the colours of cells stand for: the more of it, the stronger. */
 export const Legend = ({ empty }: { empty: string }) => (
   <p class="legend" aria-hidden="true">
     {[
       [shade("bad", 4), "beyond the claim or failed"],
       [shade("within", 4), "else within the claim"],
-      [shade("undecided", 4), "else undecided"],
+      [shade("undecided", 4), "else undecided or declined"],
       ["var(--clean)", "none of these"],
       ["var(--bg)", empty],
     ].map(([background, words]) => (
       <>
         <i style={{ background }} /> {words}
-      </>
-    ))}
-    . Share:
-    {["below 1e\u22124", "1e\u22124", "1e\u22123", "0.01", "0.1 and more"].map((words, i) => (
-      <>
-        <i style={{ background: shade("bad", i + 1) }} /> {words}
       </>
     ))}
   </p>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put into the form of data.ts and in order: every finding with its case, every row with its
 // library, the causes and findings that matter first.
+import { sort } from "d3-array";
 import type { Answer, Pair } from "../parts/data.ts";
-import { inOrder, shellQuoted, short } from "../parts/words.ts";
+import { shellQuoted, short } from "../parts/words.ts";
 import type { Cause, FailureMap, Finding, Method, Report, SpeedPoint } from "./data.ts";
 
 /** JSON as it was written; the schema describes it. */
@@ -101,7 +102,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
       ...m,
       claim: { ...m.claim, relative: numberOf(m.claim.relative), absolute: numberOf(m.claim.absolute) },
     })),
-    buckets: inOrder(
+    buckets: sort(
       buckets,
       (x, y) =>
         standingRank(x) - standingRank(y) ||
@@ -109,7 +110,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
         extreme(x.simplest.pair) - extreme(y.simplest.pair) ||
         y.count - x.count,
     ),
-    findings: inOrder(
+    findings: sort(
       findings,
       (x, y) => severityRank(x) - severityRank(y) || extreme(x.pair) - extreme(y.pair) || marginOf(y) - marginOf(x),
     ),
@@ -117,7 +118,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
       inDegrees(withLibrary({ ...m, cells: objectsOf(m.cells).map((c) => ({ ...noCounts, ...c })) })),
     ),
     tallies: packed.tallies.map(withLibrary),
-    honesty: packed.honesty.filter((h: Packed) => h.family === null).map(withLibrary),
+    honesty: packed.honesty.map(withLibrary),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
     paths: packed.paths.map(withLibrary),
   };

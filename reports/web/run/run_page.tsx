@@ -10,7 +10,7 @@ import { glossary } from "./glossary.ts";
 import { Maps } from "./maps.tsx";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
-import { Methods, Summary } from "./summary.tsx";
+import { Summary } from "./summary.tsx";
 
 const sections = [
   ["new", "What is new"],
@@ -139,7 +139,6 @@ export function RunPage({ report }: { report: Report }) {
           <Maps report={report} />
           <Calibration report={report} />
           <Stability report={report} />
-          <Methods report={report} />
           <NotInThisRun report={report} />
         </div>
         <Words />

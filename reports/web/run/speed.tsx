@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Speed against accuracy: one mark for each library.
 import * as Plot from "@observablehq/plot";
+import { group, sort } from "d3-array";
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { colours, common, decades, margins, power, tips, type Options } from "../parts/plot.ts";
-import { groupBy, grouped, inOrder, safe, short, time } from "../parts/words.ts";
+import { grouped, safe, short, time } from "../parts/words.ts";
 import type { Report, SpeedPoint } from "./data.ts";
 import { toFindings } from "./findings.tsx";
 import { claimedDigits } from "./report.ts";
@@ -21,7 +22,7 @@ const shownDigits = (p: SpeedPoint) => p.digits_low ?? 0;
 /** Those that no other beats in both: the faster first. */
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
-  for (const p of inOrder(
+  for (const p of sort(
     points.filter((p) => shownDigits(p) > 0),
     (x, y) => x.ns - y.ns || shownDigits(y) - shownDigits(x),
   ))
@@ -32,20 +33,17 @@ export function pareto(points: SpeedPoint[]): SpeedPoint[] {
 const known = (points: SpeedPoint[]) => points.filter((p) => p.digits !== null);
 
 /** Of each library the setting that shows the highest accuracy, and of equal ones the fastest. */
-const bestOfEach = (points: SpeedPoint[]) =>
-  [...groupBy(points, (p) => p.library).values()].map(
-    (of) =>
-      inOrder(of, (x, y) => shownDigits(y) - shownDigits(x) || (y.digits ?? 0) - (x.digits ?? 0) || x.ns - y.ns)[0]!,
-  );
+const bestOfEach = (points: SpeedPoint[]) => {
+  const better = (x: SpeedPoint, y: SpeedPoint) =>
+    shownDigits(y) - shownDigits(x) || (y.digits ?? 0) - (x.digits ?? 0) || x.ns - y.ns;
+  return [...group(points, (p) => p.library).values()].map((of) => sort(of, better)[0]!);
+};
 
-/** Each curve along its settings: by number if all are numbers, else from the least accurate on. */
+/** Each curve from its least accurate setting on. */
 const curvesOf = (points: SpeedPoint[]) =>
-  [...groupBy(points, (p) => p.curve).values()].map((c) => {
-    const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
-    return inOrder(c, (x, y) =>
-      numbers ? Number(x.setting) - Number(y.setting) : shownDigits(x) - shownDigits(y) || x.ns - y.ns,
-    );
-  });
+  [...group(points, (p) => p.curve).values()]
+    .filter((c) => c.length > 1)
+    .map((c) => sort(c, (x, y) => shownDigits(x) - shownDigits(y) || x.ns - y.ns));
 
 const describePoint = (p: SpeedPoint) =>
   [
@@ -64,17 +62,10 @@ const height = 420;
 const marginRight = 100,
   nameHeight = 15;
 
-/** The line of what is reached at each time. */
-const stairsOf = (front: SpeedPoint[]) =>
-  front.flatMap((p, i) => [
-    ...(i === 0 ? [] : [{ ns: p.ns, digits: shownDigits(front[i - 1]!) }]),
-    { ns: p.ns, digits: shownDigits(p) },
-  ]);
-
 /** The points with a height for each name, from the top down, so that no name meets another. */
 function namesOf(points: SpeedPoint[], highest: number) {
   const step = (nameHeight / (height - margins.marginTop - margins.marginBottom)) * highest,
-    ranked = inOrder(points, (x, y) => shownDigits(y) - shownDigits(x) || y.ns - x.ns);
+    ranked = sort(points, (x, y) => shownDigits(y) - shownDigits(x) || y.ns - x.ns);
   let free = highest;
   return ranked.map((p, i) => {
     const at = Math.max((ranked.length - 1 - i) * step, Math.min(free, shownDigits(p)));
@@ -114,10 +105,10 @@ export function speedPlot(all: SpeedPoint[], o: Options, claimed: number[]): Ele
           fill: colours.line,
           fillOpacity: 0.4,
         }),
-        ...curvesOf(points.filter((p) => shownDigits(p) > 0))
-          .filter((c) => c.length > 1)
-          .map((c) => Plot.line(c, { ...shown, stroke: colour(c[0]!), strokeWidth: 0.8 })),
-        Plot.line(stairsOf(front), { x: "ns", y: "digits", stroke: colours.fg, strokeWidth: 2 }),
+        ...curvesOf(points.filter((p) => shownDigits(p) > 0)).map((c) =>
+          Plot.line(c, { ...shown, stroke: colour(c[0]!), strokeWidth: 0.8 }),
+        ),
+        Plot.line(front, { ...shown, curve: "step-after", stroke: colours.fg, strokeWidth: 2 }),
         Plot.link(names, {
           x1: (n) => n.p.ns,
           y1: (n) => shownDigits(n.p),

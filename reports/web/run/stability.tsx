@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The answers of a method along a path of pairs.
 import * as Plot from "@observablehq/plot";
+import { sort } from "d3-array";
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { colours, common, decades, tips, type Options } from "../parts/plot.ts";
-import { grouped, inOrder, safe, short } from "../parts/words.ts";
+import { grouped, safe, short } from "../parts/words.ts";
 import type { PathStability, Report } from "./data.ts";
 import { Table } from "./elements.tsx";
 
@@ -16,7 +17,7 @@ const alongOf = (path: string) =>
       ? "offset of the axes, part of the size"
       : "angle from the special position, radians";
 
-const shapes: Record<string, string> = { disjoint: "circle", intersecting: "square", touching: "diamond2" };
+const shapes: Record<string, string> = { disjoint: "circle", touching: "diamond2", intersecting: "square" };
 
 export function tracePlot({ path, trace = [] }: PathStability, o: Options): Element {
   type Step = (typeof trace)[number];
@@ -30,10 +31,7 @@ export function tracePlot({ path, trace = [] }: PathStability, o: Options): Elem
     within = (powers.filter(reached).length > 2 ? powers : powers.flatMap((v) => [v, 3 * v])).filter(reached),
     skip = Math.max(1, Math.ceil((2 * within.length * 60) / o.width)),
     sides = within.filter((_, i) => (within.length - 1 - i) % skip === 0);
-  const at = {
-    x: "at",
-    y: (t: Step) => (known ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0),
-  };
+  const at = { x: "at", y: known ? "distance" : "verdict" };
   const words = (t: Step) =>
     `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
   const flips = trace
@@ -51,12 +49,7 @@ export function tracePlot({ path, trace = [] }: PathStability, o: Options): Elem
       },
       y: known
         ? { label: "\u2191 distance it returns, a length", grid: true, tickFormat: (v: number) => short(v) }
-        : {
-            label: null,
-            domain: [-1.6, 1.6],
-            ticks: [-1, 1],
-            tickFormat: (v: number) => (v > 0 ? "disjoint" : "intersecting"),
-          },
+        : { label: null, domain: Object.keys(shapes) },
       marks: [
         Plot.ruleX(flips, { x: "at", stroke: colours.soft, strokeDasharray: "3 3" }),
         ...(known
@@ -87,7 +80,7 @@ const noiseOf = (p: PathStability) => p.flips - (p.path.startsWith("touching") ?
 
 export function Stability({ report }: { report: Report }) {
   const paths = useMemo(
-    () => inOrder(report.paths, (x, y) => noiseOf(y) - noiseOf(x) || x.path.localeCompare(y.path)),
+    () => sort(report.paths, (x, y) => noiseOf(y) - noiseOf(x) || x.path.localeCompare(y.path)),
     [report],
   );
   const [path, choose] = useState(() => paths.find((p) => p.trace) ?? paths[0]);

@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The run at a glance: what is new and wrong, what was found, libraries against families; and the methods.
+// The run at a glance: what is new and wrong, what was found, libraries against families.
+import { group } from "d3-array";
 import { Section } from "../parts/elements.tsx";
-import { cellColours, outcomes } from "../parts/plot.ts";
-import { groupBy, grouped, percent, plural, safe, shellQuoted } from "../parts/words.ts";
+import { cellColours, outcomes, type Outcomes } from "../parts/plot.ts";
+import { grouped, percent, plural, safe, shellQuoted } from "../parts/words.ts";
 import type { Report, Tally } from "./data.ts";
-import { ClaimWords, Fact, Legend, Table } from "./elements.tsx";
+import { Fact, Legend } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
 import { isText, kindLabel, sentenceOf } from "./words.ts";
 
-interface Sum {
-  asked: number;
-  declined: number;
-  bad: number; // beyond the claim or failed
-  within: number;
-  undecided: number;
-}
-const labels = { declined: "declined", bad: "beyond claim", within: "within claim", undecided: "undecided" };
-const counts = ["declined", ...outcomes] as const;
+const labels = { bad: "beyond claim or failed", within: "within claim", undecided: "undecided or declined" };
 
-function sumOf(tallies: Tally[]): Sum {
+function sumOf(tallies: Tally[]): Outcomes {
   const total = (count: (t: Tally) => number) => tallies.reduce((n, t) => n + count(t), 0);
   return {
     asked: total((t) => t.asked),
-    declined: total((t) => t.declined),
     bad: total((t) => t.contract + t.failed),
     within: total((t) => t.resolution),
-    undecided: total((t) => t.undecided),
+    undecided: total((t) => t.undecided + t.declined),
   };
 }
 
@@ -37,7 +29,7 @@ function Cell({ library, family, tallies }: { library: string; family: string; t
   const words = [
     `${safe(library)}, ${family}`,
     `asked ${grouped(c.asked)}`,
-    ...counts.filter((k) => c[k] > 0).map((k) => `${labels[k]} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
+    ...outcomes.filter((k) => c[k] > 0).map((k) => `${labels[k]} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
   ].join("\n");
   return (
     <td title={words} style={{ background: fill }}>
@@ -64,7 +56,7 @@ const Heat = ({ report }: { report: Report }) => (
           </tr>
         </thead>
         <tbody>
-          {[...groupBy(report.tallies, (t) => t.library)].map(([library, tallies]) => (
+          {[...group(report.tallies, (t) => t.library)].map(([library, tallies]) => (
             <tr key={library}>
               <th scope="row">{safe(library)}</th>
               {report.families.map(({ name }) => (
@@ -118,30 +110,29 @@ function Answer({ report }: { report: Report }) {
 }
 
 function Facts({ report }: { report: Report }) {
-  const methods = groupBy(report.tallies, (t) => t.method),
+  const methods = group(report.tallies, (t) => t.method),
     asked = report.methods.filter((m) => methods.has(m.name)),
     bad = asked.filter((m) => sumOf(methods.get(m.name)!).bad > 0),
     own = asked.filter((m) => m.own),
     ownBad = bad.filter((m) => m.own).length;
   const { undecided } = sumOf(methods.get("referee") ?? []),
     failing = sumOf(methods.get("corpus") ?? []).bad;
+  const facts: [label: string, value: string, kind: string][] = [
+    ["pairs judged", grouped(report.run.pairs), ""],
+    ["truth undecided", grouped(undecided), undecided > 0 ? "warn" : ""],
+    ["findings", grouped(report.findings_total), ""],
+    ["causes", grouped(report.buckets.filter((b) => b.count > 0).length), ""],
+    ["methods beyond their claim", `${bad.length} of ${asked.length}`, bad.length > 0 ? "bad" : ""],
+    ["of ours", `${ownBad} of ${own.length}`, ownBad > 0 ? "bad" : "ok"],
+    ["known cases now failing", grouped(failing), failing > 0 ? "bad" : ""],
+  ];
   return (
     <dl class="facts">
-      <Fact label="pairs judged">{grouped(report.run.pairs)}</Fact>
-      <Fact label="truth undecided" kind={undecided > 0 ? "warn" : ""}>
-        {grouped(undecided)}
-      </Fact>
-      <Fact label="findings">{grouped(report.findings_total)}</Fact>
-      <Fact label="causes">{grouped(report.buckets.filter((b) => b.count > 0).length)}</Fact>
-      <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
-        {bad.length} of {asked.length}
-      </Fact>
-      <Fact label="of ours" kind={ownBad > 0 ? "bad" : "ok"}>
-        {ownBad} of {own.length}
-      </Fact>
-      <Fact label="known cases now failing" kind={failing > 0 ? "bad" : ""}>
-        {grouped(failing)}
-      </Fact>
+      {facts.map(([label, value, kind]) => (
+        <Fact label={label} kind={kind} key={label}>
+          {value}
+        </Fact>
+      ))}
     </dl>
   );
 }
@@ -162,45 +153,3 @@ export const Summary = ({ report }: { report: Report }) => (
     {report.tallies.length > 0 ? <Heat report={report} /> : <p class="missing">This run asked no method.</p>}
   </Section>
 );
-
-export function Methods({ report }: { report: Report }) {
-  const tallies = groupBy(report.tallies, (t) => t.method);
-  return (
-    <Section
-      id="methods"
-      title="Methods and what they claim"
-      lead={
-        "The claim of a method is the tolerance that its documentation states. An error beyond the claim is a fault. " +
-        "Errors within the claim are counted separately."
-      }>
-      <details>
-        <summary>{plural(report.methods.length, "method")}</summary>
-        <Table
-          kind="methods"
-          of={["method", "version", "n:asked", ...counts.map((k) => `n:${labels[k]}`), "claims to be", "because"]}>
-          {report.methods.map((m) => {
-            const sum = sumOf(tallies.get(m.name) ?? []);
-            return (
-              <tr key={m.name}>
-                <td>{safe(m.name)}</td>
-                <td>{safe(m.version)}</td>
-                <td class="n">
-                  {grouped(sum.asked)} {m.share > 1 && <span class="soft">(1 in {m.share})</span>}
-                </td>
-                {counts.map((k) => (
-                  <td class={`n ${k === "bad" && sum.bad > 0 ? "bad" : ""}`} key={k}>
-                    {grouped(sum[k])}
-                  </td>
-                ))}
-                <td>
-                  <ClaimWords of={m.claim} />
-                </td>
-                <td class="wrap soft">{safe(m.claim.source)}</td>
-              </tr>
-            );
-          })}
-        </Table>
-      </details>
-    </Section>
-  );
-}
