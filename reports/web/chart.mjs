@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plots as files for a paper or a README, in Node: daylight chart runs it, with interface Report on standard input.
+// The plots as files for a paper or a README, in Node: daylight chart runs it, with a page's data on standard input.
 //     node chart.mjs FOLDER < report.json        writes FOLDER/*.svg and names each on standard output
 // The script of the page draws them (chart.ts), as it is built into page_template.html beside this file.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,7 +16,8 @@ export const daylight = globalThis.daylight;
 
 /** The charts of a report with the values of the page's colours, as they are by day. */
 export function charts(report) {
-  const values = new Map([.../:root\{([^}]*)/.exec(template)[1].matchAll(/(--[^:;]+):\s*([^;]+)/g)].map((m) => m.slice(1)));
+  const [, style] = /:root\{([^}]*)/.exec(template),
+    values = new Map([...style.matchAll(/(--[^:;]+):\s*([^;]+)/g)].map(([, name, value]) => [name, value]));
   const painted = (svg) => svg.replace(/var\((--[^)]+)\)/g, (_, name) => values.get(name));
   return new Map([...daylight.charts(report)].map(([name, svg]) => [name, painted(svg)]));
 }

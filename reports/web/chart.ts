@@ -38,13 +38,6 @@ class PlainNode {
   get children() {
     return this.childNodes.filter((n) => n.tagName !== null);
   }
-  get firstChild() {
-    return this.childNodes[0] ?? null;
-  }
-  get nextSibling() {
-    const all = this.parentNode?.childNodes ?? [];
-    return all[all.indexOf(this) + 1] ?? null;
-  }
   set textContent(text: string) {
     this.childNodes = [];
     this.append(text);
@@ -67,9 +60,6 @@ class PlainNode {
   setAttribute(name: string, value: unknown) {
     this.attributes.set(name, String(value));
   }
-  setAttributeNS(_: string, name: string, value: unknown) {
-    this.setAttribute(name, value);
-  }
   removeAttribute(name: string) {
     this.attributes.delete(name);
   }
@@ -83,7 +73,8 @@ class PlainNode {
     return this.insertBefore(node, null);
   }
   append(...nodes: (PlainNode | string)[]) {
-    for (const n of nodes) this.appendChild(typeof n === "string" ? new PlainNode(this.ownerDocument, null, null, n) : n);
+    const textOf = (text: string) => new PlainNode(this.ownerDocument, null, null, text);
+    for (const n of nodes) this.appendChild(typeof n === "string" ? textOf(n) : n);
   }
   remove() {
     const all = this.parentNode?.childNodes;
@@ -147,7 +138,7 @@ export function charts(report: Report): Map<string, string> {
   const heat: Key[] = [
     ...shares.map((name, i) => ({ name, colour: shade("bad", i + 1) })),
     { name: "within the claim", colour: shade("within", 3) },
-    { name: "undecided", colour: shade("undecided", 3) },
+    { name: "undecided or declined", colour: shade("undecided", 3) },
     { name: "none of these", colour: "var(--clean)" },
   ];
   for (const query of Object.keys(questions)) {

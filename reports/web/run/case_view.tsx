@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A pair with its picture, its truth, the certificate, which the reader may edit and have proved again, and the answers.
+// A pair with its picture, its truth, the answers and the certificate, which the reader may edit and have proved again.
 import { group, sort } from "d3-array";
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import type { Answer, Cylinder, Pair, Truth } from "../parts/data.ts";
+import type { Answer, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { prove, type Proof } from "../parts/prove.ts";
 import { full, range, safe } from "../parts/words.ts";
@@ -12,41 +12,6 @@ import { Fact, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { PairView } from "./pair_view.tsx";
 import { formatCoordinate } from "./words.ts";
-
-function Solids({ pair: { a, b } }: { pair: Pair }) {
-  const rows: [string, (s: Cylinder) => readonly number[]][] = [
-    ["centre", (s) => s.center],
-    ["axis", (s) => s.axis],
-    ["radius", (s) => [s.radius]],
-    ["height", (s) => [s.height]],
-    ["rounding", (s) => [s.rounding ?? 0]],
-  ];
-  if (!a.rounding && !b.rounding) rows.pop();
-  return (
-    <table class="plain solids">
-      <tbody>
-        {rows.map(([name, of]) => (
-          <tr key={name}>
-            <th scope="row" title={about(name)}>
-              {name}
-            </th>
-            {[a, b].map((solid, i) => (
-              <td key={i}>
-                <i class={`swatch ${"ab"[i]}`} />
-                {of(solid).map((x) => (
-                  <>
-                    {" "}
-                    <span class="whole">{full(x)}</span>
-                  </>
-                ))}
-              </td>
-            ))}
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
 
 function formatAnswer(a: Answer): string {
   if (a.failed) return `failed: ${a.failed}${a.reason ? `, \u201c${a.reason}\u201d` : ""}`;
@@ -178,9 +143,8 @@ export function CaseView({ shown, method, story }: { shown: Case; method: string
       <div class="case">
         <div>
           <PairView shown={shown} />
-          <Solids pair={shown.pair} />
-          <Copy label="Ask again" text={shown.replay} />
           <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
+          <Copy label="Ask again" text={shown.replay} />
           {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
         </div>
         <div>

@@ -70,7 +70,8 @@ test("new causes come first, then those beyond a claim, then those of ordinary s
   assertSorted(findings, (f) => [f.severity, !isOrdinary(f.pair), -f.margin[0]]);
   const solid = (x, radius) => ({ center: [x, 0, 0], axis: [0, 0, 1], radius, height: 2 * radius });
   const sizes = [[3, 1], [0, 1e4], [0, 1e-5], [1e3, 1], [1e308, 1e308]];
-  assert.deepEqual(sizes.map(([x, r]) => isOrdinary({ a: solid(0, r), b: solid(x, r) })), [true, ...Array(4).fill(false)]);
+  const ordinary = sizes.filter(([x, r]) => isOrdinary({ a: solid(0, r), b: solid(x, r) }));
+  assert.deepEqual(ordinary, [[3, 1]]);
 });
 
 test("a sentence has the largest margin of its cause", () => {
@@ -79,10 +80,10 @@ test("a sentence has the largest margin of its cause", () => {
     const libraries_of_kind = new Set(methods_of_kind.map((name) => name.split("-")[0]));
     return sentenceOf({ ...b, kind, margin, methods_of_kind, libraries_of_kind: [...libraries_of_kind] });
   };
-  assert.equal(of("wrong_disjoint", [1e-9, 0.41]), "ode reports cylinders as disjoint that overlap by up to about 0.41 of their size");
-  assert.match(of("wrong_intersecting", [0, 31], ["ode", "fcl-indep"]), /^2 methods of 2 libraries report .* up to about 31 of/);
+  assert.match(of("wrong_disjoint", [1e-9, 0.41]), /^ode reports .* disjoint that overlap by up to about 0.41 of their/);
+  assert.match(of("wrong_intersecting", [0, 31], ["ode", "fcl-indep"]), /^2 methods of 2 libraries report .* about 31 of/);
   assert.equal(of("wrong_disjoint", [0, 0]), "ode reports cylinders as disjoint that touch");
-  assert.match(of("distance_outside", [0, Infinity], ["ode", "ode-unrefined"]), /^ode \(2 methods\) returns .* more than 1e308/);
+  assert.match(of("distance_outside", [0, Infinity], ["ode", "ode-unrefined"]), /^ode \(2 methods\) .* more than 1e308/);
 });
 
 test("an open end of a distance or a margin is beyond all", () => {
@@ -141,8 +142,8 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
   };
   const files = charts(expand(report));
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
-  assert.match(rects[0], /wrongly reported disjoint 4 \(40 %\), 4 of them within its claim" fill="#68727d"/);
-  assert.match(rects[1], /, 2 of them within its claim\ndeclined 3 \(30 %\)" fill="#8f1612"/);
+  assert.match(rects[0], /wrongly reported disjoint 4 \(40 %\)\nwithin the claim 4" fill="#68727d"/);
+  assert.match(rects[1], /declined 3 \(30 %\)\nwithin the claim 2" fill="#8f1612"/);
   const said = files.get("honesty").match(/wrong \d+ of \d+/g);
   assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
 });

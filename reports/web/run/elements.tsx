@@ -45,9 +45,9 @@ export const Legend = ({ empty }: { empty: string }) => (
       ["var(--clean)", "none of these"],
       ["var(--bg)", empty],
     ].map(([background, words]) => (
-      <>
+      <span class="whole" key={words}>
         <i style={{ background }} /> {words}
-      </>
+      </span>
     ))}
   </p>
 );

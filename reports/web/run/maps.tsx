@@ -21,24 +21,21 @@ function outcomesOf(c: MapCell): Outcomes {
 }
 
 const described = [
-  ["wrong_disjoint", "wrongly reported disjoint", "within_disjoint"],
-  ["wrong_intersecting", "wrongly reported intersecting", "within_intersecting"],
-  ["failed", "failed", null],
-  ["undecided", "undecided", null],
-  ["declined", "declined", null],
+  ["wrong_disjoint", "wrongly reported disjoint"],
+  ["wrong_intersecting", "wrongly reported intersecting"],
+  ["failed", "failed"],
+  ["undecided", "undecided"],
+  ["declined", "declined"],
 ] as const;
 const describeCell = ({ x, y }: FailureMap, c: MapCell) =>
   [
-    `${x.title}: ${x.labels[c.x] ?? c.x}`,
-    `${y.title}: ${y.labels[c.y] ?? c.y}`,
+    `${x.title}: ${x.labels[c.x]}`,
+    `${y.title}: ${y.labels[c.y]}`,
     `asked ${grouped(c.asked)}`,
     ...described
       .filter(([key]) => c[key] > 0)
-      .map(([key, words, claimed]) => {
-        const within = claimed === null ? 0 : c[claimed];
-        const told = within > 0 ? `, ${grouped(within)} of them within its claim` : "";
-        return `${words} ${grouped(c[key])} (${percent(c[key], c.asked)})${told}`;
-      }),
+      .map(([key, words]) => `${words} ${grouped(c[key])} (${percent(c[key], c.asked)})`),
+    `within the claim ${grouped(outcomesOf(c).within)}`,
     ...(c.finding === undefined ? [] : ["click for a case of this cell"]),
   ].join("\n");
 
@@ -90,7 +87,8 @@ const heightOf = (map: FailureMap) => 86 + map.y.labels.length * 17;
 
 export function Maps({ report }: { report: Report }) {
   const methods = useMemo(() => [...new Set(report.maps.map((m) => m.method))], [report]);
-  const [method, choose] = useState(methods[0] ?? "");
+  const failing = report.maps.find((m) => m.cells.some((c) => outcomesOf(c).bad > 0));
+  const [method, choose] = useState(failing?.method ?? methods[0] ?? "");
   const [plane, turn] = useState<string>(planes[0][0]);
   const map = report.maps.find((m) => m.plane === plane && m.method === method);
   const draw = useCallback(

@@ -38,15 +38,12 @@ const Header = ({ report: { run } }: { report: Report }) => (
   </header>
 );
 
-/** Names what a run has no data for, with the commands that add it. */
+/** The commands that add the charts that a run has no data for. */
 function NotInThisRun({ report: { run, maps, honesty, speed, paths } }: { report: Report }) {
-  const missing = Object.entries({ "failure maps": maps, "calibration curves": honesty, times: speed, paths })
-    .filter(([, data]) => data.length === 0)
-    .map(([name]) => name);
-  if (missing.length === 0) return null;
+  if ([maps, honesty, speed, paths].every((data) => data.length > 0)) return null;
   return (
     <p class="missing">
-      This run has no {missing.join(", ")}. To add all:{" "}
+      This run has no data for some charts. These commands add them:{" "}
       <code>
         ./daylight bench --curves --json bench.json && ./daylight chart {shellQuoted(run.folder)} --bench bench.json
         --stability

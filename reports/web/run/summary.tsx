@@ -99,7 +99,6 @@ function Answer({ report }: { report: Report }) {
           <a href={addressOf(b)}>{safe(sentenceOf(b))}</a>.
         </p>
       ))}
-      {named.length > namedFaults && <p class="soft">The table of causes begins with all {named.length}.</p>}
       <p class="soft" title={safe(report.against.join(", "))}>
         {compared
           ? `Compared with ${plural(report.against.length, "earlier run")}.`
