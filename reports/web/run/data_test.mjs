@@ -65,6 +65,7 @@ test("new causes come first, then those beyond a claim, then those of ordinary s
   const packed = sample(),
     standings = ["new", "back", "rare", "known", "gone"];
   packed.buckets.forEach((b, i) => Object.assign(b, { standing: standings[4 - (i % 5)] }));
+  for (const of of [packed.cases[packed.findings[0].case], packed.buckets[0].simplest]) of.pair.a.radius = 1e9;
   const { buckets, findings } = expand(packed);
   assertSorted(buckets, (b) => [standings.indexOf(b.standing), b.severity, !isOrdinary(b.simplest.pair), -b.count]);
   assertSorted(findings, (f) => [f.severity, !isOrdinary(f.pair), -f.margin[0]]);
