@@ -338,7 +338,7 @@ void add_charts(json& report, const RunData& run) {
 }
 
 /// Turns a list of objects into a list for each key, which compresses better. `sparse` has the keys that
-/// some objects lack, with null for these. run/columns.ts and page_data.py reverse this.
+/// some objects lack, with null for these. run/report.ts and page_data.py reverse this.
 json columns_of(const json& objects) {
   std::vector<std::string> keys;  // in the order of first use
   std::map<std::string, std::size_t> uses;

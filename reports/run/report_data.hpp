@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of a run, and what it is given: JSON, interface Report of reports/web/run/data.ts.
+// The page of a run, and what it is given: JSON, as reports/schemas/report_data.json describes it.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plots as files for a paper or a README, in Node: daylight chart runs it, with interface Report on standard input.
+// The plots as files for a paper or a README, in Node: daylight chart runs it, with a page's data on standard input.
 //     node chart.mjs FOLDER < report.json        writes FOLDER/*.svg and names each on standard output
 // The script of the page draws them (chart.ts), as it is built into page_template.html beside this file.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -14,6 +14,14 @@ runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { 
 
 export const daylight = globalThis.daylight;
 
+/** The charts of a report with the values of the page's colours, as they are by day. */
+export function charts(report) {
+  const [, style] = /:root\{([^}]*)/.exec(template),
+    values = new Map([...style.matchAll(/(--[^:;]+):\s*([^;]+)/g)].map(([, name, value]) => [name, value]));
+  const painted = (svg) => svg.replace(/var\((--[^)]+)\)/g, (_, name) => values.get(name));
+  return new Map([...daylight.charts(report)].map(([name, svg]) => [name, painted(svg)]));
+}
+
 if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   const folder = argv[2];
   if (folder === undefined) {
@@ -23,7 +31,7 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   mkdirSync(folder, { recursive: true });
   let text = "";
   for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
-  for (const [name, svg] of daylight.charts(daylight.expand(JSON.parse(text)), daylight.plainDocument())) {
+  for (const [name, svg] of charts(daylight.expand(JSON.parse(text)))) {
     writeFileSync(`${folder}/${name}.svg`, svg);
     console.log(`${folder}/${name}.svg`);
   }

@@ -1,22 +1,96 @@
 // SPDX-License-Identifier: MIT
 // The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
-import { paper, type Options } from "./parts/plot.ts";
+import { colours, shade, type Options } from "./parts/plot.ts";
 import { grouped } from "./parts/words.ts";
-import { familiesPlot } from "./run/families_plot.ts";
-import { mapPlot, onlyHere } from "./run/map_plot.ts";
-import { calibrationPlot } from "./run/margin_plots.ts";
-import { plainDocument } from "./run/plain_document.ts";
-import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
-import { firstOfEach, seriesOf } from "./run/series.ts";
-import { pareto, speedPlot } from "./run/speed_plot.ts";
-import { tracePlot } from "./run/stability_plots.ts";
+import { calibrationPlot, colourOf, firstOfEach } from "./run/calibration.tsx";
+import type { Report } from "./run/data.ts";
+import { mapPlot } from "./run/maps.tsx";
+import { claimedDigits } from "./run/report.ts";
+import { questions, speedPlot } from "./run/speed.tsx";
+import { tracePlot } from "./run/stability.tsx";
 
-export { exact, floorSqrt, prove } from "./parts/prove.ts";
-export { causesOf, filterOf, filtered, isOrdinary, queryOf, rowsOf } from "./run/filter.ts";
-export { glossary } from "./run/glossary.ts";
-export { sentenceOf } from "./run/sentence.ts";
 export { full, shellQuoted } from "./parts/words.ts";
-export { expand, onlyHere, pareto, plainDocument };
+export { exact, floorSqrt, prove } from "./parts/prove.ts";
+export { chosen, rowsOf } from "./run/findings.tsx";
+export { glossary } from "./run/glossary.ts";
+export { expand, isOrdinary } from "./run/report.ts";
+export { pareto } from "./run/speed.tsx";
+export { sentenceOf } from "./run/words.ts";
+
+const escaped = (text: string) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
+
+/** A document to draw plots in where there is no browser: as much of one as Observable Plot asks for, and its text as
+ *  SVG. */
+class PlainNode {
+  parentNode: PlainNode | null = null;
+  childNodes: PlainNode[] = [];
+  attributes = new Map<string, string>();
+  style = {}; // of the whole plot alone, whose own element is not kept
+  /** A name of null is that of a text. */
+  constructor(
+    readonly ownerDocument: object,
+    readonly namespaceURI: string | null,
+    readonly tagName: string | null,
+    private text = "",
+  ) {}
+
+  get children() {
+    return this.childNodes.filter((n) => n.tagName !== null);
+  }
+  set textContent(text: string) {
+    this.childNodes = [];
+    this.append(text);
+  }
+  get outerHTML(): string {
+    if (this.tagName === null) return escaped(this.text);
+    const attributes = [...this.attributes].map(([name, value]) => ` ${name}="${escaped(value)}"`);
+    return `<${this.tagName}${attributes.join("")}>${this.innerHTML}</${this.tagName}>`;
+  }
+  get innerHTML(): string {
+    return this.childNodes.map((n) => n.outerHTML).join("");
+  }
+
+  getAttribute(name: string) {
+    return this.attributes.get(name) ?? null;
+  }
+  hasAttribute(name: string) {
+    return this.attributes.has(name);
+  }
+  setAttribute(name: string, value: unknown) {
+    this.attributes.set(name, String(value));
+  }
+  removeAttribute(name: string) {
+    this.attributes.delete(name);
+  }
+  insertBefore(node: PlainNode, next: PlainNode | null) {
+    node.remove();
+    this.childNodes.splice(next === null ? this.childNodes.length : this.childNodes.indexOf(next), 0, node);
+    node.parentNode = this;
+    return node;
+  }
+  appendChild(node: PlainNode) {
+    return this.insertBefore(node, null);
+  }
+  append(...nodes: (PlainNode | string)[]) {
+    const textOf = (text: string) => new PlainNode(this.ownerDocument, null, null, text);
+    for (const n of nodes) this.appendChild(typeof n === "string" ? textOf(n) : n);
+  }
+  remove() {
+    const all = this.parentNode?.childNodes;
+    all?.splice(all.indexOf(this), 1);
+  }
+}
+
+function plainDocument(): Document {
+  const document: Record<string, unknown> = {
+    createElementNS: (namespace: string, name: string) => new PlainNode(document, namespace, name),
+    createElement: (name: string) => new PlainNode(document, null, name),
+    createTextNode: (text: string) => new PlainNode(document, null, null, text),
+  };
+  document.documentElement = new PlainNode(document, null, "html");
+  return document as unknown as Document;
+}
 
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
@@ -26,9 +100,6 @@ interface Key {
   colour: string;
 }
 
-const escaped = (text: string) =>
-  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
-
 /** A plot in a file of its own: white behind it, a title, and who has which colour below it. */
 function framed(plot: Element, title: string, keys: Key[], notes: string[] = []): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
@@ -37,97 +108,74 @@ function framed(plot: Element, title: string, keys: Key[], notes: string[] = [])
   const head = 26,
     height = h! + head + (rows + notes.length) * 15 + (rows + notes.length > 0 ? 8 : 0);
   const inner = plot.innerHTML.replace(/<style>[^]*?<\/style>/, "");
-  const legend = keys
-    .map(({ name, colour }, i) => {
-      const x = 12 + (i % columns) * 150,
-        y = h! + head + 6 + Math.floor(i / columns) * 15;
-      const square = `<rect x="${x}" y="${y}" width="10" height="10" fill="${colour}"/>`;
-      return `${square}<text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
-    })
-    .join("");
+  const legend = keys.map(({ name, colour }, i) => {
+    const x = 12 + (i % columns) * 150,
+      y = h! + head + 6 + Math.floor(i / columns) * 15;
+    const square = `<rect x="${x}" y="${y}" width="10" height="10" fill="${colour}"/>`;
+    return `${square}<text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
+  });
   const told = notes.map(
-    (note, i) => `<text x="12" y="${h! + head + 12 + 15 * i}" fill="${paper.soft}">${escaped(note)}</text>`,
+    (note, i) => `<text x="12" y="${h! + head + 12 + 15 * i}" fill="${colours.soft}">${escaped(note)}</text>`,
   );
   return (
     `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" ` +
     `xmlns:xlink="http://www.w3.org/1999/xlink" width="${w}" height="${height}" viewBox="0 0 ${w} ${height}" ` +
-    `font-family="sans-serif" font-size="11" fill="${paper.fg}">` +
-    `<rect width="100%" height="100%" fill="${paper.bg}"/><text x="12" y="17" font-size="13" ` +
+    `font-family="sans-serif" font-size="11" fill="${colours.fg}">` +
+    `<rect width="100%" height="100%" fill="${colours.bg}"/><text x="12" y="17" font-size="13" ` +
     `font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" ` +
-    `color="${paper.fg}" fill="currentColor">${inner}</g>${legend}${told.join("")}</svg>\n`
+    `color="${colours.fg}" fill="currentColor">${inner}</g>${legend.join("")}${told.join("")}</svg>\n`
   );
 }
 
 const sure = (name: string) => name.replace(/[^A-Za-z0-9_.-]+/g, "_");
 
-/** The plots that the report has data for, speed of all families and the random ones, maps of a method a library:
- * file name (without ending) and SVG. */
-export function charts(report: FullReport, document: Document): Map<string, string> {
+/** The plots that the report has data for, maps and curves of a method a library: file name (without ending) and SVG,
+ *  whose colours are named as style.css names them. */
+export function charts(report: Report): Map<string, string> {
   const files = new Map<string, string>();
-  const o: Options = { width, theme: paper, document };
-  const series = (methods: string[]): Key[] =>
-    methods.map((method) => ({ name: method, colour: seriesOf(methods, paper).colour({ method }) }));
+  const o: Options = { width, document: plainDocument() };
   const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
   const heat: Key[] = [
-    ...shares.map((name, i) => ({ name, colour: paper.heat[i]! })),
-    { name: "within the claim", colour: paper.within[2]! },
+    ...shares.map((name, i) => ({ name, colour: shade("bad", i + 1) })),
+    { name: "within the claim", colour: shade("within", 3) },
+    { name: "undecided or declined", colour: shade("undecided", 3) },
+    { name: "none of these", colour: "var(--clean)" },
   ];
-
-  const methods = report.methods.map((m) => m.name).filter((name) => report.tallies.some((t) => t.method === name));
-  if (methods.length > 0)
-    files.set(
-      "families",
-      framed(
-        familiesPlot(
-          report.tallies,
-          methods,
-          report.families.map((f) => f.name),
-          o,
+  for (const query of Object.keys(questions)) {
+    const points = report.speed.filter((p) => p.query === query);
+    if (points.some((p) => p.digits !== null))
+      files.set(
+        `speed-${query}`,
+        framed(
+          speedPlot(points, o, claimedDigits(report)),
+          `Speed against accuracy: ${questions[query]}`,
+          [],
+          [
+            "Filled: the accuracy shown with 95 % confidence. Hollow: the accuracy observed. Thin line: settings.",
+            `${grouped(Math.max(...points.map((p) => p.asked)))} pairs at most for each method` +
+              `${report.speed_on ? ` on ${report.speed_on}` : ""}.`,
+          ],
         ),
-        `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,
-        [
-          ...heat,
-          { name: "undecided", colour: paper.unanswered[2]! },
-          { name: "neither", colour: paper.clean },
-        ],
-      ),
-    );
-  for (const query of new Set(report.speed.map((p) => p.query)))
-    for (const family of ["all", "random"]) {
-      const points = report.speed.filter((p) => p.query === query && p.family === family);
-      if (points.length === 0) continue;
-      const name = sure(`${query}-${family}`);
-      if (points.some((p) => p.digits !== null))
-        files.set(
-          `speed-${name}`,
-          framed(
-            speedPlot(points, o, claimedDigits(report)),
-            `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`,
-            [],
-            [
-              "Filled: the accuracy shown with 95 % confidence. Hollow: the accuracy observed. Thin line: settings.",
-              `${grouped(Math.max(...points.map((p) => p.asked)))} pairs at most for each method` +
-                `${report.speed_on ? ` on ${report.speed_on}` : ""}.`,
-            ],
-          ),
-        );
-    }
-  const mapped = firstOfEach(inRunOrder(report, report.maps));
-  for (const map of report.maps.filter((m) => mapped.includes(m.method)))
+      );
+  }
+  const curves = firstOfEach(report.honesty);
+  for (const map of report.maps.filter((m) => curves.some((h) => h.method === m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
       framed(
-        mapPlot(map, "all", { ...o, width: width * 0.7 }),
+        mapPlot(map, { ...o, width: width * 0.7 }),
         `${map.method}: share wrong beyond the claim or failed, else within it`,
-        [...heat, { name: "none wrong", colour: paper.clean }],
+        heat,
       ),
     );
-  const honest = firstOfEach(inRunOrder(report, report.honesty));
-  const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
   if (curves.length > 0)
     files.set(
       "honesty",
-      framed(calibrationPlot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
+      framed(
+        calibrationPlot(curves, o),
+        "Share of wrong answers against margin",
+        curves.map(({ method }) => ({ name: method, colour: colourOf(curves, method) })),
+      ),
     );
   for (const path of report.paths)
     if (path.trace && path.trace.length > 0)

@@ -3,7 +3,6 @@
 import * as forNode from "./chart.ts";
 import { render } from "preact";
 import { safe } from "./parts/words.ts";
-import type { Report } from "./run/data.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
 
@@ -22,7 +21,7 @@ async function draw() {
     return;
   }
   try {
-    const report = expand((await inflated(text).json()) as Report);
+    const report = expand(await inflated(text).json());
     document.title = `daylight ${safe(report.run.id)}`;
     render(<RunPage report={report} />, page);
   } catch (error) {

@@ -51,6 +51,8 @@ function support(s: Solid, n: Vec): Vec {
   return add(core, scale(n, s.rounding));
 }
 
+const finite = (x: Vec | null) => (x?.every(Number.isFinite) ? x : null);
+
 export function drawingOf(c: Shown): Drawing {
   const u = unitOf(c.pair);
   const { a, b } = c.pair;
@@ -71,7 +73,7 @@ export function drawingOf(c: Shown): Drawing {
 
   const certificate = c.truth.direction ?? c.truth.near?.direction;
   const told = c.direction ?? (certificate?.map(coordinateValue) as Vec | undefined) ?? null;
-  let direction = told && told.every(Number.isFinite) ? unit(told) : null;
+  let direction = told && finite(told) && unit(told);
   const delta = sub(drawnB.center, drawnA.center);
   if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
   const certified = c.truth.point ?? c.truth.near?.point,
@@ -87,6 +89,8 @@ export function drawingOf(c: Shown): Drawing {
     : direction
       ? { a: support(drawnA, direction), b: support(drawnB, scale(direction, -1)) }
       : null;
+  const origin: Vec = [0, 0, 0],
+    middle = finite(near && scale(add(near.a, near.b), 0.5)) ?? origin;
 
   // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
   let plane: Vec | null = null;
@@ -95,12 +99,9 @@ export function drawingOf(c: Shown): Drawing {
     const n = dot(normal, delta) < 0 ? scale(normal, -1) : normal;
     const low = dot(n, drawnA.center) + reach(drawnA, n),
       high = dot(n, drawnB.center) - reach(drawnB, n);
-    const middle = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec),
-      from = middle.every(Number.isFinite) ? middle : ([0, 0, 0] as Vec);
-    plane = add(from, scale(n, (low + high) / 2 - dot(n, from)));
+    plane = add(middle, scale(n, (low + high) / 2 - dot(n, middle)));
     direction ??= n;
   }
-  const contact = near ? scale(add(near.a, near.b), 0.5) : (point ?? ([0, 0, 0] as Vec));
   const distance = c.truth.distance;
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
   const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half) + s.rounding;
@@ -109,11 +110,11 @@ export function drawingOf(c: Shown): Drawing {
     b: drawnB,
     unit: u,
     extent: Math.max(ball(drawnA), ball(drawnB), 1e-3),
-    contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
-    near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null,
+    contact: near ? middle : (finite(point) ?? origin),
+    near: near && finite(near.a) && finite(near.b) && near,
     direction,
-    plane: plane?.every(Number.isFinite) ? plane : null,
-    point: point?.every(Number.isFinite) ? point : null,
+    plane: finite(plane),
+    point: finite(point),
     gap: gap !== null && Number.isFinite(gap) ? gap : null,
   };
 }

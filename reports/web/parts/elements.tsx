@@ -26,28 +26,22 @@ export function Section({
 }
 
 export function Copy({ text, label }: { text: string; label: string }) {
-  const [said, say] = useState("");
+  const [said, say] = useState("Copy");
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(text);
-      say("copied");
+      say("Copied");
     } catch {
-      say("select and copy by hand"); // a page from disk may have no clipboard
+      say("Select and copy by hand"); // a page from disk may have no clipboard
     }
-    setTimeout(() => say(""), 2000);
   };
   return (
     <div class="copy">
       <div class="copy-head">
         <span>{label}</span>
-        <span>
-          <span class="soft" role="status">
-            {said}
-          </span>{" "}
-          <button type="button" onClick={copy}>
-            Copy
-          </button>
-        </span>
+        <button type="button" onClick={copy} aria-live="polite">
+          {said}
+        </button>
       </div>
       <code>{text}</code>
     </div>
@@ -79,24 +73,6 @@ export function Select({
   );
 }
 
-/** The width of an element that is shown; 0 before it is. */
-function useWidth<T extends HTMLElement>() {
-  const ref = useRef<T>(null);
-  const [width, set] = useState(0);
-  useEffect(() => {
-    const element = ref.current;
-    if (!element) return;
-    const measure = () => {
-      if (element.clientWidth > 0) set(element.clientWidth);
-    };
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, []);
-  return [ref, width] as const;
-}
-
 /** The margins of a plot leave nothing of less than this. */
 const narrowest = 260;
 
@@ -112,10 +88,15 @@ export function Figure({
   caption?: ComponentChildren;
   label: string;
 }) {
-  const [ref, width] = useWidth<HTMLDivElement>();
+  const ref = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    if (width > 0) ref.current!.replaceChildren(draw(Math.max(narrowest, width)));
-  }, [width, draw]);
+    const place = ref.current!;
+    const observer = new ResizeObserver(() => {
+      if (place.clientWidth > 0) place.replaceChildren(draw(Math.max(narrowest, place.clientWidth)));
+    });
+    observer.observe(place);
+    return () => observer.disconnect();
+  }, [draw]);
   return (
     <figure>
       <div ref={ref} class="plot" role="img" aria-label={label} style={{ minHeight: `${height}px` }} />

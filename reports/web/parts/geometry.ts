@@ -22,16 +22,9 @@ export function unit(v: Vec): Vec {
 
 /** Two unit vectors square to n and to each other. */
 export function squareTo(n: Vec): [Vec, Vec] {
-  const least =
-    Math.abs(n[0]) < Math.abs(n[1])
-      ? Math.abs(n[0]) < Math.abs(n[2])
-        ? 0
-        : 2
-      : Math.abs(n[1]) < Math.abs(n[2])
-        ? 1
-        : 2;
-  const other: Vec = [0, 0, 0];
-  other[least] = 1;
+  const sizes = n.map(Math.abs),
+    least = sizes.indexOf(Math.min(...sizes)),
+    other = [0, 1, 2].map((i) => Number(i === least)) as Vec;
   const u = unit(cross(n, other));
   return [u, cross(n, u)];
 }

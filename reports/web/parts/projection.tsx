@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The drawing of a pair: both solids as lines, with what is known of them.
+import { polygonHull } from "d3-polygon";
 import type { Vec } from "./data.ts";
 import type { Drawing } from "./drawing.ts";
 import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geometry.ts";
@@ -31,24 +32,6 @@ function rim(s: Solid, end: 1 | -1): Vec[] {
   });
 }
 
-/** The convex hull, counter-clockwise (Andrew). */
-function hull(points: Flat[]): Flat[] {
-  const sorted = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
-  const half = (ps: Flat[]) => {
-    const kept: Flat[] = [];
-    for (const p of ps) {
-      while (kept.length > 1) {
-        const [o, q] = [kept[kept.length - 2]!, kept[kept.length - 1]!];
-        if ((q[0] - o[0]) * (p[1] - o[1]) - (q[1] - o[1]) * (p[0] - o[0]) > 0) break;
-        kept.pop();
-      }
-      kept.push(p);
-    }
-    return kept.slice(0, -1);
-  };
-  return [...half(sorted), ...half(sorted.reverse())];
-}
-
 type Flatten = (x: Vec) => Flat;
 
 /** To the unit of the picture: x right, y down. */
@@ -67,32 +50,20 @@ const path = (points: Flat[]) =>
 
 /** Points around each, as far away as the outline of a ball. */
 const swollen = (points: Flat[], by: number): Flat[] =>
-  by === 0
-    ? points
-    : points.flatMap(([x, y]) =>
-        Array.from({ length: 24 }, (_, i): Flat => {
-          const t = (i * Math.PI) / 12;
-          return [x + by * Math.cos(t), y + by * Math.sin(t)];
-        }),
-      );
+  points.flatMap(([x, y]) =>
+    Array.from({ length: by === 0 ? 1 : 24 }, (_, i): Flat => {
+      const t = (i * Math.PI) / 12;
+      return [x + by * Math.cos(t), y + by * Math.sin(t)];
+    }),
+  );
 
-function Outline({
-  of,
-  flat,
-  view,
-  class: name,
-}: {
-  of: Solid;
-  flat: Flatten;
-  view: View;
-  class: string;
-}) {
+function outline(of: Solid, flat: Flatten, view: View, name: string) {
   const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat)),
-    outline = hull(swollen(ends.flat(), of.rounding / view.radius));
+    around = polygonHull(swollen(ends.flat(), of.rounding / view.radius)) ?? [];
   return (
     <g class={name}>
-      <path class="body" d={path(outline)} />
-      {(of.rounding > 0 ? [outline] : ends).map((points, i) => (
+      <path class="body" d={path(around)} />
+      {(of.rounding > 0 ? [around] : ends).map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
       ))}
     </g>
@@ -107,28 +78,22 @@ export function Projection({ drawing: d, close = false, label }: { drawing: Draw
     const [cx, cy] = flat(x);
     return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />;
   };
-  const line = ([x1, y1]: Flat, [x2, y2]: Flat) => <line class="gap" x1={x1} y1={y1} x2={x2} y2={y2} />;
   let trace = null;
   if (d.plane && d.direction) {
     // as the edge that it would show if one looked along it
     const [u, v] = squareTo(d.direction),
       side = 0.75 * d.extent;
-    const corners = [
-      [1, 1],
-      [1, -1],
-      [-1, -1],
-      [-1, 1],
-    ].map(([p, q]) => flat(add(d.plane!, add(scale(u, p! * side), scale(v, q! * side)))));
-    trace = <path class="plane" d={path(corners)} />;
+    const corners = [add(u, v), sub(u, v), scale(add(u, v), -1), sub(v, u)];
+    trace = <path class="plane" d={path(corners.map((c) => flat(add(d.plane!, scale(c, side)))))} />;
   }
   return (
     <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
       {trace}
-      <Outline of={d.a} flat={flat} view={view} class="solid-a" />
-      <Outline of={d.b} flat={flat} view={view} class="solid-b" />
+      {outline(d.a, flat, view, "solid-a")}
+      {outline(d.b, flat, view, "solid-b")}
       {d.near && (
         <>
-          {line(flat(d.near.a), flat(d.near.b))}
+          <path class="gap" d={path([flat(d.near.a), flat(d.near.b)])} />
           {dotAt(d.near.a, "a")}
           {dotAt(d.near.b, "b")}
         </>

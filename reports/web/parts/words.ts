@@ -37,13 +37,6 @@ export function range(of: [number, number] | null | undefined): string {
   return low === high ? low : `${low} to ${high}`;
 }
 
-/** Of least margins: each is proved, and may be larger. */
-export function leastRange(of: [number, number] | null | undefined) {
-  if (!of) return "\u2013";
-  const [low, high] = [short(of[0]), short(of[1])];
-  return low === high ? `at least ${low}` : `${low} up to ${high} or more`;
-}
-
 export function seconds(s: number): string {
   if (s < 120) return `${short(s)} s`;
   if (s < 7200) return `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`;
@@ -56,8 +49,6 @@ export function time(ns: number): string {
   return ns < 1e9 ? `${short(ns / 1e6)} ms` : `${short(ns / 1e9)} s`;
 }
 
-export const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-
 /** Text from anywhere: what reorders or hides the text around it is shown as an escape. */
 export function safe(text: string): string {
   return text.replace(
@@ -65,9 +56,6 @@ export function safe(text: string): string {
     (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"),
   );
 }
-
-/** One line of JSON that hides nothing: the escapes of safe() are those of JSON. */
-export const jsonLine = (data: unknown) => safe(JSON.stringify(data));
 
 const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
 /** The shortest decimal that is this double, in exponent form where it has more than 12 digits and is no size that
@@ -100,17 +88,3 @@ export function shareBounds(k: number, n: number): [number, number] {
     half = (z / (1 + spread)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
   return [Math.max(0, middle - half), Math.min(1, middle + half)];
 }
-
-export function groupBy<T, K>(all: Iterable<T>, keyOf: (x: T) => K): Map<K, T[]> {
-  const groups = new Map<K, T[]>();
-  for (const x of all) {
-    const key = keyOf(x),
-      group = groups.get(key);
-    if (group) group.push(x);
-    else groups.set(key, [x]);
-  }
-  return groups;
-}
-
-/** A sorted copy; equal ones keep their order. */
-export const inOrder = <T>(all: readonly T[], by: (x: T, y: T) => number): T[] => [...all].sort(by);

@@ -1,85 +1,133 @@
 // SPDX-License-Identifier: MIT
-// A pair with its picture, its truth, the certificate and the answers.
+// A pair with its picture, its truth, the answers and the certificate, which the reader may edit and have proved again.
+import { group, sort } from "d3-array";
 import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import type { Answer, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
+import { prove, type Proof } from "../parts/prove.ts";
 import { full, range, safe } from "../parts/words.ts";
-import { Answers } from "./answers.tsx";
-import { Prover } from "./certificate.tsx";
 import type { Case } from "./data.ts";
-import { Fact } from "./elements.tsx";
+import { Fact, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { PairView } from "./pair_view.tsx";
+import { formatCoordinate } from "./words.ts";
 
-/** A vector in brackets, or a number; breaks between numbers, not in them. */
-const Numbers = ({ of }: { of: readonly number[] }) => (
-  <>
-    {of.map((x, i) => (
-      <>
-        {i > 0 && " "}
-        <span class="whole">
-          {of.length > 1 && i === 0 && "("}
-          {full(x)}
-          {of.length > 1 && (i < of.length - 1 ? "," : ")")}
-        </span>
-      </>
-    ))}
-  </>
-);
+function formatAnswer(a: Answer): string {
+  if (a.failed) return `failed: ${a.failed}${a.reason ? `, \u201c${a.reason}\u201d` : ""}`;
+  if (a.declined !== undefined) return `declined${a.declined ? `: ${a.declined}` : ""}`;
+  return [
+    a.verdict ?? "no verdict",
+    ...(a.distance === undefined ? [] : [`distance ${full(a.distance)}`]),
+    ...(a.direction ? [`direction (${a.direction.map(full).join(", ")})`] : []),
+    ...(a.point ? [`point (${a.point.map(formatCoordinate).join(", ")})`] : []),
+  ].join(", ");
+}
 
-type Solid = Case["pair"]["a"];
+const isMeeting = (verdict: string | undefined) => verdict === "intersecting" || verdict === "touching";
+const isWrong = (a: Answer, truth: Truth) =>
+  a.failed !== undefined ||
+  (a.verdict === "disjoint" && isMeeting(truth.verdict)) ||
+  (isMeeting(a.verdict) && truth.verdict === "disjoint");
 
-function Solids({ pair: { a, b } }: { pair: Case["pair"] }) {
-  const rows: [string, (s: Solid) => readonly number[]][] = [
-    ["centre", (s) => s.center],
-    ["axis", (s) => s.axis],
-    ["radius", (s) => [s.radius]],
-    ["height", (s) => [s.height]],
-    ["rounding", (s) => [s.rounding ?? 0]],
-  ];
-  if (!a.rounding && !b.rounding) rows.pop();
+/** The answers, each once: that of `method` first, then the wrong ones, then what most say. */
+function Answers({ shown: { answers, truth }, method }: { shown: Case; method: string }) {
+  const same = group(Object.entries(answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
+  const rows = [...same.values()].map((given) => {
+    const who = given.map(([name]) => name);
+    return { answer: given[0]![1], who, isIts: who.includes(method), wrong: isWrong(given[0]![1], truth) };
+  });
+  const ranked = sort(
+    rows,
+    (x, y) => Number(y.isIts) - Number(x.isIts) || Number(y.wrong) - Number(x.wrong) || y.who.length - x.who.length,
+  );
+  if (rows.length === 0) return null;
   return (
-    <table class="plain solids">
-      <thead>
-        <tr>
-          <td />
-          {["a", "b"].map((name) => (
-            <th scope="col" title={`Solid ${name} of the pair`} key={name}>
-              <i class={`swatch ${name}`} />
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map(([name, of]) => (
-          <tr key={name}>
-            <th scope="row" title={about(name)}>
-              {name}
-            </th>
-            {[a, b].map((solid, i) => (
-              <td key={i}>
-                <Numbers of={of(solid)} />
-              </td>
-            ))}
+    <section>
+      <h3>The answer of each method</h3>
+      <Table kind="answers" of={["answer", "from"]}>
+        {ranked.map(({ answer, who, isIts, wrong }, row) => (
+          <tr key={row} class={isIts ? "its" : ""}>
+            <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(formatAnswer(answer))}</td>
+            <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(who.join(", "))}</td>
           </tr>
         ))}
-      </tbody>
-    </table>
+      </Table>
+    </section>
   );
 }
 
-const stageLabels: Record<string, string> = {
-  filter: "double intervals",
-  wide: "multiple precision",
-  exact: "rationals",
-};
+/** What proves a truth, and why it does. */
+const describeCertificate = (t: Truth): [string, string] =>
+  t.direction
+    ? ["separating direction", "A plane perpendicular to this direction has one solid on each side."]
+    : t.point
+      ? ["common point", "This point lies in both solids."]
+      : t.points
+        ? ["near points", "One is in the core of a, one in that of b, no farther apart than both roundings together."]
+        : [
+            "point near both",
+            "No rational common point is known. This point is within 2^-200 of the size of both, and along the " +
+              "direction no gap or overlap is wider than that.",
+          ];
+
+function Prover({ shown }: { shown: Case }) {
+  const [kind, why] = describeCertificate(shown.truth);
+  const { distance: _, stage: __, ...certificate } = shown.truth,
+    given = JSON.stringify(certificate);
+  const [{ text, proof }, set] = useState<{ text: string; proof: Proof | null }>({ text: given, proof: null });
+  const check = () => {
+    try {
+      set({ text, proof: prove(shown.pair, JSON.parse(text) as Truth) });
+    } catch {
+      set({ text, proof: { holds: false, text: "Refuted: this is not JSON.", steps: [] } });
+    }
+  };
+  return (
+    <section class="prover">
+      <h3>
+        Certificate: <span title={about(kind)}>{kind}</span>
+      </h3>
+      <p>{why}</p>
+      <textarea
+        spellcheck={false}
+        rows={Math.min(6, Math.ceil(text.length / 62))}
+        value={text}
+        aria-label="The certificate; change it to see the proof fail"
+        onInput={(event) => set({ text: event.currentTarget.value, proof: null })}
+      />
+      <p class="tools">
+        <button type="button" class="prove" onClick={check}>
+          Prove again
+        </button>
+        {text !== given && (
+          <button type="button" onClick={() => set({ text: given, proof: null })}>
+            Reset
+          </button>
+        )}
+        <span class="soft">This page checks it in exact integers. Change a digit to see it fail.</span>
+      </p>
+      {proof && (
+        <div
+          class={`proof ${proof.holds === true ? "ok" : proof.holds === false ? "bad" : "warn"}`}
+          role="status"
+          data-holds={String(proof.holds)}>
+          <b>{proof.text}</b>
+          <ul>
+            {proof.steps.map((s) => (
+              <li key={s}>{s}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+    </section>
+  );
+}
 
 /** `method`: the one that is wrong; `story`: what is known of its cause, beside the picture. */
 export function CaseView({ shown, method, story }: { shown: Case; method: string; story?: ComponentChildren }) {
-  const { truth } = shown,
-    stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
+  const { truth } = shown;
   const isProved = Boolean(truth.direction || truth.point || truth.points || truth.near);
-  const proof = isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>;
   const facts = (
     <dl class="facts">
       <Fact label="truth">
@@ -88,37 +136,24 @@ export function CaseView({ shown, method, story }: { shown: Case; method: string
       </Fact>
       <Fact label="signed distance">{range(truth.distance)}</Fact>
       <Fact label="margin">{range(shown.margin)}</Fact>
-      {stage && (
-        <Fact label="settled in">
-          <span title={about(stage)}>{stage}</span>
-        </Fact>
-      )}
     </dl>
   );
-  const answers = <Answers shown={shown} method={method} />;
   return (
     <>
       <div class="case">
         <div>
           <PairView shown={shown} />
-          {story && facts}
-          <Solids pair={shown.pair} />
-          {story && proof}
-          <Copy label="Ask again" text={shown.replay} />
           <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
+          <Copy label="Ask again" text={shown.replay} />
           {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
         </div>
-        <div class="right">
-          {story ?? (
-            <>
-              {facts}
-              {proof}
-              {answers}
-            </>
-          )}
+        <div>
+          {facts}
+          {story}
+          {isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>}
         </div>
       </div>
-      {story && answers}
+      <Answers shown={shown} method={method} />
     </>
   );
 }

@@ -1,53 +1,40 @@
 // SPDX-License-Identifier: MIT
-// One cause with its simplest and its worst case.
+// One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
-import { capital, grouped, jsonLine, leastRange, percent, plural, safe, shellQuoted, short } from "../parts/words.ts";
+import { grouped, plural, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
-import { formatRun } from "./causes.tsx";
-import type { Cause, Finding, Night } from "./data.ts";
-import { ClaimWords, Fact, Heads } from "./elements.tsx";
+import type { Cause, Report } from "./data.ts";
+import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
+import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import type { FullReport } from "./report.ts";
-import { sentenceOf } from "./sentence.ts";
-import { kindLabel, severityLabels, standingLabel } from "./words.ts";
+import { kindLabel, sentenceOf } from "./words.ts";
 
 /** The runs, the last one first. */
-const Nights = ({ nights }: { nights: Night[] }) => (
-  <div class="scroll">
-    <table class="plain nights">
-      <Heads of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]} />
-      <tbody>
-        {[...nights].reverse().map((n) => (
-          <tr key={n.run}>
-            <td>{safe(n.run)}</td>
-            <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
-            <td class="n">{grouped(n.count)}</td>
-            <td class="n">{grouped(n.asked)}</td>
-            <td class="n">
-              {short(n.per_million[0])} ({short(n.per_million[1])} to {short(n.per_million[2])})
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  </div>
+const Nights = ({ b }: { b: Cause }) => (
+  <Table kind="nights" of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]}>
+    {[...b.nights].reverse().map((n) => (
+      <tr key={n.run}>
+        <td>{safe(n.run)}</td>
+        <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
+        <td class="n">{grouped(n.count)}</td>
+        <td class="n">{grouped(n.asked)}</td>
+        <td class="n">
+          {short(n.per_million[0])} ({short(n.per_million[1])} to {short(n.per_million[2])})
+        </td>
+      </tr>
+    ))}
+  </Table>
 );
 
 const day = 86_400_000,
   suppressedDays = 90;
 
-/** One line for suppressions.jsonl; a person fills in the empty fields. */
-function suppressionLine(key: string, started: string): string {
-  const begun = Date.parse(started);
-  const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressedDays * day);
-  const expires = end.toISOString().slice(0, 10);
-  return jsonLine({ bucket: key, reason: "", link: "", owner: "", expires });
-}
-
-function NextSteps({ report, b }: { report: FullReport; b: Cause }) {
+function NextSteps({ report, b }: { report: Report; b: Cause }) {
   const run = shellQuoted(report.run.folder),
-    key = shellQuoted(b.key);
+    key = shellQuoted(b.key),
+    expires = new Date(Date.now() + suppressedDays * day).toISOString().slice(0, 10),
+    suppression = { bucket: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
   return (
     <section class="handling">
       <h3>Next steps</h3>
@@ -56,157 +43,115 @@ function NextSteps({ report, b }: { report: FullReport; b: Cause }) {
         label="For the maintainers: a proof, the text of an issue, and a program or case"
         text={`./daylight export ${run} ${key} --out upstream`}
       />
-      <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
-      <p class="soft">
-        Its pair is in <code>{safe(b.file)}</code>.
-      </p>
+      <Copy label="A line for suppressions.jsonl" text={safe(JSON.stringify(suppression))} />
     </section>
   );
 }
 
+const fromTo = (first: string, last: string) => safe(first === last || last === "" ? first : `${first} to ${last}`);
+
 /** What it is, since when, who shares it, and what to do. */
-function Story({ report, b }: { report: FullReport; b: Cause }) {
+function Story({ report, b }: { report: Report; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
-  const asked = b.nights.at(-1)?.asked;
-  const severity = severityLabels[b.severity] ?? safe(b.severity);
   return (
     <>
       <dl class="facts">
-        <Fact label="severity" kind={b.severity === "contract" ? "bad" : ""}>
-          <span title={about(severity)}>{severity}</span>
+        <Fact label="severity">
+          <Severity of={b.severity} />
         </Fact>
         <Fact label="findings">
-          {grouped(b.count)}
-          {asked !== undefined && (
-            <span class="soft">
-              {" "}
-              on {grouped(b.pairs)} of {plural(asked, "pair")}
-            </span>
-          )}
+          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>{" "}
+          <span class="soft">on {plural(b.pairs, "pair")}</span>
         </Fact>
-        <Fact label="margins">{leastRange(b.margin)}</Fact>
-        {b.share && (
-          <Fact label="failures on similar pairs">
-            {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>
-          </Fact>
-        )}
-        <Fact label="feature">{safe(b.feature)}</Fact>
-        <Fact label="depends on">{safe(b.coordinate)}</Fact>
+        <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
-          <span title={about(b.standing ?? "")}>{standingLabel(b.standing)}</span>
+          <span title={about(b.standing ?? "")}>{b.standing ?? "\u2013"}</span>
         </Fact>
-        <Fact label="seen">
-          {formatRun(b, b.first_seen)}
-          {b.last_seen !== b.first_seen && ` to ${formatRun(b, b.last_seen)}`}
-        </Fact>
-        {b.first_version && (
-          <Fact label="versions">
-            {safe(b.first_version)}
-            {b.last_version !== b.first_version && ` to ${safe(b.last_version)}`}
-          </Fact>
-        )}
+        <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
+        {b.first_version && <Fact label="versions">{fromTo(b.first_version, b.last_version)}</Fact>}
       </dl>
-      {claim && (
-        <p class="soft">
-          {safe(b.method)} claims to be <ClaimWords of={claim} />.
-        </p>
-      )}
-      <p>
-        {capital(safe(b.cause))}. <span class="soft">Methods: {safe(b.methods.join(", "))}.</span>
+      <p class="reason">
+        {safe([b.cause, ...b.labels.filter((l) => l !== b.cause)].join("; "))}.{" "}
+        <span class="soft">
+          Methods: {safe(b.methods.join(", "))}.
+          {claim && (
+            <>
+              {" "}
+              {safe(b.method)} claims to be <ClaimWords of={claim} />.
+            </>
+          )}
+        </span>
       </p>
-      {b.labels.length > 0 && (
-        <p>
-          {b.labels.filter((l) => l !== b.cause).map((l) => (
-            <span class="tag" key={l}>
-              {safe(l)}
-            </span>
-          ))}
-        </p>
-      )}
       {b.suppressed && (
         <p class="warn">
           Suppressed until {safe(b.suppressed.expires)} by {safe(b.suppressed.owner)}: {safe(b.suppressed.reason)} (
           {safe(b.suppressed.link)})
         </p>
       )}
-      {b.nights.length > 0 && <Nights nights={b.nights} />}
+      {b.nights.length > 0 && <Nights b={b} />}
       <NextSteps report={report} b={b} />
     </>
   );
 }
 
-function Examples({ kept, b }: { kept: Finding[]; b: Cause }) {
-  return (
-    <details open={kept.length <= 30}>
-      <summary>
-        {plural(kept.length, "finding")} kept as examples, of {plural(b.families.length, "family", "families")}
-      </summary>
-      <table class="plain">
-        <Heads of={["n:#", "method", "family", "n:margin"]} />
-        <tbody>
-          {kept.slice(0, 300).map((f) => (
-            <tr key={f.id}>
-              <td class="n">
-                <a href={`#/finding/${f.id}`}>{f.id}</a>
-              </td>
-              <td>{safe(f.method)}</td>
-              <td>{safe(kindLabel(f.family))}</td>
-              <td class="n">{short(f.margin?.[0])}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </details>
-  );
-}
-
-export function CauseView({
-  report,
-  cause: b,
-  finding,
-  named,
-}: {
-  report: FullReport;
-  cause: Cause | undefined;
-  finding: Map<number, Finding>;
-  named: string;
-}) {
+export function CauseView({ report, named }: { report: Report; named: string }) {
   const [worst, choose] = useState(false);
+  const b = report.buckets.find(({ key }) => key === named);
   if (!b) return <p class="missing">This page has no cause {safe(named)}.</p>;
-  const shown = worst ? b.worst : b.simplest;
-  const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
   return (
     <>
       <p class="crumbs">
-        <a href="#/findings">Findings</a>
+        <a href="#/findings">Causes and findings</a>
       </p>
       <h2 tabIndex={-1}>{safe(b.key)}</h2>
       <p class="story">{safe(sentenceOf(b))}.</p>
       <div class="tabs" role="tablist">
-        <button type="button" role="tab" aria-selected={!worst} onClick={() => choose(false)}>
-          {b.simplified ? "Simplest" : "As found"}
-        </button>
-        <button type="button" role="tab" aria-selected={worst} onClick={() => choose(true)}>
-          Worst
-        </button>
+        {[b.simplified ? "Simplest" : "As found", "Worst"].map((name, i) => (
+          <button type="button" role="tab" aria-selected={worst === (i > 0)} onClick={() => choose(i > 0)} key={name}>
+            {name}
+          </button>
+        ))}
       </div>
       <CaseView
-        shown={shown}
+        shown={worst ? b.worst : b.simplest}
         method={b.method}
         story={<Story report={report} b={b} />}
         key={worst ? "worst" : "simplest"}
       />
-      {b.merged.length > 0 && (
-        <details>
-          <summary>{plural(b.merged.length, "finer key")} that this cause merges</summary>
-          <ul>
-            {b.merged.map((k) => (
-              <li key={k}>{safe(k)}</li>
-            ))}
-          </ul>
-        </details>
-      )}
-      {kept.length > 0 && <Examples kept={kept} b={b} />}
+    </>
+  );
+}
+
+export function FindingView({ report, named }: { report: Report; named: string }) {
+  const at = report.findings.findIndex(({ id }) => String(id) === named),
+    f = report.findings[at];
+  if (!f) return <p class="missing">This page has no finding {safe(named)}.</p>;
+  const of = report.methods.find((m) => m.name === f.method),
+    beside = [report.findings[at - 1], report.findings[at + 1]] as const;
+  return (
+    <>
+      <p class="crumbs">
+        <a href="#/findings">Causes and findings</a>
+        {f.bucket && <a href={addressOf({ key: f.bucket })}>{safe(f.bucket)}</a>}
+        <span class="beside">
+          {beside[0] && <a href={`#/finding/${beside[0].id}`}>previous</a>}{" "}
+          {beside[1] && <a href={`#/finding/${beside[1].id}`}>next</a>}
+        </span>
+      </p>
+      <h2 tabIndex={-1}>
+        #{f.id} <b>{safe(f.method)}</b> {safe(kindLabel(f.kind))} <Severity of={f.severity} />
+      </h2>
+      <p class="soft">
+        Family {safe(kindLabel(f.family))}.
+        {of && (
+          <>
+            {" "}
+            {safe(`${of.library} ${of.version}`)} claims to be <ClaimWords of={of.claim} />: {safe(of.claim.source)}.
+          </>
+        )}
+        {f.reason && ` The method reports: ${safe(f.reason)}`}
+      </p>
+      <CaseView shown={f} method={f.method} />
     </>
   );
 }

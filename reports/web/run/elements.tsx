@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Elements that several sections of the page of a run use.
 import type { ComponentChildren } from "preact";
-import { screen } from "../parts/plot.ts";
-import { shellQuoted } from "../parts/words.ts";
+import { shade } from "../parts/plot.ts";
 import type { Claim } from "./data.ts";
 import { about } from "./glossary.ts";
-import type { FullReport } from "./report.ts";
-import { claimOrigin, formatClaim } from "./words.ts";
+import { claimOrigin, formatClaim, severityLabels } from "./words.ts";
 
 /** A number of the run or of a case under its name. */
 export const Fact = ({ label, kind = "", children }: { label: string; kind?: string; children: ComponentChildren }) => (
@@ -16,33 +14,52 @@ export const Fact = ({ label, kind = "", children }: { label: string; kind?: str
   </div>
 );
 
-/** The heads of a table; "n:count" of a column of numbers. */
-export const Heads = ({ of }: { of: readonly string[] }) => (
-  <thead>
-    <tr>
-      {of.map((head) => {
-        const label = head.replace(/^n:/, "");
-        return (
-          <th scope="col" class={label === head ? "" : "n"} title={about(label)} key={label}>
-            {label}
-          </th>
-        );
-      })}
-    </tr>
-  </thead>
+/** A table with its heads; "n:count" of a column of numbers. */
+export const Table = ({ of, kind, children }: { of: string[]; kind: string; children: ComponentChildren }) => (
+  <div class="scroll">
+    <table class={`plain ${kind}`}>
+      <thead>
+        <tr>
+          {of.map((head) => {
+            const label = head.replace(/^n:/, "");
+            return (
+              <th scope="col" class={label === head ? "" : "n"} title={about(label)} key={label}>
+                {label}
+              </th>
+            );
+          })}
+        </tr>
+      </thead>
+      <tbody>{children}</tbody>
+    </table>
+  </div>
 );
 
-/** Which shade of a colour stands for which share. In a dark page the larger share is the brighter one. */
-export const ShareLegend = () => (
-  <span class="legend" aria-hidden="true">
-    Share:
-    {["below 1e\u22124", "1e\u22124", "1e\u22123", "0.01", "0.1 and more"].map((words, i) => (
-      <span key={words}>
-        <i style={{ background: screen.heat[i]! }} /> {words}
+/** What the colours of cells stand for: the more of it, the stronger. */
+export const Legend = ({ empty }: { empty: string }) => (
+  <p class="legend" aria-hidden="true">
+    {[
+      [shade("bad", 4), "beyond the claim or failed"],
+      [shade("within", 4), "else within the claim"],
+      [shade("undecided", 4), "else undecided or declined"],
+      ["var(--clean)", "none of these"],
+      ["var(--bg)", empty],
+    ].map(([background, words]) => (
+      <span class="whole" key={words}>
+        <i style={{ background }} /> {words}
       </span>
     ))}
-  </span>
+  </p>
 );
+
+export const Severity = ({ of }: { of: string }) => {
+  const label = severityLabels[of] ?? of;
+  return (
+    <span class={of === "contract" ? "bad" : ""} title={about(label)}>
+      {label}
+    </span>
+  );
+};
 
 /** From where on a method claims to be right, and whether it states so. */
 export const ClaimWords = ({ of }: { of: Claim }) => (
@@ -50,30 +67,3 @@ export const ClaimWords = ({ of }: { of: Claim }) => (
     {formatClaim(of)} <span title={about(claimOrigin(of))}>({claimOrigin(of)})</span>
   </>
 );
-
-/** The commands that add what a run has no data for, in one folded line. */
-export function NotInThisRun({ report }: { report: FullReport }) {
-  const run = shellQuoted(report.run.folder),
-    bench = `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`;
-  const missing = (
-    [
-      [report.maps, "failure maps", `./daylight chart ${run}`],
-      [report.honesty, "calibration curves", `./daylight chart ${run}`],
-      [report.speed, "times", bench],
-      [report.paths, "answers along paths", `./daylight chart ${run} --stability`],
-    ] as const
-  ).filter(([data]) => data.length === 0);
-  if (missing.length === 0) return null;
-  return (
-    <details class="missing">
-      <summary>This run has no {missing.map(([, what]) => what).join(", ")}</summary>
-      <ul>
-        {missing.map(([, what, command]) => (
-          <li key={what}>
-            {what}: <code>{command}</code>
-          </li>
-        ))}
-      </ul>
-    </details>
-  );
-}

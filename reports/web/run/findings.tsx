@@ -1,27 +1,96 @@
 // SPDX-License-Identifier: MIT
-// The causes, and every finding that was kept, filtered by a text and selections.
+// The causes, new ones first, and every finding that was kept. A text and three selections choose among both.
 import { useMemo, useState } from "preact/hooks";
 import { Section, Select } from "../parts/elements.tsx";
 import { grouped, plural, safe, short } from "../parts/words.ts";
-import { Causes, causeAddress } from "./causes.tsx";
-import { Heads } from "./elements.tsx";
-import { causesOf, facets, filtered, filterOf, queryOf, rowsOf, valuesOf } from "./filter.ts";
-import type { Facet, Filter, Row } from "./filter.ts";
-import type { FullReport } from "./report.ts";
-import { kindLabel, severityLabels } from "./words.ts";
+import type { Cause, Finding, Report } from "./data.ts";
+import { Severity, Table } from "./elements.tsx";
+import { about } from "./glossary.ts";
+import { Thumbnail } from "./pair_view.tsx";
+import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
-const facetLabels: Record<Facet, string> = {
-  severity: "Severity",
-  library: "Library",
-  family: "Family",
-  standing: "Since earlier runs",
-};
-const valueLabel = (value: string) => severityLabels[value] ?? kindLabel(safe(value));
+const selections = ["library", "kind", "family"] as const;
+type Selection = (typeof selections)[number];
+/** What is chosen; a part that is missing is all. It stands in the address behind "#/findings?". */
+export type Filter = { [part in Selection | "text"]?: string };
 
-const ofAll = (shown: number, all: number, one: string) =>
-  shown === all ? plural(all, one) : `${grouped(shown)} of ${plural(all, one)}`;
+export const toFindings = (filter: Filter) =>
+  `#/findings?${new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ""))}`;
+export const addressOf = (b: { key: string }) => `#/bucket/${b.key.split("/").map(encodeURIComponent).join("/")}`;
 
-const lead = (report: FullReport) =>
+/** A row, and what of it is compared with a filter. */
+type Choosable<T> = { row: T; text: string } & Record<Selection, string[]>;
+
+const plain = (text: string) => text.toLowerCase().replaceAll("_", " ");
+const causeOf = (b: Cause): Choosable<Cause> => ({
+  row: b,
+  library: b.libraries,
+  kind: [b.kind],
+  family: b.families,
+  text: [b.key, sentenceOf(b), b.cause, b.standing, severityLabels[b.severity], ...b.labels, ...b.methods].join(" "),
+});
+const findingOf = (f: Finding): Choosable<Finding> => ({
+  row: f,
+  library: [f.library],
+  kind: [f.kind],
+  family: [f.family],
+  text: [`#${f.id}`, severityLabels[f.severity], f.kind, f.method, f.family, f.bucket, f.reason, f.note].join(" "),
+});
+export const rowsOf = (report: Report) => ({
+  causes: report.buckets.map(causeOf),
+  findings: report.findings.map(findingOf),
+});
+
+export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
+  all
+    .filter((of) => selections.every((s) => !filter[s] || of[s].includes(filter[s])))
+    .filter(({ text }) => plain(text).includes(plain(filter.text ?? "")))
+    .map(({ row }) => row);
+
+const CauseRow = ({ b }: { b: Cause }) => (
+  <tr class={b.suppressed ? "suppressed" : ""}>
+    <td title={about(b.standing ?? "")}>
+      <b class={b.standing === "new" || b.standing === "back" ? "bad" : ""}>{b.standing ?? "\u2013"}</b>
+    </td>
+    <td class="wrap">
+      <div class="cause">
+        <Thumbnail shown={b.simplest} />
+        <div>
+          <a href={addressOf(b)}>{safe(b.key)}</a>
+          <div>{safe(sentenceOf(b))}.</div>
+          <div class="soft">
+            {safe(b.cause)}
+            {b.suppressed && `; suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
+          </div>
+        </div>
+      </div>
+    </td>
+    <td>
+      <Severity of={b.severity} />
+    </td>
+    <td class="n">{b.margin ? short(b.margin[1]) : "\u2013"}</td>
+    <td class="n">{grouped(b.count)}</td>
+    <td>{safe(b.first_seen)}</td>
+  </tr>
+);
+
+const FindingRow = ({ f }: { f: Finding }) => (
+  <tr>
+    <td class="n">
+      <a href={`#/finding/${f.id}`}>{f.id}</a>
+    </td>
+    <td>
+      <Severity of={f.severity} />
+    </td>
+    <td>{safe(kindLabel(f.kind))}</td>
+    <td>{safe(f.method)}</td>
+    <td>{safe(kindLabel(f.family))}</td>
+    <td class="n">{short(f.margin?.[0])}</td>
+    <td>{f.bucket && <a href={addressOf({ key: f.bucket })}>{safe(f.bucket)}</a>}</td>
+  </tr>
+);
+
+const lead = (report: Report) =>
   `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
   `and each later one that is worse. The margin of a wrong distance is its error over the size (r + h + r + h). The ` +
   `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds. ` +
@@ -29,92 +98,72 @@ const lead = (report: FullReport) =>
 
 const rowsAtFirst = 100;
 
-function FindingsTable({ rows }: { rows: Row[] }) {
+export function Findings({ report, query }: { report: Report; query: string }) {
+  const filter: Filter = Object.fromEntries(new URLSearchParams(query)),
+    set = (part: Filter) => location.replace(toFindings({ ...filter, ...part }));
   const [whole, show] = useState(false);
-  return (
-    <>
-      <div class="scroll">
-        <table class="plain findings">
-          <Heads of={["n:#", "severity", "kind", "method", "family", "n:margin", "cause"]} />
-          <tbody>
-            {rows.slice(0, whole ? rows.length : rowsAtFirst).map(({ f }) => (
-              <tr key={f.id}>
-                <td class="n">
-                  <a href={`#/finding/${f.id}`}>{f.id}</a>
-                </td>
-                <td class={f.severity === "contract" ? "bad" : ""}>{valueLabel(f.severity)}</td>
-                <td>{safe(kindLabel(f.kind))}</td>
-                <td>{safe(f.method)}</td>
-                <td>{safe(kindLabel(f.family))}</td>
-                <td class="n">{short(f.margin?.[0])}</td>
-                <td>{f.bucket && <a href={causeAddress(f.bucket)}>{safe(f.bucket)}</a>}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
-      {!whole && rows.length > rowsAtFirst && (
-        <button type="button" onClick={() => show(true)}>
-          Show all {plural(rows.length, "finding")}
-        </button>
-      )}
-    </>
-  );
-}
-
-export function Findings({
-  report,
-  query,
-  remember,
-}: {
-  report: FullReport;
-  query: URLSearchParams;
-  remember: (query: string) => void;
-}) {
-  const allRows = useMemo(() => rowsOf(report), [report]),
-    allCauses = useMemo(() => causesOf(report), [report]);
-  const filter = filterOf(query),
-    set = (part: Partial<Filter>) => remember(queryOf({ ...filter, ...part }));
-  const rows = useMemo(() => filtered(allRows, filter), [allRows, queryOf(filter)]),
-    causes = useMemo(() => filtered(allCauses, filter), [allCauses, queryOf(filter)]);
-  if (allRows.length + allCauses.length === 0)
+  const all = useMemo(() => rowsOf(report), [report]);
+  const causes = chosen(all.causes, filter),
+    findings = chosen(all.findings, filter);
+  const values = useMemo(() => {
+    const of = (s: Selection) => [...new Set([...all.causes, ...all.findings].flatMap((row) => row[s]))].sort();
+    return { library: of("library"), kind: of("kind"), family: of("family") };
+  }, [all]);
+  const ofAll = (shown: unknown[], rows: unknown[], one: string) =>
+    shown.length === rows.length ? plural(rows.length, one) : `${grouped(shown.length)} of ${plural(rows.length, one)}`;
+  if (all.findings.length + all.causes.length === 0)
     return (
-      <Section id="findings" title="All findings">
+      <Section id="findings" title="Causes and findings">
         <p class="ok">No method was wrong, and none failed.</p>
       </Section>
     );
   return (
-    <Section id="findings" title="All findings" lead={lead(report)}>
+    <Section id="findings" title="Causes and findings">
       <p class="tools filters">
         <input
           type="search"
-          placeholder="Words to find"
+          placeholder="Text to find"
           aria-label="Text of causes and findings"
-          value={filter.text}
+          value={filter.text ?? ""}
           onInput={(event) => set({ text: event.currentTarget.value })}
         />
-        {facets.map((facet) => {
-          const values = [...new Set([...valuesOf(allCauses, facet), ...valuesOf(allRows, facet)])].sort();
-          return values.length === 0 ? null : (
-            <Select
-              label={facetLabels[facet]}
-              value={filter[facet]}
-              onChange={(value) => set({ [facet]: value })}
-              options={[["", "all"], ...values.map((v) => [v, valueLabel(v)] as const)]}
-              key={facet}
-            />
-          );
-        })}
-        <button type="button" disabled={queryOf(filter) === ""} onClick={() => remember("")}>
+        {selections.map((s) => (
+          <Select
+            label={s}
+            value={filter[s] ?? ""}
+            onChange={(value) => set({ [s]: value })}
+            options={["", ...values[s]].map((v) => [v, v ? kindLabel(safe(v)) : "all"])}
+            key={s}
+          />
+        ))}
+        <button type="button" disabled={query === ""} onClick={() => location.replace("#/findings")}>
           Clear
         </button>
         <span role="status">
-          {ofAll(rows.length, allRows.length, "finding")}
-          {allCauses.length > 0 && `, ${ofAll(causes.length, allCauses.length, "cause")}`}
+          {ofAll(findings, all.findings, "finding")}, {ofAll(causes, all.causes, "cause")}
         </span>
       </p>
-      {causes.length > 0 && <Causes causes={causes} />}
-      {rows.length > 0 && <FindingsTable rows={rows} key={queryOf(filter)} />}
+      {causes.length > 0 && (
+        <Table
+          kind="causes"
+          of={["since earlier runs", "cause", "severity", "n:largest margin", "n:findings", "first seen"]}>
+          {causes.map((b) => (
+            <CauseRow b={b} key={b.key} />
+          ))}
+        </Table>
+      )}
+      <h3>Findings</h3>
+      <p class="lead">{lead(report)}</p>
+      <Table kind="findings" of={["n:#", "severity", "kind", "method", "family", "n:margin", "cause"]}>
+        {findings.slice(0, whole ? findings.length : rowsAtFirst).map((f) => (
+          <FindingRow f={f} key={f.id} />
+        ))}
+      </Table>
+      {!whole && findings.length > rowsAtFirst && (
+        <button type="button" onClick={() => show(true)}>
+          Show all {plural(findings.length, "finding")}
+        </button>
+      )}
     </Section>
   );
 }

@@ -25,18 +25,17 @@ export function Thumbnail({ shown }: { shown: Case }) {
 }
 
 export function PairView({ shown }: { shown: Case }) {
-  const trueDrawing = useMemo(() => drawingOf(shown), [shown]);
-  const factor = exaggeration(trueDrawing);
+  const trueDrawing = useMemo(() => drawingOf(shown), [shown]),
+    factor = exaggeration(trueDrawing);
   const [close, zoom] = useState(false);
   const [wide, widen] = useState(factor > widenedAtOnce);
   const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
-  const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half));
-  const ratio = Math.max(...sizes) / Math.min(...sizes);
+  const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half)),
+    ratio = Math.max(...sizes) / Math.min(...sizes);
 
-  const gap = trueDrawing.gap,
-    words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
-  const formatGap = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * trueDrawing.unit)}`;
-  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${formatGap}`;
+  const gap = trueDrawing.gap ?? 0,
+    words = `the ${gap < 0 ? "overlap" : "gap"} of ${short(Math.abs(gap) * trueDrawing.unit)}`;
+  const swatches = { a: true, b: true, "plane between": drawing.plane, "common point": drawing.point };
   return (
     <figure class="pair-view">
       <div class="stage-tools" role="group" aria-label="View">
@@ -48,46 +47,43 @@ export function PairView({ shown }: { shown: Case }) {
         </button>
         {factor > 1 && (
           <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>
-            Widen the {words}
+            Widen the {gap < 0 ? "overlap" : "gap"}
           </button>
         )}
         <span class="swatches">
-          <i class="a" /> a <i class="b" /> b
-          {drawing.plane && (
-            <>
-              <i class="plane" /> plane between
-            </>
-          )}
-          {drawing.point && (
-            <>
-              <i class="point" /> common point
-            </>
+          {Object.entries(swatches).map(
+            ([name, isShown]) =>
+              isShown && (
+                <span key={name}>
+                  <i class={name} /> {name}
+                </span>
+              ),
           )}
         </span>
       </div>
       <div class="stage">
-        <Projection drawing={drawing} close={close} label={label} />
+        <Projection
+          drawing={drawing}
+          close={close}
+          label={`Cylinder a and cylinder b, ${shown.truth.verdict}${trueDrawing.gap === null ? "" : `, ${words}`}`}
+        />
       </div>
       <figcaption>
-        {factor > 1 && wide && (
+        {factor > 1 && wide ? (
           <b class="warn">
-            Not to scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn {short(factor, 2)} times
-            as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact.{" "}
+            Not to scale: {words} is drawn {short(factor, 2)} times as wide, by moving the solids{" "}
+            {gap > 0 ? "apart" : "into each other"} about their contact.
           </b>
+        ) : (
+          `To scale${factor > 1 ? `: ${words} is drawn as it is` : ""}.`
         )}
-        {factor > 1 && !wide && (
-          <>
-            To scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn as it is.{" "}
-          </>
-        )}
-        {factor === 1 && <>To scale. </>}
-        {Number.isFinite(ratio) && ratio > uneven && (
-          <>One solid is {short(ratio, 2)} times as large as the other. The smaller one may be too small to see. </>
-        )}
+        {Number.isFinite(ratio) &&
+          ratio > uneven &&
+          ` One solid is ${short(ratio, 2)} times as large as the other. The smaller one may be too small to see.`}
         {drawing.near &&
-          (gap !== null && gap < 0
-            ? "The dots on a line are approximately the deepest points of each solid in the other."
-            : "The dots on a line are approximately the nearest points.")}
+          (gap < 0
+            ? " The dots on a line are approximately the deepest points of each solid in the other."
+            : " The dots on a line are approximately the nearest points.")}
       </figcaption>
     </figure>
   );

@@ -1,111 +1,132 @@
 // SPDX-License-Identifier: MIT
-// The data of the page, put back to the form of data.ts: every finding with its case.
+// The data of the page, put into the form of data.ts and in order: every finding with its case, every row with its
+// library, the causes and findings that matter first.
+import { sort } from "d3-array";
+import type { Answer, Pair } from "../parts/data.ts";
 import { shellQuoted, short } from "../parts/words.ts";
-import type { Answer, Truth } from "../parts/data.ts";
-import { objectsOf, type Columns } from "./columns.ts";
-import type { Cause, Case, FailureMap, Finding, MapCell } from "./data.ts";
-import type { PackedCase, Report, Standing } from "./data.ts";
-import { library, nameLibraries } from "./words.ts";
+import type { Cause, FailureMap, Finding, Method, Report, SpeedPoint } from "./data.ts";
 
-export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names" | "maps"> {
-  findings: Finding[];
-  maps: FailureMap[];
-  buckets: Cause[];
+/** JSON as it was written; the schema describes it. */
+type Packed = any;
+
+const ownNames = ["intersect", "decide", "distance", "exact"];
+/** The library of a method; of one that the run did not ask, the name up to the first '-'. */
+function libraryOf(methods: Method[]) {
+  const known = new Map(methods.map((m) => [m.name, m.library]));
+  return (method: string) =>
+    known.get(method) ?? (ownNames.includes(method) ? "ours" : method.split("-", 1)[0]!);
 }
 
-type Ends = [number, number];
-/** JSON has no number beyond the doubles: "inf" and "-inf" stand for them. */
-const numberOf = (x: unknown) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : Number(x));
-const endsOf = (ends: Ends): Ends => [numberOf(ends[0]), numberOf(ends[1])];
-const withEnds = <T extends { truth: Truth; margin: Ends | null }>(of: T): T => ({
-  ...of,
-  truth: of.truth.distance ? { ...of.truth, distance: endsOf(of.truth.distance) } : of.truth,
-  margin: of.margin && endsOf(of.margin),
-});
+/** The objects of a list that report_data.cpp packed as columns: a list for each key. In `sparse` null stands for a key
+ *  that an object lacks. */
+function objectsOf(packed: Packed): Packed[] {
+  if (Array.isArray(packed)) return packed;
+  const objects: Packed[] = [];
+  for (const kind of ["full", "sparse"])
+    for (const [key, column] of Object.entries<Packed[]>(packed[kind]))
+      for (const [i, x] of column.entries()) {
+        objects[i] ??= {};
+        if (kind === "full" || x !== null) objects[i][key] = x;
+      }
+  return objects;
+}
 
-function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
-  const { said, ...rest } = withEnds(packed);
+/** JSON has no number beyond the doubles: "inf" and "-inf" stand for them. */
+const numberOf = (x: Packed) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : Number(x));
+function withEnds(of: Packed): Packed {
+  const { truth, margin } = of;
+  return {
+    ...of,
+    ...(truth?.distance && { truth: { ...truth, distance: truth.distance.map(numberOf) } }),
+    margin: margin && margin.map(numberOf),
+  };
+}
+
+/** Each different answer stands once, with who gave it as indices of names. */
+function caseOf({ said, ...rest }: Packed, names: string[]): Packed {
   const answers: Record<string, Answer> = Object.create(null);
   for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
-  return { ...rest, answers };
+  return { ...withEnds(rest), answers };
 }
-
-const noCounts = { wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
 
 /** The bins of the angle: C++ numbers them by the sine near parallel and by the cosine near perpendicular. */
 function inDegrees(map: FailureMap): FailureMap {
   if (map.plane !== "angle-margin") return map;
   const middle = map.x.labels.indexOf("oblique"),
-    degrees = (label: string) => short((Math.asin(Number(label)) * 180) / Math.PI, 2);
+    degrees = (label: string) => `${short((Math.asin(Number(label)) * 180) / Math.PI, 2)}\u00b0`;
   const labels = map.x.labels.map((label, i) =>
-    Number.isNaN(Number(label)) || middle < 0
-      ? label
-      : i < middle
-        ? `${degrees(label)}\u00b0`
-        : `90\u2212${degrees(label)}\u00b0`,
+    Number.isNaN(Number(label)) || middle < 0 ? label : i < middle ? degrees(label) : `90\u2212${degrees(label)}`,
   );
   return { ...map, x: { title: "angle of the axes, from parallel to perpendicular", labels } };
 }
+const noCounts = {
+  ...{ wrong_disjoint: 0, wrong_intersecting: 0, within_disjoint: 0, within_intersecting: 0 },
+  ...{ failed: 0, undecided: 0, declined: 0 },
+};
 
-function findingsOf({ names, run, ...report }: Report): Finding[] {
-  const cases = report.cases.map((packed) => unpack(packed, names));
-  return objectsOf(report.findings).map(({ case: at, ...rest }) => {
-    const of = cases[at]!;
-    return {
-      ...of,
-      ...rest,
-      margin: rest.margin && endsOf(rest.margin),
-      pair_margin: of.margin,
-      replay: `./daylight replay ${shellQuoted(`${run.folder}:${rest.id}`)}`,
-    };
-  });
+/** Of a size that scenes have, and near: shown before what is at the ends of the doubles. */
+export function isOrdinary({ a, b }: Pair) {
+  const size = a.radius + a.height + (a.rounding ?? 0) + b.radius + b.height + (b.rounding ?? 0);
+  return size >= 1e-3 && size <= 1e3 && Math.max(Math.hypot(...a.center), Math.hypot(...b.center)) <= 100 * size;
 }
+const severities = ["contract", "resolution", "unresolved"],
+  standings = ["new", "back", "rare", "known", null, "gone"];
+const severityRank = (of: { severity: string }) => severities.indexOf(of.severity),
+  standingRank = ({ standing }: Cause) => standings.indexOf(standing),
+  extreme = (pair: Pair) => Number(!isOrdinary(pair)),
+  marginOf = (f: Finding) => f.margin?.[0] ?? -1;
 
-export function expand(report: Report): FullReport {
-  const buckets = report.buckets.map((b) => ({
-    ...b,
-    margin: b.margin && endsOf(b.margin),
+export function expand({ cases, names, changes, ...packed }: Packed): Report {
+  const library = libraryOf(packed.methods),
+    librariesOf = (of: string[]) => [...new Set(of.map(library))],
+    withLibrary = (row: Packed) => ({ ...row, library: library(row.method) });
+  const unpacked = cases.map((c: Packed) => caseOf(c, names));
+  const findings: Finding[] = objectsOf(packed.findings).map(({ case: at, ...f }) => ({
+    ...unpacked[at],
+    ...withLibrary(f),
+    margin: f.margin && f.margin.map(numberOf),
+    replay: `./daylight replay ${shellQuoted(`${packed.run.folder}:${f.id}`)}`,
+  }));
+  const buckets: Cause[] = packed.buckets.map((b: Packed) => ({
+    ...withEnds(b),
+    libraries: librariesOf(b.methods),
+    libraries_of_kind: librariesOf(b.methods_of_kind),
     simplest: withEnds(b.simplest),
     worst: withEnds(b.worst ?? b.simplest), // a hang is not searched for a worse one
   }));
-  nameLibraries(report.methods);
-  const methods = report.methods.map((m) => {
-    const { relative, absolute } = m.claim;
-    return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };
-  });
-  const cellsOf = (cells: MapCell[] | Columns) => objectsOf(cells).map((c): MapCell => ({ ...noCounts, ...c }));
   return {
-    ...report,
-    methods,
-    buckets,
-    findings: findingsOf(report),
-    maps: report.maps.map((m) => inDegrees({ ...m, cells: cellsOf(m.cells) })),
+    ...packed,
+    against: changes?.against ?? [],
+    unreadable: packed.unreadable ?? 0,
+    methods: packed.methods.map((m: Packed) => ({
+      ...m,
+      claim: { ...m.claim, relative: numberOf(m.claim.relative), absolute: numberOf(m.claim.absolute) },
+    })),
+    buckets: sort(
+      buckets,
+      (x, y) =>
+        standingRank(x) - standingRank(y) ||
+        severityRank(x) - severityRank(y) ||
+        extreme(x.simplest.pair) - extreme(y.simplest.pair) ||
+        y.count - x.count,
+    ),
+    findings: sort(
+      findings,
+      (x, y) => severityRank(x) - severityRank(y) || extreme(x.pair) - extreme(y.pair) || marginOf(y) - marginOf(x),
+    ),
+    maps: packed.maps.map((m: Packed) =>
+      inDegrees(withLibrary({ ...m, cells: objectsOf(m.cells).map((c) => ({ ...noCounts, ...c })) })),
+    ),
+    tallies: packed.tallies.map(withLibrary),
+    honesty: packed.honesty.map(withLibrary),
+    speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
+    paths: packed.paths.map(withLibrary),
   };
 }
 
-/** How a finding stands against earlier runs: as its cause does. */
-export function standingOf(report: FullReport): (f: Finding) => Standing | null {
-  const ofCause = new Map(report.buckets.map((b) => [b.key, b.standing]));
-  return (f) => (f.bucket === null ? null : (ofCause.get(f.bucket) ?? null));
-}
-
-/** Causes by standing; null if there is no earlier run. */
-export function changesOf({ changes }: FullReport): { counts: [Standing, number][]; against: string[] } | null {
-  if (!changes || changes.against.length === 0) return null;
-  const order: Standing[] = ["new", "back", "rare", "known", "gone"];
-  return { counts: order.map((s) => [s, changes[s]]), against: changes.against };
-}
-
-/** The methods of some rows, each once, in the order of the run; those that it did not ask last. */
-export function inRunOrder(report: Pick<Report, "methods">, rows: { method: string }[]): string[] {
-  const methods = rows.map((row) => row.method),
-    asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
-  return [...new Set([...asked, ...methods])];
-}
-
 /** The accuracies that engines claim as a length, in digits of a size of 1, each library once. */
-export function claimedDigits({ methods }: Pick<Report, "methods">): number[] {
-  const first = methods.filter((m, i) => methods.findIndex((n) => library(n.name) === library(m.name)) === i);
+export function claimedDigits({ methods }: Report): number[] {
+  const first = methods.filter((m, i) => methods.findIndex((n) => n.library === m.library) === i);
   return first
     .filter((m) => !m.own && m.claim.relative === 0 && m.claim.absolute > 0)
     .map((m) => -Math.log10(m.claim.absolute));

@@ -1,45 +1,54 @@
 // SPDX-License-Identifier: MIT
 // The page of a run: an overview in sections, and a view of one cause or finding by the part of the address after '#'.
-import { useEffect, useMemo, useRef } from "preact/hooks";
-import { grouped, safe, seconds } from "../parts/words.ts";
-import { useAddress } from "./address.ts";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { grouped, safe, seconds, shellQuoted } from "../parts/words.ts";
 import { Calibration } from "./calibration.tsx";
-import { CauseView } from "./cause.tsx";
-import { NotInThisRun } from "./elements.tsx";
-import { FindingView } from "./finding.tsx";
+import { CauseView, FindingView } from "./cause.tsx";
+import type { Report } from "./data.ts";
 import { Findings } from "./findings.tsx";
 import { glossary } from "./glossary.ts";
 import { Maps } from "./maps.tsx";
-import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
-import { Methods, Summary } from "./summary.tsx";
+import { Summary } from "./summary.tsx";
 
 const sections = [
   ["new", "What is new"],
-  ["findings", "All findings"],
+  ["findings", "Causes and findings"],
   ["charts", "Charts"],
 ] as const;
 
-function Header({ report: { run } }: { report: FullReport }) {
+const Header = ({ report: { run } }: { report: Report }) => (
+  <header>
+    <h1>
+      <a href="#/new">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
+    </h1>
+    <nav aria-label="Sections">
+      {sections.map(([key, title]) => (
+        <a href={`#/${key}`} key={key}>
+          {title}
+        </a>
+      ))}
+    </nav>
+    <p class="run">
+      <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} · begun{" "}
+      {safe(run.started)} ·{" "}
+      <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
+    </p>
+  </header>
+);
+
+/** The commands that add the charts that a run has no data for. */
+function NotInThisRun({ report: { run, maps, honesty, speed, paths } }: { report: Report }) {
+  if ([maps, honesty, speed, paths].every((data) => data.length > 0)) return null;
   return (
-    <header>
-      <h1>
-        <a href="#/new">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
-      </h1>
-      <nav aria-label="Sections">
-        {sections.map(([key, title]) => (
-          <a href={`#/${key}`} key={key}>
-            {title}
-          </a>
-        ))}
-      </nav>
-      <p class="run">
-        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} · begun{" "}
-        {safe(run.started)} ·{" "}
-        <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
-      </p>
-    </header>
+    <p class="missing">
+      This run has no data for some charts. These commands add them:{" "}
+      <code>
+        ./daylight bench --curves --json bench.json && ./daylight chart {shellQuoted(run.folder)} --bench bench.json
+        --stability
+      </code>
+    </p>
   );
 }
 
@@ -58,71 +67,75 @@ const Words = () => (
   </details>
 );
 
-function Footer({ report: { run } }: { report: FullReport }) {
-  return (
-    <footer class="soft">
-      <p>{safe(run.build)}</p>
-      {run.command && (
-        <p>
-          The same run again: <code>{safe(run.command)}</code>
-        </p>
-      )}
-      <p>One file. It uses no network.</p>
-    </footer>
-  );
+const Footer = ({ report: { run } }: { report: Report }) => (
+  <footer class="soft">
+    <p>{safe(run.build)}</p>
+    {run.command && (
+      <p>
+        The same run again: <code>{safe(run.command)}</code>
+      </p>
+    )}
+    <p>One file. It uses no network.</p>
+  </footer>
+);
+
+/** "#/bucket/a%2Fb/c" names "a/b/c" in the view "bucket". */
+function readHash(hash: string) {
+  const [path = "", query = ""] = hash.replace(/^#\/?/, "").split("?"),
+    [view = "", ...rest] = path.split("/");
+  let named = rest.join("/");
+  try {
+    named = decodeURIComponent(named);
+  } catch {} // as it is
+  return { view, named, query, isDetail: view === "bucket" || view === "finding" };
 }
 
-const isDetail = (hash: string) => /^#\/(bucket|finding)\//.test(hash);
-
-export function RunPage({ report }: { report: FullReport }) {
-  const [{ parts, query, from }, remember] = useAddress();
-  const [view = "", ...rest] = parts,
-    named = rest.join("/"),
-    detail = view === "bucket" || view === "finding";
-  const scrolled = useRef(0); // where the overview was left
-  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
-  const cause = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
-
-  useEffect(() => {
-    const note = () => {
-      if (!isDetail(location.hash)) scrolled.current = scrollY;
+export function RunPage({ report }: { report: Report }) {
+  const [hash, set] = useState(location.hash);
+  const left = useRef<HTMLElement | null>(null); // the link of the overview that led to a cause or finding
+  useLayoutEffect(() => {
+    const changed = ({ oldURL }: HashChangeEvent) => {
+      if (!readHash(new URL(oldURL).hash).isDetail) left.current = document.activeElement as HTMLElement;
+      set(location.hash);
     };
-    addEventListener("scroll", note, { passive: true });
-    return () => removeEventListener("scroll", note);
+    addEventListener("hashchange", changed);
+    return () => removeEventListener("hashchange", changed);
   }, []);
+  const { view, named, query, isDetail } = readHash(hash),
+    overview = useRef(""); // its query, while a cause or finding is shown
+  if (!isDetail) overview.current = query;
+
+  const wasDetail = useRef(false);
   useEffect(() => {
-    if (from === null) return;
-    if (detail) {
+    const isIn = (place: string) => Boolean(document.activeElement?.closest(place));
+    if (isDetail) {
       scrollTo(0, 0);
       document.querySelector<HTMLElement>("main.detail h2")?.focus({ preventScroll: true });
-    } else if (isDetail(from) && view !== "charts") {
-      const left = [...document.querySelectorAll<HTMLElement>("main.overview a")];
-      left.find((a) => a.getAttribute("href") === from)?.focus({ preventScroll: true });
-      scrollTo(0, scrolled.current);
-    } else document.getElementById(view)?.scrollIntoView();
-  }, [parts, from]);
+    } else if (wasDetail.current && !isIn("header")) left.current?.focus();
+    else if (!isIn(".filters")) document.getElementById(view)?.scrollIntoView();
+    wasDetail.current = isDetail;
+  }, [hash]);
 
   return (
     <>
       <Header report={report} />
-      {detail && (
+      {isDetail && (
         <main class="detail">
           {view === "bucket" ? (
-            <CauseView report={report} cause={cause.get(named)} finding={finding} named={named} key={named} />
+            <CauseView report={report} named={named} key={named} />
           ) : (
-            <FindingView report={report} finding={finding.get(Number(named))} named={named} key={named} />
+            <FindingView report={report} named={named} key={named} />
           )}
         </main>
       )}
-      <main class="overview" hidden={detail}>
+      <main class="overview" hidden={isDetail}>
         <Summary report={report} />
-        <Findings report={report} query={query} remember={remember} />
+        <Findings report={report} query={overview.current} />
         <div id="charts">
           <Speed report={report} />
           <Maps report={report} />
           <Calibration report={report} />
           <Stability report={report} />
-          <Methods report={report} />
           <NotInThisRun report={report} />
         </div>
         <Words />

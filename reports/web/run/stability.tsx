@@ -1,66 +1,119 @@
 // SPDX-License-Identifier: MIT
-// Stability under small changes: the cost near touching, and the answers along a path.
+// The answers of a method along a path of pairs.
+import * as Plot from "@observablehq/plot";
+import { sort } from "d3-array";
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
-import { screen } from "../parts/plot.ts";
-import { grouped, inOrder, safe, short } from "../parts/words.ts";
-import { Heads } from "./elements.tsx";
-import type { FullReport } from "./report.ts";
-import { tracePlot } from "./stability_plots.ts";
+import { colours, common, decades, tips, type Options } from "../parts/plot.ts";
+import { grouped, safe, short } from "../parts/words.ts";
+import type { PathStability, Report } from "./data.ts";
+import { Table } from "./elements.tsx";
 
-/** How often the verdict should turn: once where the path goes through touching. */
-const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
+/** What changes along a path, and its unit. */
+const alongOf = (path: string) =>
+  path.startsWith("touching")
+    ? "gap (overlap below 0), part of the size"
+    : path.startsWith("coaxial")
+      ? "offset of the axes, part of the size"
+      : "angle from the special position, radians";
 
-function Paths({ report }: { report: FullReport }) {
+const shapes: Record<string, string> = { disjoint: "circle", touching: "diamond2", intersecting: "square" };
+
+export function tracePlot({ path, trace = [] }: PathStability, o: Options): Element {
+  type Step = (typeof trace)[number];
+  const known = trace.some((t) => t.distance !== null);
+  // Steps go by decades towards 0, and the axis with them.
+  const sizes = trace.map((t) => Math.abs(t.at)),
+    nearest = Math.min(1, ...sizes.filter((v) => v > 0)),
+    farthest = Math.max(nearest, ...sizes);
+  const reached = (v: number) => v >= 0.99 * nearest && v <= 1.01 * farthest,
+    powers = decades([nearest, farthest]),
+    within = (powers.filter(reached).length > 2 ? powers : powers.flatMap((v) => [v, 3 * v])).filter(reached),
+    skip = Math.max(1, Math.ceil((2 * within.length * 60) / o.width)),
+    sides = within.filter((_, i) => (within.length - 1 - i) % skip === 0);
+  const at = { x: "at", y: known ? "distance" : "verdict" };
+  const words = (t: Step) =>
+    `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
+  const flips = trace
+    .slice(1)
+    .flatMap((t, i) => (t.verdict === trace[i]!.verdict ? [] : [{ at: (t.at + trace[i]!.at) / 2 }]));
+  return Plot.plot(
+    common(o, height, {
+      x: {
+        type: "symlog",
+        constant: nearest,
+        label: `${alongOf(path)}, logarithmic on both sides of 0 \u2192`,
+        grid: true,
+        ticks: [...sides.map((v) => -v), 0, ...sides],
+        tickFormat: (v: number) => short(v, 1),
+      },
+      y: known
+        ? { label: "\u2191 distance it returns, a length", grid: true, tickFormat: (v: number) => short(v) }
+        : { label: null, domain: Object.keys(shapes) },
+      marks: [
+        Plot.ruleX(flips, { x: "at", stroke: colours.soft, strokeDasharray: "3 3" }),
+        ...(known
+          ? [
+              Plot.ruleY([0], { stroke: colours.soft }),
+              Plot.line(
+                trace.filter((t) => t.distance !== null),
+                { ...at, stroke: colours.soft, strokeWidth: 0.8 },
+              ),
+            ]
+          : []),
+        Plot.dot(trace, {
+          ...at,
+          fill: (t: Step) => (t.verdict === "touching" ? colours.own : colours.fg),
+          symbol: (t: Step) => shapes[t.verdict] ?? "times",
+          r: 2.6,
+          ariaLabel: words,
+        }),
+        ...tips(trace, o, words, at),
+      ],
+    }),
+  );
+}
+const height = 220;
+
+/** How often the verdict flips beyond what is right: once where the path goes through touching. */
+const noiseOf = (p: PathStability) => p.flips - (p.path.startsWith("touching") ? 1 : 0);
+
+export function Stability({ report }: { report: Report }) {
   const paths = useMemo(
-    () =>
-      inOrder(
-        report.paths,
-        (x, y) =>
-          y.flips - rightFlips(y) - (x.flips - rightFlips(x)) || (x.path < y.path ? -1 : x.path > y.path ? 1 : 0),
-      ),
+    () => sort(report.paths, (x, y) => noiseOf(y) - noiseOf(x) || x.path.localeCompare(y.path)),
     [report],
   );
-  const [at, choose] = useState(() =>
-    Math.max(
-      0,
-      paths.findIndex((p) => p.flips > rightFlips(p) && p.trace),
-    ),
-  );
-  const path = paths[at];
-  const draw = useCallback((width: number) => tracePlot(path!, { width, theme: screen }), [path]);
+  const [path, choose] = useState(() => paths.find((p) => p.trace) ?? paths[0]);
+  const draw = useCallback((width: number) => tracePlot(path!, { width }), [path]);
   if (!path) return null;
   return (
-    <>
-      <h3>Answers along a path</h3>
-      <p class="lead">
-        Pairs along a path, step by step. If the path goes through touching, one flip of the verdict is right. If the
-        gap or overlap stays the same, no flip is right. Each further flip is noise. Jumps of the distance are in sizes,
-        beyond the jump of the true distance. Jumps of the direction count only if the direction is unique.
-      </p>
+    <Section
+      id="stability"
+      title="Stability"
+      lead={
+        "Answers along a path of pairs, step by step. If the path goes through touching, one flip of the verdict is " +
+        "right. If the gap or overlap stays the same, no flip is right. Each further flip is noise. Jumps of the " +
+        "distance are in sizes, beyond the jump of the true distance. Jumps of the direction count only if the " +
+        "direction is unique."
+      }>
       <div class="case">
-        <div class="scroll tall">
-          <table class="plain choose">
-            <Heads of={["path", "method", "n:steps", "n:flips", "n:distance jumps by", "n:direction by"]} />
-            <tbody>
-              {paths.map((p, i) => (
-                <tr key={`${p.path} ${p.method}`} class={i === at ? "at" : ""} onClick={() => choose(i)}>
-                  <td>{safe(p.path)}</td>
-                  <td>
-                    <button type="button" class="link" aria-pressed={i === at}>
-                      {safe(p.method)}
-                    </button>
-                  </td>
-                  <td class="n">{grouped(p.steps)}</td>
-                  <td class={`n ${p.flips > rightFlips(p) ? "bad" : ""}`}>{grouped(p.flips)}</td>
-                  <td class="n">{short(p.distance_jump)}</td>
-                  <td class="n">
-                    {p.direction_jump_degrees === null ? "\u2013" : `${short(p.direction_jump_degrees)}\u00b0`}
-                  </td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+        <div class="tall">
+          <Table kind="choose" of={["path", "method", "n:steps", "n:flips", "n:distance jumps by", "n:direction by"]}>
+            {paths.map((p) => (
+              <tr key={`${p.path} ${p.method}`} class={p === path ? "at" : ""} onClick={() => choose(p)}>
+                <td>{safe(p.path)}</td>
+                <td>
+                  <button type="button" class="link" aria-pressed={p === path}>
+                    {safe(p.method)}
+                  </button>
+                </td>
+                <td class="n">{grouped(p.steps)}</td>
+                <td class={`n ${noiseOf(p) > 0 ? "bad" : ""}`}>{grouped(p.flips)}</td>
+                <td class="n">{short(p.distance_jump)}</td>
+                <td class="n">{short(p.direction_jump_degrees)}</td>
+              </tr>
+            ))}
+          </Table>
         </div>
         <div>
           <h3>
@@ -69,7 +122,7 @@ function Paths({ report }: { report: FullReport }) {
           {path.trace && path.trace.length > 0 ? (
             <Figure
               draw={draw}
-              height={220}
+              height={height}
               label="The answers along the path"
               caption="Round: disjoint; square: intersecting; diamond: touching. Dashed: the verdict flips."
             />
@@ -78,15 +131,6 @@ function Paths({ report }: { report: FullReport }) {
           )}
         </div>
       </div>
-    </>
-  );
-}
-
-export function Stability({ report }: { report: FullReport }) {
-  if (report.paths.length === 0) return null;
-  return (
-    <Section id="stability" title="Stability">
-      <Paths report={report} />
     </Section>
   );
 }

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Names of a run as people read them.
+// Names of a run as people read them, and a cause in one plain sentence.
 import type { Coordinate } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
-import type { Claim, Method } from "./data.ts";
+import type { Case, Cause, Claim } from "./data.ts";
 
-const ownNames = new Set(["intersect", "decide", "distance", "exact"]);
-const libraries = new Map<string, string>();
-/** Names the libraries as the run does. A chart alone has no run: there it is the name up to the first '-'. */
-export function nameLibraries(methods: Method[]) {
-  for (const m of methods) libraries.set(m.name, m.library);
-}
-export const library = (method: string) =>
-  libraries.get(method) ?? (ownNames.has(method) ? "ours" : method.split("-", 1)[0]!);
 /** Whether it is one of the texts that the project began with, and nobody's library. */
-export const isText = (method: string) => method.startsWith("seed");
+export const isText = (library: string) => library.startsWith("seed");
 
 export const kindLabel = (kind: string) => kind.replaceAll("_", " ");
 export const severityLabels: Record<string, string> = {
@@ -21,8 +13,6 @@ export const severityLabels: Record<string, string> = {
   resolution: "within its claim",
   unresolved: "truth undecided",
 };
-
-export const standingLabel = (standing: string | null) => standing ?? "\u2013";
 
 export const claimOrigin = ({ stated }: Claim) => (stated ? "stated" : "assumed by us");
 
@@ -37,4 +27,39 @@ export function formatCoordinate(x: Coordinate): string {
   if (typeof x === "number") return full(x);
   if (typeof x === "string") return x;
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
+}
+
+/** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
+ *  other libraries: the amount may be of any. */
+function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
+  if (methods.length < 2) return [methods[0] ?? method, false];
+  if (libraries.length === 1) return [`${libraries[0]} (${methods.length} methods)`, false];
+  return [`${methods.length} methods of ${libraries.length} libraries`, true];
+}
+
+export function sentenceOf(b: Cause): string {
+  const [who, many] = whoOf(b),
+    s = many ? "" : "s",
+    isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding),
+    solids = isRounded(b.worst) ? "solids" : "cylinders",
+    largest = b.margin?.[1] ?? 0,
+    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
+  switch (b.kind) {
+    case "wrong_intersecting":
+      return `${who} report${s} ${solids} as intersecting that are ${amount}their size apart`;
+    case "wrong_disjoint":
+      return largest === 0
+        ? `${who} report${s} ${solids} as disjoint that touch`
+        : `${who} report${s} ${solids} as disjoint that overlap by ${amount}their size`;
+    case "distance_outside":
+      return `${who} return${s} a distance that is wrong by ${amount}the size`;
+    case "bad_witness":
+      return `${who} offer${s} a witness that does not prove the answer`;
+    case "crash":
+      return `${who} crash${many ? "" : "es"}`;
+    case "hang":
+      return `${who} do${many ? "" : "es"} not return`;
+    default:
+      return `${who}: ${kindLabel(b.kind)}`;
+  }
 }
