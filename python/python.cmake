@@ -31,6 +31,8 @@ if(pybind11_FOUND)
     endif()" COMPONENT python)
   install(TARGETS daylight_python LIBRARY DESTINATION "\${python_folder}" COMPONENT python)
   install(FILES python/daylight.pyi DESTINATION "\${python_folder}/daylight-stubs" RENAME __init__.pyi COMPONENT python)
+  add_custom_target(wheel COMMAND Python::Interpreter ${PROJECT_SOURCE_DIR}/python/wheel.py $<TARGET_FILE:daylight_python>
+                    ${PROJECT_VERSION} ${CMAKE_BINARY_DIR}/python)
   add_test(NAME python_test COMMAND Python::Interpreter ${PROJECT_SOURCE_DIR}/python/module_test.py)
   set_tests_properties(python_test PROPERTIES ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/python" TIMEOUT 480 LABELS library)
 elseif(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
