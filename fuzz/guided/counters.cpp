@@ -45,14 +45,11 @@ double margin_of(const Pair& pair, const Distance& measured) {
   return size > 0 ? std::fabs(measured.value) / size : measured.value == 0 ? 0 : 1;
 }
 
-Stratum stratum_of(const Pair& pair, const AxesAngle& axes, const Vector3& direction, double margin) {
-  return {feature_along(pair, direction), margin_decade(margin), angle_class(axes)};
-}
-
 }  // namespace
 
 Stratum stratum_of(const Pair& pair, const Distance& measured) {
-  return stratum_of(pair, axes_angle(pair), measured.direction, margin_of(pair, measured));
+  return {feature_along(pair, measured.direction), margin_decade(margin_of(pair, measured)),
+          angle_class(axes_angle(pair))};
 }
 
 bool can_occur(const Stratum& s) {
@@ -80,7 +77,7 @@ std::string to_string(const Stratum& s) {
 Stratum count_geometry(const Pair& pair, const Distance& measured) {
   const AxesAngle axes = axes_angle(pair);
   const double margin = margin_of(pair, measured);
-  const Stratum s = stratum_of(pair, axes, measured.direction, margin);
+  const Stratum s = stratum_of(pair, measured);
   if (is_moderate(pair)) {
     extra_counters.strata[index_of(s)] = 1;
     visited().strata[index_of(s)] = 1;

@@ -52,13 +52,6 @@ void set_timer(suseconds_t microseconds) {
   setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
-MethodAnswer failed(Failure failure) {
-  MethodAnswer answer;
-  answer.status = Status::failed;
-  answer.failure = failure;
-  return answer;
-}
-
 MethodAnswer ask_and_return(Method& method, const Pair& pair) {
   MethodAnswer answer;
   const int signal = sigsetjmp(back, 1);
@@ -68,10 +61,10 @@ MethodAnswer ask_and_return(Method& method, const Pair& pair) {
     try {
       answer = method.ask(pair);
     } catch (const std::exception&) {
-      answer = failed(Failure::exception);
+      answer = failed_answer(Failure::exception, "");
     }
   } else {
-    answer = failed(signal == SIGVTALRM ? Failure::hang : Failure::crash);
+    answer = failed_answer(signal == SIGVTALRM ? Failure::hang : Failure::crash, "");
   }
   asking = 0;
   set_timer(0);
@@ -96,11 +89,11 @@ class Xcheck {
   }
 
   /// Call it after the engine has set its own handlers, which signals that come from elsewhere still reach.
-  void catch_signals() {
-    catch_signal(SIGVTALRM);
-    catch_signal(SIGABRT);
-    if (!methods_.front()->guest()) return;
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) catch_signal(signal);
+  Xcheck& catch_signals() {
+    for (const int signal : {SIGVTALRM, SIGABRT}) catch_signal(signal);
+    if (methods_.front()->guest())
+      for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) catch_signal(signal);
+    return *this;
   }
 
   void run(const Pair& pair) {
@@ -172,7 +165,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto pair = cyl::decode_record({data, size});
   if (!pair) return -1;  // newer engines keep no such input
-  static const bool caught = (xcheck().catch_signals(), true);
-  if (caught) xcheck().run(*pair);
+  static cyl::Xcheck& target = xcheck().catch_signals();
+  target.run(*pair);
   return 0;
 }

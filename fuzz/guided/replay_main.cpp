@@ -40,13 +40,9 @@ int main(int argc, char** argv) {
     }
   };
   for (int i = 1; i < argc; ++i) {
-    std::error_code error;
-    if (!std::filesystem::is_directory(argv[i], error)) {
-      attempt(argv[i]);
-      continue;
-    }
-    std::filesystem::directory_iterator entries(argv[i], error);
-    if (error) attempt(argv[i]);
+    std::error_code no_folder;
+    std::filesystem::directory_iterator entries(argv[i], no_folder);
+    if (no_folder) attempt(argv[i]);
     for (const auto& entry : entries) attempt(entry.path());
   }
   std::fprintf(stderr, "%d inputs\n", count);
