@@ -39,6 +39,8 @@ NUMBER = re.compile(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9
 
 def exact(value):
     if isinstance(value, list):
+        if len(value) > 8:
+            raise ValueError('a sum of more than 8 numbers')
         return sum(map(exact, value), Fraction(0))
     if isinstance(value, str) and not NUMBER.fullmatch(value):
         raise ValueError(f'not a number: {value[:40]!r}')
@@ -188,6 +190,8 @@ def touch_at(pair, x, y):
 
 def defect(pair):
     """Why a pair is not valid, in words; None where it is."""
+    if not isinstance(pair, dict):
+        return 'it is no object'
     for side in 'ab':
         solid = pair.get(side)
         if not isinstance(solid, dict):
@@ -207,7 +211,10 @@ def defect(pair):
 
 def is_number(value):
     """Whether the value is a number that a double holds."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(float(value))
+    try:
+        return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(float(value))
+    except OverflowError:
+        return False
 
 
 def nearly_touch(pair, near):
@@ -235,7 +242,10 @@ def fault(pair, answer):
     """What is wrong with an answer and its certificate, in words; None where nothing is."""
     verdict, why = answer.get('verdict'), defect(pair)
     if verdict == 'invalid':
-        return 'the pair is valid' if not why else None if answer.get('error') else 'invalid without an error'
+        known = {'center', 'axis', 'radius', 'height', 'rounding'}
+        if not why and all(set(pair[side]) <= known for side in 'ab'):
+            return 'the pair is valid'
+        return None if answer.get('error') else 'invalid without an error'
     if why:
         return f'the pair is not valid: {why}'
     if verdict not in ('disjoint', 'intersecting', 'touching', 'undecided'):
@@ -253,6 +263,8 @@ def fault(pair, answer):
                 return 'a negative clearance has no distance'
             low, high = map(exact, answer['distance'])
             tolerated = exact(answer['clearance'])
+            if parts - ({'direction'} if verdict == 'disjoint' else set()):
+                return f'a certificate of {sorted(parts)}, which does not prove how deep they overlap'
             if 'direction' in answer and not separates(pair, answer['direction'], tolerated):
                 return 'the direction does not show that the overlap is tolerated'
             agrees = {'disjoint': 0 < low, 'intersecting': high < 0}.get(verdict, verdict == 'undecided')
@@ -335,8 +347,19 @@ def prove(claims):
 
 
 def read(path):
-    with open(path, encoding='utf-8') as file:
-        return [json.loads(line) for line in file if line.strip()]
+    """The values of the lines; the error of one that is not JSON, or that has a key twice."""
+    def once(fields):
+        if len(dict(fields)) < len(fields):
+            raise ValueError('a key twice')
+        return dict(fields)
+
+    def parsed(line):
+        try:
+            return json.loads(line, object_pairs_hook=once)
+        except (ValueError, RecursionError) as error:
+            return f'malformed: {type(error).__name__}'
+    with open(path, encoding='utf-8', errors='replace') as file:
+        return [parsed(line) for line in file if line.strip()]
 
 
 def check(pairs, answers):
@@ -354,9 +377,9 @@ def check(pairs, answers):
             why = f'malformed: {error!r}'
         if why:
             failed += 1
-            print(f'line {number}: {answer.get("verdict") if isinstance(answer, dict) else answer}: {why}')
+            print(ascii(f'line {number}: {answer.get("verdict") if isinstance(answer, dict) else answer}: {why}')[1:-1])
     none = f', {unproved} answers to a negative clearance have none' if unproved else ''
-    print(dict(verdicts), f'{failed} certificates fail{none}')
+    print(ascii(dict(verdicts)), f'{failed} certificates fail{none}')
     return 2 if failed else 0
 
 

@@ -2,7 +2,9 @@
 """The exact checker believes each certificate up to where it holds and none beyond."""
 import contextlib
 import io
+import pathlib
 import sys
+import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
@@ -175,6 +177,23 @@ class Exact(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             exact.check([apart], [{'verdict': 'disjoint', 'distance': [7, 8], 'clearance': -0.1}])
         self.assertIn('1 answers to a negative clearance have none', printed.getvalue())
+
+    def test_files_of_strangers(self):
+        """Each line is judged, none ends the others, and nothing that a stranger wrote reaches the terminal raw."""
+        right = '{"verdict":"invalid","error":"a defect"}'
+        odd = ['[1]', '{"a":1,"a":2}', '{' * 10, '[' * 100000, '{"a":{"radus":1},"b":{}}',
+               '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1%s,"height":1},"b":{}}' % ('0' * 400)]
+        printed = io.StringIO()
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(printed):
+            pairs, answers = pathlib.Path(folder, 'pairs'), pathlib.Path(folder, 'answers')
+            pairs.write_text('\n'.join(odd))
+            answers.write_text('\n'.join([right] * len(odd)))
+            self.assertEqual(exact.check(exact.read(pairs), exact.read(answers)), 0)
+            pairs.write_text('\n'.join(['{"a":1}'] * 3))
+            answers.write_text('{"verdict":"\\u001b[31mred"}\n{"verdict":"\\ud800"}\n[')
+            self.assertEqual(exact.check(exact.read(pairs), exact.read(answers)), 2)
+        self.assertIn('3 certificates fail', printed.getvalue())
+        self.assertTrue(printed.getvalue().isascii() and '\x1b' not in printed.getvalue())
 
     def test_what_was_said(self):
         apart = pair(UP, (4, 0, 0))

@@ -87,6 +87,23 @@ void check_counts(const SqliteFile& file) {
   }
 }
 
+/// Refuses JSON that is nested so deep that reading it would use up the stack. Ours is 5 deep.
+std::vector<FindingRecord> without_deep_texts(const SqliteFile& file, std::vector<FindingRecord> findings) {
+  constexpr int depth_cap = 100;
+  for (const FindingRecord& f : findings)
+    for (const std::string* text : {&f.pair, &f.answers, &f.truth}) {
+      int depth = 0;
+      for (const char c : *text) {
+        depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+        if (depth > depth_cap)
+          throw InputError(
+              fmt::format("{}: finding {} has JSON that is nested more than {} deep: it is forged",
+                          file.name(), f.id, depth_cap));
+      }
+    }
+  return findings;
+}
+
 /// Adds the counts of a batch to the stored counts.
 void add_cells(SqliteFile& file, const std::vector<CellRecord>& cells) {
   Query stored = file.query("SELECT * FROM cell WHERE plane=? AND x=? AND y=?");
@@ -213,7 +230,9 @@ std::vector<GroupRecord> RunStore::groups() const {
   return file_->all<GroupRecord>("method, kind, severity, family");
 }
 
-std::vector<FindingRecord> RunStore::findings() const { return file_->all<FindingRecord>("id"); }
+std::vector<FindingRecord> RunStore::findings() const {
+  return without_deep_texts(*file_, file_->all<FindingRecord>("id"));
+}
 
 std::vector<FindingHead> RunStore::finding_heads() const {
   return file_->rows<FindingHead>("SELECT id, method, kind, severity, family FROM wrong_answer");
@@ -222,7 +241,8 @@ std::vector<FindingHead> RunStore::finding_heads() const {
 std::vector<CellRecord> RunStore::cells() const { return file_->all<CellRecord>("plane, x, y"); }
 
 std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
-  const auto found = file_->rows<FindingRecord>("SELECT * FROM finding WHERE id=?", id);
+  const auto found =
+      without_deep_texts(*file_, file_->rows<FindingRecord>("SELECT * FROM finding WHERE id=?", id));
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 

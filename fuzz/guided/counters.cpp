@@ -74,7 +74,7 @@ std::string to_string(const Stratum& s) {
   return std::string(to_string(s.feature)) + ' ' + to_string(*s.angle) + " 1e-" + std::to_string(s.decade);
 }
 
-Stratum count_geometry(const Pair& pair, const Distance& measured) {
+Stratum count_geometry(const Pair& pair, const Distance& measured, bool finely) {
   const AxesAngle axes = axes_angle(pair);
   const double margin = margin_of(pair, measured);
   const Stratum s = stratum_of(pair, measured);
@@ -82,6 +82,7 @@ Stratum count_geometry(const Pair& pair, const Distance& measured) {
     extra_counters.strata[index_of(s)] = 1;
     visited().strata[index_of(s)] = 1;
   }
+  if (!finely) return s;
   count_exponent(extra_counters.margins[measured.value > 0][static_cast<std::size_t>(s.feature)], margin);
   extra_counters.sines[axes.parallel ? margin_decade_count : margin_decade(axes.sine)] = 1;
   extra_counters.cosines[axes.right ? margin_decade_count : margin_decade(axes.cosine)] = 1;

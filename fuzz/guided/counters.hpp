@@ -36,9 +36,9 @@ inline constexpr double moderate_factor = 1e4;
 /// one of them is huge.
 bool is_moderate(const Pair& pair);
 
-/// Counts the stratum of a moderate pair. For any pair it counts the features with the signed binary exponent
-/// of the margin, and the decade of the axes' angle. Returns the stratum.
-Stratum count_geometry(const Pair& pair, const Distance& measured);
+/// Counts the stratum of a moderate pair, and returns it. If `finely`, it also counts the features with the
+/// signed binary exponent of the margin, and the decade of the axes' angle.
+Stratum count_geometry(const Pair& pair, const Distance& measured, bool finely);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);

@@ -22,7 +22,7 @@ RandomStream draws_of(const Pair& pair) {
 }  // namespace
 
 FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-                     const Distance* measured)
+                     const Distance* measured, bool finely)
     : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
   trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
   count_execution();
@@ -30,7 +30,7 @@ FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bo
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = judge(trial_.pair, offered, wide_bits_cap);
   measured_ = measured ? *measured : distance(trial_.pair.a, trial_.pair.b);
-  const Stratum stratum = count_geometry(trial_.pair, measured_);
+  const Stratum stratum = count_geometry(trial_.pair, measured_, finely);
   count_stage(trial_.truth);
   if (trial_.truth.verdict == Verdict::undecided) sink_.add_undecided(trial_.pair, stratum);
   enclose_ = drawn(enclosed_share);

@@ -27,9 +27,9 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class FuzzJudge {
  public:
   /// Judges in double with the returned witnesses, and beyond double if `must` or by a random share. Counts
-  /// the geometry. `measured`: the distance of the pair, if the caller has it.
+  /// the geometry (`finely`: counters.hpp). `measured`: the distance of the pair, if the caller has it.
   FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-            const Distance* measured = nullptr);
+            const Distance* measured = nullptr, bool finely = true);
   FuzzJudge(const FuzzJudge&) = delete;
   FuzzJudge& operator=(const FuzzJudge&) = delete;
 

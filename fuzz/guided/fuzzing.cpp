@@ -118,7 +118,8 @@ class Run {
          {fmt::format("-fork={}", options_.jobs), fmt::format("-seed={}", seed),
           std::string("-ignore_crashes=1"), std::string("-ignore_timeouts=1"), std::string("-ignore_ooms=1"),
           std::string("-len_control=0"), std::string("-reduce_inputs=0"), std::string("-print_pcs=0"),
-          std::string("-entropic=0")})
+          // Tries the rare branches of a plug-in more often. Strata are to get equal shares.
+          fmt::format("-entropic={}", options_.plugin.empty() ? 0 : 1)})
       arguments.push_back(flag);
     const auto engine = start(arguments, log);
     const auto begin = Clock::now();

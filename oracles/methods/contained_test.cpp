@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
 #include <csignal>
@@ -155,6 +156,39 @@ TEST(Contained, WhatIsAskedWhenTheTimeRunsOutIsDeclined) {
   const std::vector<Question> questions(3, Question{0, 0});
   for (const auto& said : ask_contained(methods, numbered_pairs(1), questions, caps))
     EXPECT_EQ(said.answer.status, Status::declined);
+}
+
+/// Right if it is asked about one pair.
+class FaultOfMany final : public FakeMethod {
+ public:
+  explicit FaultOfMany(std::function<void()> fault)
+      : FakeMethod("many", [](const Pair&) { return answered(Verdict::disjoint); }),
+        fault_(std::move(fault)) {}
+  bool has_batch_call() const override { return true; }
+  std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
+    fault_();
+    return FakeMethod::ask_many(pairs, answers);
+  }
+
+ private:
+  std::function<void()> fault_;
+};
+
+TEST(Contained, AFaultOfTheCallForManyIsAFindingThoughNoSingleCallHasIt) {
+  const std::pair<std::function<void()>, Failure> faults[] = {
+      {[] { throw std::runtime_error("lane"); }, Failure::exception}, {[] { std::abort(); }, Failure::crash}};
+  for (const auto& [fault, failure] : faults) {
+    std::vector<std::unique_ptr<Method>> methods;
+    methods.push_back(std::make_unique<FaultOfMany>(fault));
+    std::vector<Question> questions;
+    for (std::size_t i = 0; i < 8; ++i) questions.push_back({0, i});
+    const auto said = ask_contained(methods, numbered_pairs(8), questions, {});
+    EXPECT_EQ(std::ranges::count(said, failure, [](const auto& each) { return each.answer.failure; }), 1);
+    const auto at = std::ranges::find(said, failure, [](const auto& each) { return each.answer.failure; });
+    ASSERT_NE(at, said.end());
+    EXPECT_TRUE(std::string(at->answer.reason).starts_with("in one call for many pairs: "))
+        << at->answer.reason;
+  }
 }
 
 TEST(Contained, LongSleepIsAHang) {

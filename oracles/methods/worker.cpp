@@ -248,8 +248,17 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
   // After a loss in one call for many, the question at fault is not known. The next block goes one by one.
   const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&
                            methods_[questions[said.size()].method]->has_batch_call();
+  const auto failed = [](const ContainedAnswer& each) { return each.answer.status == Status::failed; };
+  if (lost_in_one_call_ && !watched.lost && !said.empty() && std::ranges::none_of(said, failed))
+    said.front() = *lost_in_one_call_;
+  lost_in_one_call_.reset();
   one_by_one_ = in_one_call;
-  if (in_one_call) process_.reset();
+  if (in_one_call) {
+    lost_in_one_call_ = describe_loss(watched);
+    lost_in_one_call_->answer.set_reason("in one call for many pairs: " +
+                                         std::string(lost_in_one_call_->answer.reason));
+    process_.reset();
+  }
   if (watched.lost && !in_one_call) {
     // A call may end just before the kill meant for it. Then no call is at fault.
     const bool blamed = watched.limit.empty() || watched.at == said.size() || said.empty();

@@ -37,7 +37,8 @@ class Worker {
   std::span<const std::unique_ptr<Method>> methods_;
   const bool confined_;
   const Caps caps_;
-  bool one_by_one_ = false;  ///< after a loss in a call about many pairs
+  bool one_by_one_ = false;                          ///< after a loss in a call about many pairs
+  std::optional<ContainedAnswer> lost_in_one_call_;  ///< that loss, if no single call has it
   std::unique_ptr<Memory> memory_;
   std::unique_ptr<Process> process_;
 };

@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <exception>
+#include <string>
 #include <vector>
 
 #include "base/process/confine.hpp"
@@ -114,13 +116,16 @@ class Service {
       const Question& q = asked_.questions[first];
       std::size_t end = first + 1;
       while (end < asked_.count && asked_.questions[end].method == q.method &&
-             asked_.questions[end].run == q.run)
+             asked_.questions[end].run == q.run && asked_.questions[end].mode == q.mode)
         ++end;
       // To read the CPU clock takes a system call, to read the other clock takes none.
       const clockid_t clock = end - first > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
       const nanoseconds start = read_clock(clock);
-      if (!answer_many(first, end))
+      fault_of_many_ = {};
+      if (!answer_many(first, end)) {
         for (std::size_t i = first; i < end; said_.cursor.store(++i)) answer(i);
+        blame_one_call(first, end);
+      }
       said_.cursor.store(end);
       const double each =
           static_cast<double>((read_clock(clock) - start).count()) / static_cast<double>(end - first);
@@ -133,6 +138,21 @@ class Service {
     }
   }
 
+  /// A fault of the call for many pairs that no single call shows goes to the first of them.
+  void blame_one_call(std::size_t first, std::size_t end) {
+    if (fault_of_many_.status != Status::failed && fault_of_many_.side_effect == SideEffect::none) return;
+    for (std::size_t i = first; i < end; ++i) {
+      const MethodAnswer& single = said_.answers[i].answer;
+      if (single.status == Status::failed || single.side_effect != SideEffect::none) return;
+    }
+    MethodAnswer& blamed = said_.answers[first].answer;
+    const std::string reason = "in one call for many pairs: " + std::string(fault_of_many_.reason);
+    if (fault_of_many_.status == Status::failed)
+      blamed = failed_answer(fault_of_many_.failure, reason);
+    else
+      blamed.note(fault_of_many_.side_effect, reason);
+  }
+
   /// Asks in one call. Returns whether that was possible and without side effects. The question that causes
   /// a side effect would not be known.
   bool answer_many(std::size_t first, std::size_t end) {
@@ -143,12 +163,19 @@ class Service {
     answers_.assign(pairs.size(), {});
     try {
       if (method.ask_many(pairs, answers_) != pairs.size()) return false;
+    } catch (const std::exception& error) {
+      fault_of_many_ = failed_answer(Failure::exception, error.what());
+      return false;
     } catch (...) {
+      fault_of_many_ = failed_answer(Failure::exception, "not a std::exception");
       return false;
     }
-    bool quiet = read_control_words() == words_;
+    const ControlWords left = read_control_words();
+    if (left != words_) fault_of_many_.note(SideEffect::rounding_mode, describe_change(words_, left));
     write_control_words(words_);
-    for (const MethodAnswer& answer : answers_) quiet = quiet && answer.side_effect == SideEffect::none;
+    for (const MethodAnswer& answer : answers_)
+      if (answer.side_effect != SideEffect::none) fault_of_many_.note(answer.side_effect, answer.reason);
+    const bool quiet = fault_of_many_.side_effect == SideEffect::none;
     for (std::size_t i = first; i < end && quiet; ++i) said_.answers[i].answer = checked(answers_[i - first]);
     return quiet;
   }
@@ -171,6 +198,7 @@ class Service {
   nlink_t threads_;
   std::vector<bool> ready_;  ///< by method
   std::vector<MethodAnswer> answers_;
+  MethodAnswer fault_of_many_;  ///< of the last call for many pairs: a failure or a side effect
 };
 
 }  // namespace

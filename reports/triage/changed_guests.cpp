@@ -51,16 +51,20 @@ std::vector<DrawnFamily> families_of(const RunStore& run, const std::string& met
 
 // A run keeps the first findings of a group only. If it kept all of a family, each other pair that is wrong
 // now was right. If it did not, and w pairs of the family were wrong, but more than w are now, then the rest
-// was right.
+// was right. If all pairs that it kept are right now, what is wrong now has another reason.
 void ask(const TriageContext& context, std::size_t method, const RunStore& run, const DrawnFamily& drawn,
          double part, ChangedGuest& guest, Asker& asker) {
   const auto seed = number_in<std::uint64_t>(value_of(run.config(), "seed"));
   const bool all_known = drawn.known_wrong.size() == drawn.wrong;
   const std::uint64_t end = std::min(drawn.asked, redrawn_cap);
-  if (!seed || (!all_known && end < drawn.asked)) return;
+  if (!seed || (!all_known && end < drawn.asked)) {
+    guest.skipped += end;
+    return;
+  }
   const Claim claim = context.methods[method]->claim();
   std::map<std::string, NewFault> faults;
   std::uint64_t asked = 0, wrong_now = 0;
+  bool kept_is_wrong = drawn.known_wrong.empty();
   for (std::uint64_t first = 0; first < end; first += redraw_batch) {
     if (context.out_of_time(part)) {
       if (!all_known) return;
@@ -82,6 +86,7 @@ void ask(const TriageContext& context, std::size_t method, const RunStore& run, 
       const auto wrong = compare(trial, claim, said);
       if (!wrong || wrong->severity != Severity::contract) continue;
       ++wrong_now;
+      kept_is_wrong = kept_is_wrong || (!all_known && drawn.known_wrong.contains(first + p));
       const std::string cause =
           find_cause(context.grouped(), {method, wrong->kind, some[p]}, wrong->severity, said.reason, asker);
       if (context.out_of_time(part)) break;
@@ -92,8 +97,12 @@ void ask(const TriageContext& context, std::size_t method, const RunStore& run, 
   }
   guest.asked += asked;
   const std::uint64_t wrong_before = all_known ? 0 : drawn.wrong;
-  if (wrong_now <= wrong_before) return;
-  guest.wrong += wrong_now - wrong_before;
+  if (wrong_now > wrong_before)
+    guest.wrong += wrong_now - wrong_before;
+  else if (wrong_now > 0 && !kept_is_wrong)
+    guest.wrong_elsewhere += wrong_now;
+  else
+    return;
   for (const auto& [key, fault] : faults) {
     NewFault& known = guest.newly_wrong[key];
     const std::uint64_t pairs = known.pairs + fault.pairs;
@@ -131,10 +140,23 @@ std::string in_words(const ChangedGuest& guest) {
   if (guest.asked == 0)
     return fmt::format("{} {} was not compared with version {}: no pair of {} could be asked again",
                        guest.method, guest.version, guest.earlier_version, guest.earlier_run);
-  return fmt::format(
-      "{} {} is wrong beyond its claim on {} of the {} pairs of {} that were asked again, on which version "
-      "{} was right",
-      guest.method, guest.version, guest.wrong, guest.asked, guest.earlier_run, guest.earlier_version);
+  std::string text;
+  if (guest.wrong > 0)
+    text = fmt::format(
+        "{} {} is wrong beyond its claim on {} of the {} pairs of {} that were asked again, on which version "
+        "{} was right",
+        guest.method, guest.version, guest.wrong, guest.asked, guest.earlier_run, guest.earlier_version);
+  if (guest.wrong_elsewhere > 0)
+    text += fmt::format(
+        "{}{} {} is right on the failures of version {} that {} keeps, and wrong on {} pairs "
+        "of the same families",
+        text.empty() ? "" : "; ", guest.method, guest.version, guest.earlier_version, guest.earlier_run,
+        guest.wrong_elsewhere);
+  if (guest.skipped > 0)
+    text += fmt::format("{}{} {} was not compared with version {} in families of more than {} pairs",
+                        text.empty() ? "" : "; ", guest.method, guest.version, guest.earlier_version,
+                        redrawn_cap);
+  return text;
 }
 
 }  // namespace cyl

@@ -17,8 +17,11 @@ struct TriageContext;
 /// A method of a guest that changed, and what it gets wrong beyond its claim on pairs that it had right.
 struct ChangedGuest {
   std::string method, version, earlier_version, earlier_run;
-  std::uint64_t asked = 0;                      ///< pairs of the earlier run
-  std::uint64_t wrong = 0;                      ///< of them, at least
+  std::uint64_t asked = 0;  ///< pairs of the earlier run
+  std::uint64_t wrong = 0;  ///< of them, at least
+  /// Pairs of families in which it is right on all failures that the earlier run keeps.
+  std::uint64_t wrong_elsewhere = 0;
+  std::uint64_t skipped = 0;                    ///< pairs of families too large to be drawn again
   std::map<std::string, NewFault> newly_wrong;  ///< by the key of the cause
 };
 

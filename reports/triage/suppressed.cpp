@@ -54,8 +54,12 @@ std::set<std::string> causes_of(const GroupedMethods& of, const std::vector<Wron
 std::vector<WrongAnswer> wrong_answers(const JudgedFailure& f,
                                        std::span<const std::unique_ptr<Method>> methods, std::size_t m) {
   const auto kind = from_word<FindingKind>(f.kind);
-  if (kind || (f.failed && *f.failed != FindingKind::non_finite))
-    return {{{m, kind ? *kind : *f.failed, f.simplest}, f.severity, f.reason}};
+  if (kind || (f.failed && *f.failed != FindingKind::non_finite)) {
+    std::vector<WrongAnswer> both;  // the simplest pair may fail for another reason than the one found
+    for (const Pair& pair : {f.simplest, f.found})
+      both.push_back({{m, kind ? *kind : *f.failed, pair}, f.severity, f.reason});
+    return both;
+  }
   std::vector<Pair> pairs{f.simplest};
   if (f.law->queries != needs_none) {
     if (f.law->kind == LawKind::answer) return {};

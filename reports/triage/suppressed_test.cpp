@@ -95,7 +95,7 @@ TEST(Suppressed, OnlyMethodsOfANamedLibraryAreAsked) {
     failure.method = method;
     failure.law = &law_numbered(verdict_law);
     failure.kind = "wrong_disjoint";
-    failure.simplest = stored.pair;
+    failure.found = failure.simplest = stored.pair;
   }
   judge_suppressions(gate, methods, {&stored, 1}, {wrong}, "2026-01-01");
   EXPECT_TRUE(gate.remarks.empty()) << gate.remarks.front().text;

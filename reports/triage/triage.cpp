@@ -135,7 +135,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       if (std::ranges::find(run.causes, key, &Cause::key) == run.causes.end())
         run.causes.push_back(make_cause(key, fault, context.grouped(), options.folder, out_of_time));
     }
-    if (guest.wrong > 0 || guest.asked == 0) triage.remarks.push_back(in_words(guest));
+    if (const std::string remark = in_words(guest); !remark.empty()) triage.remarks.push_back(remark);
   }
   compare_with_earlier(
       run, earlier,
