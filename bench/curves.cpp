@@ -32,18 +32,10 @@ std::vector<std::vector<BenchRow>> by_question(std::span<const BenchRow> rows) {
   return groups;
 }
 
-SpeedPoint point_of(const BenchRow& row, const Digits& digits) {
-  return {row.method, curve_of(row.method), row.family, row.query,          row.median_ns,
-          row.p99_ns, row.max_ns,           row.pairs,  row.wrong_disjoint, row.wrong_intersecting,
-          digits};
-}
-
 /// Returns the point of one method and query over all margins.
-SpeedPoint joint_point(std::span<const BenchRow> rows, const Digits& digits) {
-  SpeedPoint all = point_of(rows[0], digits);
-  all.family = "all";
-  all.ns = all.p99_ns = all.max_ns = not_measured;
-  all.asked = all.wrong_disjoint = all.wrong_intersecting = 0;
+SpeedPoint point_of(std::span<const BenchRow> rows) {
+  SpeedPoint all{rows[0].method, curve_of(rows[0].method), rows[0].query};
+  all.digits = digits_of(rows);
   double sum = 0, timed = 0;
   for (const BenchRow& row : rows) {
     if (!margin_of_family(row.family)) continue;
@@ -107,40 +99,19 @@ Digits digits_of(std::span<const BenchRow> rows) {
 
 std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows) {
   std::vector<SpeedPoint> points;
-  for (const std::vector<BenchRow>& group : by_question(rows)) {
-    const Digits digits = digits_of(group);
-    for (const BenchRow& row : group) points.push_back(point_of(row, digits));
-    points.push_back(joint_point(group, digits));
-  }
+  for (const std::vector<BenchRow>& group : by_question(rows)) points.push_back(point_of(group));
   std::erase_if(points, [](const SpeedPoint& p) { return !std::isfinite(p.ns); });
   return points;
 }
 
-std::vector<CostPoint> cost_points(std::span<const BenchRow> rows) {
-  std::vector<CostPoint> points;
-  for (const BenchRow& row : rows) {
-    const auto decade = margin_of_family(row.family);
-    if (!decade || (row.query != "verdict" && row.query != "certificate") || !std::isfinite(row.p50_ns))
-      continue;
-    points.push_back({row.method, *decade, row.p50_ns, row.p99_ns, row.max_ns});
-  }
-  std::stable_sort(points.begin(), points.end(), [](const CostPoint& x, const CostPoint& y) {
-    return std::pair(x.method, x.decade) < std::pair(y.method, y.decade);
-  });
-  return points;
-}
-
-std::string format_curves(std::span<const SpeedPoint> points) {
-  std::vector<SpeedPoint> joint;
-  for (const SpeedPoint& p : points)
-    if (p.family == "all") joint.push_back(p);
-  std::stable_sort(joint.begin(), joint.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
+std::string format_curves(std::vector<SpeedPoint> points) {
+  std::stable_sort(points.begin(), points.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
     return std::pair(x.query, x.name.curve) < std::pair(y.query, y.name.curve);
   });
   std::string text =
       fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", "curve", "setting",
                   "query", "ns/pair", "p99 ns", "max ns", "pairs", "disj(!)", "inter(!)", "digits", "low");
-  for (const SpeedPoint& p : joint) {
+  for (const SpeedPoint& p : points) {
     text +=
         fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", p.name.curve,
                     p.name.setting, p.query, number(p.ns), number(p.p99_ns), number(p.max_ns), p.asked,

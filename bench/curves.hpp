@@ -45,13 +45,12 @@ struct Digits {
 /// Returns the digits of one method and query from its rows.
 Digits digits_of(std::span<const BenchRow> rows);
 
-/// One method and query on one family, or over all margins. Then `family` is "all", ns is the mean over the
-/// families, p99 and max are the largest of theirs (which bound the joint ones), and counts are sums. Digits
-/// are the method's over all margins for each family.
+/// One method and query over all margins. The time is the mean over the families. p99 and max are the largest
+/// of theirs (which bound the joint ones), and counts are sums.
 struct SpeedPoint {
   std::string method;
   CurveName name;
-  std::string family, query;
+  std::string query;
   double ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
   std::size_t asked = 0, wrong_disjoint = 0, wrong_intersecting = 0;
   Digits digits;
@@ -61,15 +60,7 @@ struct SpeedPoint {
 /// not timed is left out. The sign of a distance is its verdict, and all its pairs are disjoint.
 std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows);
 
-/// One method at the margin 1e-decade: its verdict or, if it has only that, its certificate.
-struct CostPoint {
-  std::string method;
-  int decade = 0;
-  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
-};
-std::vector<CostPoint> cost_points(std::span<const BenchRow> rows);
-
-/// Returns a line for each point over all margins, by curve.
-std::string format_curves(std::span<const SpeedPoint> points);
+/// Returns a line for each point, by curve.
+std::string format_curves(std::vector<SpeedPoint> points);
 
 }  // namespace cyl

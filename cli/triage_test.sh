@@ -86,7 +86,7 @@ import json, sys
 data = json.load(open(sys.argv[1], encoding='utf-8'))
 cause = next(b for b in data['buckets'] if b['key'] == 'fcl-libccd/overflow')
 assert [night['run'] for night in cause['nights']] == ['night', 'night2'] and cause['standing'] == 'known'
-assert data['changes']['new'] == 0 and data['changes']['against'] == ['night'] and data['changes']['known'] > 0
+assert data['changes'] == {'against': ['night']}
 assert all(f['margin'] is None or f['margin'][0] <= f['margin'][1] for f in data['findings'])
 claims = {m['name']: m['claim']['stated'] for m in data['methods']}
 assert claims['fcl-libccd'] and not claims['seedbook-printed'], claims

@@ -214,11 +214,6 @@ TEST(Explain, WhatFailsAtOneValueOnlyHasNoRange) {
   EXPECT_TRUE(says(text, "The table shows an end along angle, but few samples."));
 }
 
-TEST(Explain, SeesThatAFailureHangsOnTheAngle) {
-  EXPECT_TRUE(hangs_on_angle(square_blind()[0], square(), kind));
-  EXPECT_FALSE(hangs_on_angle(blurred_methods()[0], stacked(), kind));
-}
-
 TEST(Explain, WhatOnlyTouchesDoesNotOverlap) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("strict", [](const Pair&) { return answered(Verdict::disjoint); }));

@@ -27,8 +27,6 @@ constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle =
 constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
 constexpr int moves_cap = 4;
 constexpr double square = std::numbers::pi / 2;
-/// Angles in radians by which b is turned to see whether the angle matters.
-constexpr std::array turns{-0.1, -0.03, 0.03, 0.1};
 
 double middle(const Enclosure& e) { return e.lo / 2 + e.hi / 2; }
 
@@ -351,21 +349,6 @@ std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method
         {paths[i].parameter(), paths[i].here(), searches[2 * i].end(), searches[2 * i + 1].end()});
   regions[0].at = middle(failing.distance);
   return regions;
-}
-
-bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind) {
-  const auto located = locate(pair, gap_width_tol);
-  if (!located || located->distance == 0) return false;
-  const SearchPath path(pair, located, angle);
-  std::vector<Pair> turned;
-  for (const double by : turns)
-    if (const double to = path.here() + by; to >= 0 && to <= square)
-      if (const auto at = path.at(to)) turned.push_back(*at);
-  const std::vector<Trial> said = try_method(method, turned);
-  return !said.empty() && std::ranges::all_of(said, [&](const Trial& t) {
-    return t.decided() && t.meets() == (located->distance < 0) && t.answer().status != Status::declined &&
-           !t.fails(kind);
-  });
 }
 
 }  // namespace cyl

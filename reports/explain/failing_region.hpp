@@ -62,8 +62,4 @@ inline constexpr int region_rounds_cap = 6;
 /// Cost: about 600 pairs in the first round and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
-/// Returns whether a failure of this kind on the pair ends wherever b is turned a little, the distance kept.
-/// Up to four questions.
-bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind);
-
 }  // namespace cyl

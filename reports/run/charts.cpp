@@ -57,7 +57,6 @@ nlohmann::json counts_json(const CellCounts& c) {
           {"wrong_intersecting", c.wrong_intersecting},
           {"within_disjoint", c.within_disjoint},
           {"within_intersecting", c.within_intersecting},
-          {"undecided", c.undecided},
           {"declined", c.declined}};
 }
 
@@ -67,6 +66,7 @@ nlohmann::json map_json(const FailureMap& map) {
   for (const MapCell& c : map.cells) {
     nlohmann::json counts = counts_json(c.counts), cell{{"x", c.at.x}, {"y", c.at.y}};
     counts["failed"] = c.counts.failed;
+    counts["undecided"] = c.counts.undecided;
     for (const auto& [name, count] : counts.items())
       if (count != 0) cell[name] = count;
     if (c.finding) cell["finding"] = *c.finding;
@@ -86,7 +86,7 @@ nlohmann::json calibration_json(const Calibration& calibration) {
     bin["decade"] = decade;
     bins.push_back(std::move(bin));
   }
-  return {{"method", calibration.method}, {"family", nullptr}, {"bins", std::move(bins)}};
+  return {{"method", calibration.method}, {"bins", std::move(bins)}};
 }
 
 nlohmann::json finite_json(double x) {
@@ -100,24 +100,15 @@ nlohmann::json speed_json(const SpeedPoint& p) {
   return {{"method", p.method},
           {"curve", p.name.curve},
           {"setting", p.name.setting},
-          {"family", p.family},
+          {"family", "all"},
           {"query", p.query},
           {"ns", finite_json(p.ns)},
           {"p99", finite_json(p.p99_ns)},
-          {"max", finite_json(p.max_ns)},
           {"asked", p.asked},
           {"wrong_disjoint", p.wrong_disjoint},
           {"wrong_intersecting", p.wrong_intersecting},
           {"digits", finite_json(p.digits.right)},
           {"digits_low", finite_json(p.digits.low)}};
-}
-
-nlohmann::json cost_json(const CostPoint& p) {
-  return {{"method", p.method},
-          {"decade", p.decade},
-          {"p50", finite_json(p.p50_ns)},
-          {"p99", finite_json(p.p99_ns)},
-          {"max", finite_json(p.max_ns)}};
 }
 
 template <class Things, class ToJson>
@@ -177,12 +168,9 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
       row.method = r.at("method");
       row.family = r.at("family");
       row.query = r.at("query");
-      row.foreign = r.at("foreign");
       row.pairs = r.at("n");
       row.median_ns = measured(r.at("median_ns"));
-      row.p50_ns = measured(r.at("p50_ns"));
       row.p99_ns = measured(r.at("p99_ns"));
-      row.max_ns = measured(r.at("max_ns"));
       row.wrong_disjoint = r.at("wrong_disjoint");
       row.wrong_intersecting = r.at("wrong_intersecting");
       row.undecided = r.at("undecided");
@@ -212,8 +200,6 @@ nlohmann::json read_charts(const fs::path& run) {
 
 void set_charts(RunData& run, const nlohmann::json& fields) {
   run.charts.update(fields);
-  for (const char* other : {"speed", "cost"})
-    if (!run.charts.contains(other)) run.charts[other] = nlohmann::json::array();
   replace_file(fs::path(run.folder) / "charts.json", run.charts.dump() + '\n');
 }
 
@@ -221,10 +207,9 @@ void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
   const std::vector<FailureMap> maps = failure_maps(run);
   nlohmann::json fields = {{"maps", list(maps, map_json)},
                            {"honesty", list(calibration_of(maps), calibration_json)}};
-  if (!bench.empty()) {
-    fields["speed"] = list(speed_points(bench), speed_json);
-    fields["cost"] = list(cost_points(bench), cost_json);
-  }
+  std::vector<SpeedPoint> points = speed_points(bench);
+  std::erase_if(points, [](const SpeedPoint& p) { return p.query == "distance"; });
+  if (!bench.empty()) fields["speed"] = list(points, speed_json);
   set_charts(run, fields);
 }
 

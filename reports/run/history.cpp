@@ -7,9 +7,6 @@
 #include <exception>
 #include <filesystem>
 #include <map>
-#include <optional>
-#include <set>
-#include <tuple>
 
 #include "base/safe_text.hpp"
 #include "corpus/store/run_facts.hpp"
@@ -27,14 +24,14 @@ struct Past {
   std::string began, folder;
   bool shard = false;  ///< a part of a run
   std::map<MethodFamily, std::uint64_t> asked;
-  std::map<FindingGroup, GroupRecord> found;
+  std::map<FindingGroup, std::uint64_t> found;
 };
 
 Past past_of(const std::string& folder, const Config& config, const std::vector<TallyRecord>& tallies,
              const std::vector<GroupRecord>& groups) {
   Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
   for (const TallyRecord& t : tallies) past.asked[{t.method, t.family}] += t.counts.asked;
-  for (const GroupRecord& g : groups) past.found[g] = g;
+  for (const GroupRecord& g : groups) past.found[g] = g.count;
   return past;
 }
 
@@ -46,7 +43,7 @@ Observation observation_of(const FindingGroup& key, const Past& run) {
   const auto asked = run.asked.find({key.method, key.family});
   if (asked == run.asked.end()) return {};
   const auto found = run.found.find(key);
-  return {found == run.found.end() ? 0 : found->second.count, asked->second};
+  return {found == run.found.end() ? 0 : found->second, asked->second};
 }
 
 }  // namespace
@@ -75,16 +72,14 @@ History compare_with_earlier(const RunData& data) {
   std::sort(earlier.begin(), earlier.end(), before);
   history.runs = earlier.size();
 
-  std::map<FindingGroup, GroupRecord> all = here.found;
+  std::map<FindingGroup, std::uint64_t> all = here.found;
   for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
-  for (const auto& [key, group] : all) {
+  for (const auto& [key, count] : all) {
     std::vector<Observation> before;
     for (const Past& past : earlier) before.push_back(observation_of(key, past));
     if (const RecurrenceOf now = recurrence_of(observation_of(key, here), before, all.size()); now.status)
-      history.groups.emplace_back(group, *now.status);
+      history.groups.emplace_back(key, *now.status);
   }
-  std::stable_sort(history.groups.begin(), history.groups.end(),
-                   [](const auto& x, const auto& y) { return x.second < y.second; });
   return history;
 }
 

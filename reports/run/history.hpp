@@ -19,12 +19,12 @@ struct RunData;
 struct History {
   std::size_t runs = 0;        ///< earlier ones
   std::size_t unreadable = 0;  ///< stores that cannot be read, and are passed over
-  std::vector<std::pair<GroupRecord, Recurrence>> groups;  ///< by status, then by group
+  std::vector<std::pair<FindingGroup, Recurrence>> groups;
 
   std::size_t count(Recurrence status) const;
 };
 
-/// Compares the groups of a run with those of earlier runs; what `run.history` holds is not looked at.
+/// Compares the groups of a run with those of earlier runs.
 History compare_with_earlier(const RunData& run);
 
 /// "against 5 earlier runs: 2 new, 31 known, 1 gone, 0 back"

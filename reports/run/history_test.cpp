@@ -48,8 +48,9 @@ class HistoryTest : public testing::Test {
     }
     store.commit(batch, 1);
   }
+  History of(const std::string& name) const { return compare_with_earlier(read_run(folder / name, {})); }
   std::string standing(const std::string& name, const std::string& method, FindingKind kind) const {
-    for (const auto& [group, standing] : read_run(folder / name, {}).history.groups) {
+    for (const auto& [group, standing] : of(name).groups) {
       if (group.method == method && group.kind == kind) return to_string(standing);
     }
     return "";
@@ -70,10 +71,10 @@ TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
   EXPECT_EQ(standing("a", "x", lost), "back");
   EXPECT_EQ(standing("a", "x", late), "gone");
   EXPECT_EQ(standing("a", "x", old), "") << "gone before";
-  EXPECT_EQ(format_history(read_run(folder / "a", {}).history),
+  EXPECT_EQ(format_history(of("a")),
             "compared with 2 earlier runs in the same folder, groups by method, kind and family: 2 new, 1 "
             "back, 1 gone, 1 known, 1 rare");
-  EXPECT_EQ(format_history(read_run(folder / "c", {}).history),
+  EXPECT_EQ(format_history(of("c")),
             "compared with 0 earlier runs in the same folder, groups by method, kind and family: 3 new, 0 "
             "back, 0 gone, 0 known, 0 rare");
 }
@@ -92,8 +93,8 @@ TEST_F(HistoryTest, ShardsHaveNoHistoryOfTheirOwn) {
   run("1", "2026-11-02", {{"x", {held}}});
   run("2", "2026-11-03", {{"x", {held}}});
   RunStore::open(folder / "1").set("shard", "1/3 of batches of 512");
-  EXPECT_EQ(read_run(folder / "1", {}).history.runs, 0u);
-  EXPECT_EQ(read_run(folder / "2", {}).history.runs, 1u);
+  EXPECT_EQ(of("1").runs, 0u);
+  EXPECT_EQ(of("2").runs, 1u);
 }
 
 TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
@@ -101,7 +102,7 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   run("2", "2026-11-02", {{"x", {held}}});
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
-  EXPECT_EQ(format_history(read_run(folder / "2", {}).history),
+  EXPECT_EQ(format_history(of("2")),
             "compared with 1 earlier run in the same folder, groups by method, kind and family: 0 new, 0 "
             "back, 0 gone, 1 known, 0 rare\n"
             "  skipped because they cannot be read: 1 run");

@@ -2,7 +2,6 @@
 #include "reports/run/report_data.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +22,6 @@
 #include "reports/run/page_template.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
-#include "reports/triage/causes.hpp"
 #include "reports/triage/triage.hpp"
 
 namespace cyl {
@@ -95,12 +93,9 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
 /// even if its name begins like one.
 std::string library_of(const std::string& method, std::span<const std::unique_ptr<Method>> packaged) {
   const std::string library = method.substr(0, method.find('-'));
-  bool begins_alike = false;
-  for (const auto& m : packaged) {
-    if (m->name() == method) return std::string(m->library());
-    begins_alike = begins_alike || m->library() == library;
-  }
-  return begins_alike ? method : library;
+  const auto begins_alike = [&](const auto& m) { return m->library() == library; };
+  const bool is_packaged = std::ranges::any_of(packaged, [&](const auto& m) { return m->name() == method; });
+  return is_packaged || std::ranges::none_of(packaged, begins_alike) ? library : method;
 }
 
 json methods_json(const RunData& run) {
@@ -118,8 +113,7 @@ json methods_json(const RunData& run) {
                    {"library", own.contains(m.name) ? "ours" : library_of(m.name, packaged)},
                    {"version", m.version},
                    {"claim", std::move(claim)},
-                   {"own", own.contains(m.name)},
-                   {"share", m.share}});
+                   {"own", own.contains(m.name)}});
   }
   return all;
 }
@@ -150,25 +144,10 @@ json tallies_json(const std::vector<MethodTally>& tallies) {
                      {"failed", t.counts.failed},
                      {"contract", t.counts.contract},
                      {"resolution", t.counts.resolution},
-                     {"undecided", t.counts.undecided},
-                     {"nanoseconds", t.counts.nanoseconds}});
+                     {"undecided", t.counts.undecided}});
     }
   }
   return all;
-}
-
-json history_json(const History& history) {
-  if (history.runs == 0) return nullptr;
-  json groups = json::array();
-  for (const auto& [g, standing] : history.groups) {
-    groups.push_back({{"method", g.method},
-                      {"kind", to_string(g.kind)},
-                      {"severity", to_string(g.severity)},
-                      {"family", g.family},
-                      {"count", g.count},
-                      {"standing", to_string(standing)}});
-  }
-  return {{"runs", history.runs}, {"groups", std::move(groups)}};
 }
 
 // Findings
@@ -236,7 +215,6 @@ json case_of(const Shared& shared, Names& names) {
                    {"truth", parsed(shared.first->truth)},
                    {"margin", margin_json(shared.margin)}};
   if (!reported["truth"].is_object()) reported["truth"] = {{"verdict", "undecided"}};
-  reported["truth"]["stage"] = shared.first->stage;
   if (const auto verdict = shared.pair->truth)
     add_distance(reported, case_distance(line->pair, *verdict, shared.margin));
   std::string note;
@@ -303,33 +281,22 @@ void add_findings(json& report, const RunData& run) {
 // Causes
 // -----------------------------------------------------------------------------------------------------------
 
-/// Adds the causes of the last triage, with the places of their pairs.
+/// Adds the causes of the last triage, and the earlier runs that they were compared with.
 void add_causes(json& report, const RunData& run) {
-  std::map<std::string, std::size_t> by_standing;
   std::set<std::string> against;
   json causes = causes_json(run.folder);
-  for (json& cause : causes) {
-    cause["file"] =
-        fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(cause.at("key").get<std::string>()));
-    if (const json standing = cause.value("standing", json()); standing.is_string())
-      ++by_standing[standing.get<std::string>()];
+  for (const json& cause : causes)
     for (const json& night : cause.value("nights", json::array())) against.insert(night.at("run"));
-  }
   against.erase(report.at("run").at("id").get<std::string>());
   report["buckets"] = std::move(causes);
-  report["changes"] = nullptr;
-  if (by_standing.empty()) return;
-  json changes{{"against", against}};
-  for (const Recurrence status : enum_values<Recurrence>)
-    changes[to_string(status)] = by_standing[to_string(status)];
-  report["changes"] = std::move(changes);
+  report["changes"] = {{"against", against}};
 }
 
 // Charts and the report
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
-  for (const char* section : {"maps", "honesty", "speed", "cost", "paths"}) {
+  for (const char* section : {"maps", "honesty", "speed", "paths"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));
@@ -355,12 +322,10 @@ json columns_of(const json& objects) {
 
 json report_of(const RunData& run) {
   const std::vector<MethodTally> tallies = tally_methods(run.tallies);
-  json report = {{"schema", 1},
-                 {"run", run_json(run, tallies)},
+  json report = {{"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
                  {"families", families_json(run, tallies)},
-                 {"tallies", tallies_json(tallies)},
-                 {"history", history_json(run.history)}};
+                 {"tallies", tallies_json(tallies)}};
   add_causes(report, run);
   add_findings(report, run);
   add_charts(report, run);

@@ -22,7 +22,6 @@ RunData read_run(const std::string& folder, std::span<const Family> families,
   for (const FindingRecord& finding : run.findings)
     run.pairs.push_back({parse_case(finding.pair, 1).value, proved_verdict(finding)});
   run.cells = store.cells();
-  run.history = compare_with_earlier(run);
   run.charts = read_charts(folder);
   return run;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a run's page, charts and table show, read once: the run's store, the earlier runs beside it, and
-// RUN/charts.json.
+// All that a run's page, charts and table show of it, read once: the run's store and RUN/charts.json.
 #pragma once
 
 #include <optional>
@@ -12,7 +11,6 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"
-#include "reports/run/history.hpp"
 
 namespace cyl {
 
@@ -33,7 +31,6 @@ struct RunData {
   std::vector<FindingRecord> findings;
   std::vector<FoundPair> pairs;  ///< of `findings`, one each
   std::vector<CellRecord> cells;
-  History history;
   nlohmann::json charts;  ///< what RUN/charts.json holds, which may be the work of earlier commands; or {}
 };
 

@@ -29,6 +29,7 @@ TEST(RunSummary, TheWorstIsOfOrdinarySizeIfOneIs) {
 
 TEST(RunSummary, CountsFindingsAsThePageDoes) {
   RunData run;
+  run.folder = ".";
   run.groups = {{{"m", FindingKind::crash, Severity::contract, "f"}, 75, 0},
                 {{"m", FindingKind::wrong_disjoint, Severity::resolution, "f"}, 41, 0}};
   EXPECT_NE(format_summary(run).find("\nfindings: 116\n"), std::string::npos);

@@ -28,11 +28,8 @@ void visit_plain(B& b, Visit visit) {
   visit("pairs", b.pairs);
   visit("families", b.families);
   visit("findings", b.findings);
-  visit("merged", b.merged);
   visit("simplified", b.simplified);
   visit("seen_again", b.seen_again);
-  visit("feature", b.feature);
-  visit("coordinate", b.coordinate);
   visit("cause", b.description);
   visit("labels", b.labels);
   visit("first_seen", b.first_seen);
@@ -131,7 +128,6 @@ Json to_json(const Cause& b) {
          {"worst", b.worst ? parse_json(b.worst->page) : Json()},
          {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
-         {"mechanism", to_string(b.mechanism)},
          {"share", share_json(b.share)},
          {"standing", nullptr},
          {"chance", nullptr},
@@ -160,13 +156,11 @@ Cause cause_from_json(const Json& j) {
   }
   b.kind = word_of<FindingKind>(j.at("kind"));
   b.severity = word_of<Severity>(j.at("severity"));
-  b.mechanism = word_of<Mechanism>(j.at("mechanism"));
   if (const Json& margin = j.at("margin"); !margin.is_null())
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null()) b.status = word_of<Recurrence>(status);
-  if (const Json& chance = j.at("chance"); !chance.is_null()) b.chance = chance.get<double>();
   for (const Json& night : j.at("nights"))
     b.history.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
   return b;

@@ -26,7 +26,6 @@
 #include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
-#include "reports/explain/failing_region.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/cause_words.hpp"
 #include "reports/triage/group_findings.hpp"
@@ -42,8 +41,6 @@ constexpr Caps share_caps = attended_caps(2);
 constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
-/// The most keys listed with a cause.
-constexpr std::size_t merged_cap = 200;
 
 /// Puts candidates of that kind first, then simplified ones before candidates as found, and then the
 /// simplest.
@@ -219,24 +216,19 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   if (distance && distance->margin)
     margin = std::min(distance->margin->hi, std::numeric_limits<double>::max());
   const auto feature = contact_feature(pair, now.truth);
-  b.feature = feature ? to_string(*feature) : "unknown";
-  b.coordinate = to_string(coordinate_of(pair, margin.value_or(0)));
   const auto m = position_of(methods, b.method);
   if (!m) return;
   if (b.kind == FindingKind::bad_witness)
     if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
       b.description += "; on the simplest pair " + miss;
-  if (drawn && b.seen_again && is_of_scale(b.mechanism)) {
+  if (drawn && b.seen_again && is_of_scale(group.mechanism())) {
     const Failing failing{*m, b.kind, pair};
     const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
     if (!scale.empty()) b.description += "; the simplest pair is " + scale;
   }
   // If the method hangs, each question would cost a second or two.
   const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
-  const bool moved = b.mechanism == Mechanism::offset;
-  const bool may_turn = b.seen_again && b.severity == Severity::contract && b.coordinate != "angle";
-  if (drawn && answers && margin && may_turn && hangs_on_angle(methods[*m], pair, b.kind))
-    b.coordinate = to_string(Coordinate::angle);
+  const bool moved = group.mechanism() == Mechanism::offset;
   if (drawn && answers && margin && feature)
     b.share = share_of(pair, *margin, *feature, moved, methods[*m], b.kind);
 }
@@ -245,15 +237,15 @@ int rank_of(Severity severity) {
   return severity == Severity::contract ? 0 : severity == Severity::unresolved ? 1 : 2;
 }
 
-/// Sums up the findings of a cause.
-Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCount& count) {
+/// Sums up the findings of a cause. `shown` is its simplest pair.
+Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCount& count,
+             const ShownPair& shown, const GroupedMethods& of, const std::string& folder, bool drawn) {
   Cause b;
   b.key = key;
   b.method = group.first().method;
   b.kind = group.first().kind;
   b.count = count.findings;
   b.pairs = count.most();
-  b.mechanism = group.mechanism();
   std::map<FindingKind, std::string> reasons;
   for (const FindingRecord* f : group.findings) {
     b.methods.insert(f->method);
@@ -266,9 +258,10 @@ Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCoun
     if (!b.margin) b.margin = Enclosure{f->margin->lo, f->margin->lo};
     b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
-  for (const std::string& merged : group.merged)
-    if (b.merged.size() < merged_cap) b.merged.push_back(merged);
-  b.description = cause_in_words(key, b.mechanism, reasons);
+  b.description = cause_in_words(key, group.mechanism(), reasons);
+  show_simplest(b, group, shown, of.methods, folder, drawn);
+  b.ordinary = is_ordinary(group.simplest->pair);
+  b.labels = labels_of(b, group, shown, of);
   return b;
 }
 
@@ -288,26 +281,21 @@ std::string file_name_of(std::string_view key) {
 
 Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMethods& of,
                  const std::string& run_folder, const std::function<bool()>& out_of_time) {
-  const std::string method(of.methods[fault.method]->name());
-  const FindingKind kind = fault.finding.kind;
-  Cause b;
-  b.key = key;
-  b.method = method;
-  b.kind = kind;
-  b.methods = b.methods_of_kind = {method};
-  b.families = {fault.family};
-  b.severity = fault.finding.severity;
-  b.count = b.pairs = fault.pairs;
-  b.margin = fault.finding.margin;
-  b.description = cause_in_words(key, b.mechanism, {{kind, ""}});
-  const FailingMethod failing{fault.method, kind};
+  FindingRecord found;
+  found.method = of.methods[fault.method]->name();
+  found.kind = fault.finding.kind;
+  found.severity = fault.finding.severity;
+  found.family = fault.family;
+  found.margin = fault.finding.margin;
+  const FailingMethod failing{fault.method, found.kind};
   CauseFindings group;
-  group.simplest = ShownCandidate{true, complexity(fault.pair), nullptr, fault.pair};
+  group.findings = {&found};
+  group.simplest = ShownCandidate{true, complexity(fault.pair), &found, fault.pair};
   const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
   group.seen_again = shown.fails(failing);
-  show_simplest(b, group, shown, of.methods, run_folder, !out_of_time());
-  b.ordinary = is_ordinary(fault.pair);
-  b.labels = labels_of(b, group, shown, of);
+  const CauseCount count{fault.pairs, {{found.method, fault.pairs}}};
+  Cause b = sum_up(key, group, count, shown, of, run_folder, !out_of_time());
+  b.findings.clear();
   return b;
 }
 
@@ -321,9 +309,8 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const auto shown_last = std::ranges::find(last, key, &Cause::key);
     if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
       causes.push_back(*shown_last);
-      causes.back().history.clear();  // compare_with_earlier() makes these three
+      causes.back().history.clear();  // compare_with_earlier() makes both
       causes.back().status.reset();
-      causes.back().chance.reset();
       continue;
     }
     std::optional<ShownPair> shown = choose_simplest(group, of.methods, shower, out_of_time);
@@ -331,14 +318,12 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     choose_worst(group);
     const auto counted = counts.find(key);
     const CauseCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
-    Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
     const auto blamed = failing_method_of(group.first(), of.methods);
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
     if (!shown) shown = shower.show(group.simplest->pair, failing);
-    show_simplest(b, group, *shown, of.methods, records.folder, !out_of_time());
+    Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept, *shown, of, records.folder,
+                     !out_of_time());
     show_worst(b, group, *shown, shower, of.methods, records.folder);
-    b.ordinary = is_ordinary(group.simplest->pair);
-    b.labels = labels_of(b, group, *shown, of);
     causes.push_back(std::move(b));
   }
   std::stable_sort(causes.begin(), causes.end(), [](const Cause& x, const Cause& y) {

@@ -19,7 +19,6 @@
 #include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
-#include "oracles/trial/mechanism.hpp"
 #include "reports/triage/recurrence.hpp"
 #include "reports/triage/triage_store.hpp"
 
@@ -57,15 +56,12 @@ struct Cause {
   std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
   std::vector<std::int64_t> findings;  ///< ids of the stored findings
   std::optional<Enclosure> margin;     ///< the least and the greatest lower bound, of findings of that kind
-  std::vector<std::string> merged;     ///< keys of the simplified pairs
   ShownCase simplest;
   std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
   bool ordinary = true;             ///< the simplest is: is_ordinary()
   bool simplified = false;          ///< the simplest is; else it is as it was found
   bool seen_again = false;          ///< its method, asked alone, failed on the simplest
   bool worst_was_searched = false;  ///< it comes from a search and is not a finding
-  std::string feature, coordinate;  ///< of the simplest pair, in words
-  Mechanism mechanism = Mechanism::unclassified;
   std::string description;          ///< in words
   std::vector<std::string> labels;  ///< the cause and further labels
   std::optional<Share> share;
@@ -101,8 +97,8 @@ struct TriagedRun {
 /// In the form of the page's Cause, in which it is stored too.
 nlohmann::json to_json(const Cause& cause);
 nlohmann::json to_json(const std::vector<Cause>& causes);
-/// Reads the output of to_json(), except for the suppression. Throws nlohmann::json::exception if the value
-/// has another form.
+/// Reads the output of to_json(), except for the suppression and the chance. Throws nlohmann::json::exception
+/// if the value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, those beyond claims first, then by count. Status, first and last seen are not set. The

@@ -51,7 +51,6 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
   }
   for (const SimpleRecord& s : records.simples) {
     if (!group_of.contains(s.finding)) continue;
-    group_of[s.finding]->merged.insert(s.key);
     offer(*group_of[s.finding], by_id[s.finding], s.pair, false);
   }
   for (const WorstRecord& w : records.worsts)

@@ -45,7 +45,6 @@ struct CauseFindings {
   std::vector<const FindingRecord*> findings;  ///< by id
   std::set<Mechanism> mechanisms;
   std::map<std::string, std::size_t> labels;  ///< further labels, with the number of their findings
-  std::set<std::string> merged;               ///< keys of the simplified pairs
   std::vector<ShownCandidate> candidates;
   std::optional<ShownCandidate> simplest;
   bool seen_again = false;  ///< a rerun of the simplest pair fails again

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
@@ -102,8 +101,7 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
   const CaseLine begun = parse_case(earlier.pair, 1);
   const std::size_t cap = s.kind() == FindingKind::hang ? simplify_hang_cap : simplify_cap;
   const Simplified simple = simplify(begun.value ? begun.value->pair : s.pair, still_fails, cap);
-  return {s.record->id, format_pair(simple.pair),
-          bucket_of(s.record->method, to_string(s.kind()), simple.pair), simple.questions, !cut};
+  return {s.record->id, format_pair(simple.pair), simple.questions, !cut};
 }
 
 }  // namespace

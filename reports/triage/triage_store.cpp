@@ -16,7 +16,7 @@ constexpr const char* cause_table =
     "CREATE TABLE cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
     "  labels TEXT NOT NULL);";
 constexpr const char* other_tables = R"(
-CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
+CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
 CREATE TABLE worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
   pair TEXT NOT NULL, ended INTEGER NOT NULL);

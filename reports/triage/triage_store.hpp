@@ -34,12 +34,11 @@ struct CauseRecord {
 struct SimpleRecord {
   std::int64_t finding = 0;
   std::string pair;  ///< one JSON line of corpus/pair_io
-  std::string key;   ///< the bucket key of the pair: method, kind, feature, coordinate
   std::uint64_t questions = 0;
   bool ended = false;  ///< by itself: not to be simplified again
 
   static constexpr const char* table = "simple";
-  static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.key, s.questions, s.ended); }
+  static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.questions, s.ended); }
 };
 
 /// The result of a search for a worse pair than the findings of a cause.

@@ -173,27 +173,6 @@ TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
   EXPECT_EQ(first({"fcl-libccd/overflow", "mujoco/overflow"}), "seedbook-printed");
 }
 
-/// Two rims 0.01 apart with square axes. A method that is wrong only there depends on the angle.
-TEST(Causes, NameTheAngleWhereItAloneMatters) {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(fake_method("square-blind", [](const Pair& pair) {
-    const bool square = pair.a.axis.dot(pair.b.axis) == 0;
-    const bool near = distance(pair.a, pair.b).value <= (square ? 0.1 : 0);
-    return answered(near ? Verdict::intersecting : Verdict::disjoint);
-  }));
-  TriageRecords records;
-  records.folder = "run";
-  records.findings = {finding("square-blind", "f",
-                              {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.01, 0, 0}, {0, 1, 0}, 1, 2}},
-                              FindingKind::wrong_intersecting)};
-  records.findings[0].id = 1;
-  records.causes = {{1, "square-blind/wrong_intersecting", Mechanism::unclassified, ""}};
-  const std::vector<std::size_t> groups{0};
-  const auto causes = make_causes(records, {methods, groups}, {}, [] { return false; });
-  ASSERT_EQ(causes.size(), 1u);
-  EXPECT_EQ(causes[0].coordinate, "angle");
-}
-
 TEST(Causes, WhatHangsIsNotAskedOnceTheTimeIsOver) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("endless", [](const Pair&) -> MethodAnswer {
@@ -381,8 +360,8 @@ TEST(Triage, GoesOnWhereItWas) {
   {
     TriageStore store(folder, methods_line("test", quick_methods()));
     store.add(std::vector<CauseRecord>{{2, "told-before", Mechanism::unclassified, ""}});
-    store.add(SimpleRecord{1, "half done", "", 1, false});
-    store.add(SimpleRecord{3, "done", "", 1, true});
+    store.add(SimpleRecord{1, "half done", 1, false});
+    store.add(SimpleRecord{3, "done", 1, true});
   }
   const Triage all = triage(folder);
   EXPECT_TRUE(keys_of(all.causes).contains("told-before"));
