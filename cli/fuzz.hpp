@@ -17,7 +17,7 @@ std::string fuzz_program(const std::string& target);
 /// Reads "25%". Throws UsageError if the text has another form.
 unsigned parse_share(const std::string& text);
 
-/// Gives a fuzzer its share of the time of a new run. Says so if it cannot be had here, and throws
+/// Gives a fuzzer its share of the time of a new run. Reports it if there is no fuzzer here, and throws
 /// std::runtime_error then if the run has no other pairs.
 void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options);
 

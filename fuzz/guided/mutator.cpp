@@ -92,7 +92,7 @@ void scale_field(Pair& p, RandomStream& s) {
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
-// Between the powers of two, where a fault may want several ratios at once.
+// Reaches ratios between the powers of two. A fault may need several of them at once.
 void scale_length(Pair& p, RandomStream& s) {
   Cylinder& c = either(p, s);
   double* const lengths[] = {&c.radius, &c.height, &c.rounding};
