@@ -2,6 +2,7 @@
 #include "oracles/methods/contained.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <map>
 #include <string>
@@ -29,9 +30,12 @@ MethodAnswer cannot_be_called_so() {
 /// The number of lines that are sent to a program before the first of them must be answered.
 constexpr std::size_t ahead_cap = 64;
 
-/// A batch of one would show no mix-up of pairs or lanes, so this pair goes before it. It is a wall beside a
-/// rim, with which our kernel is busy for three steps.
+/// A batch of one would show no mix-up of pairs or lanes, so this pair is in the other places. It is a wall
+/// beside a rim, with which our kernel is busy for three steps.
 const Pair company{{Vector3(0, 0, 0), Vector3(0, 0, 1), 5, 1}, {Vector3(-5, 5, 1), Vector3(1, -5, 1), 1, 10}};
+
+/// The places of the pair that is asked about: within lanes of four and eight, and in the rest.
+constexpr std::size_t batch_size = 9, asked_places[] = {1, 4, 8};
 
 }  // namespace
 
@@ -57,12 +61,20 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
       return call ? verdict_alone(call(0)) : cannot_be_called_so();
     }
     case CallMode::batch: {
-      const Pair both[] = {company, pair};
-      const Method::BatchCall call = method.prepare_batch(both);
+      std::array<Pair, batch_size> pairs;
+      pairs.fill(company);
+      for (const std::size_t place : asked_places) pairs[place] = pair;
+      const Method::BatchCall call = method.prepare_batch(pairs);
       if (!call) return cannot_be_called_so();
-      Verdict verdicts[] = {Verdict::undecided, Verdict::undecided};
+      std::array<Verdict, batch_size> verdicts;
+      verdicts.fill(Verdict::undecided);
       call(verdicts);
-      return verdict_alone(verdicts[1]);
+      const Verdict first = verdicts[asked_places[0]];
+      const auto same = [&](std::size_t place) { return verdicts[place] == first; };
+      if (std::ranges::all_of(asked_places, same)) return verdict_alone(first);
+      const Verdict alone = method.ask(pair).verdict;  // at least one place has another verdict
+      const auto other = [&](std::size_t place) { return verdicts[place] != alone; };
+      return verdict_alone(verdicts[*std::ranges::find_if(asked_places, other)]);
     }
   }
   return method.ask(pair);

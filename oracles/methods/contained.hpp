@@ -20,7 +20,7 @@ enum class CallMode : unsigned char {
   other_thread,  ///< Method::ask, from a new thread
   prepared,      ///< Method::prepare_all, then its call. Gives the verdict alone; declined if there is no
                  ///< such call.
-  batch          ///< Method::prepare_batch, then its call. Likewise, and one other pair goes before it.
+  batch          ///< Method::prepare_batch, then its call. Likewise, at several places among other pairs.
 };
 
 /// One question of a batch: a method and a pair, as indices into the spans given to ask_contained.

@@ -158,6 +158,31 @@ TEST(Contained, WhatIsAskedWhenTheTimeRunsOutIsDeclined) {
     EXPECT_EQ(said.answer.status, Status::declined);
 }
 
+/// Its call for a batch is wrong from a place on.
+class FaultOfLanes final : public FakeMethod {
+ public:
+  explicit FaultOfLanes(std::size_t from)
+      : FakeMethod("lanes", [](const Pair&) { return answered(Verdict::disjoint); }), from_(from) {}
+  BatchCall prepare_batch(std::span<const Pair>) override {
+    return [this](std::span<Verdict> verdicts) {
+      for (std::size_t i = 0; i < verdicts.size(); ++i)
+        verdicts[i] = i < from_ ? Verdict::disjoint : Verdict::intersecting;
+    };
+  }
+
+ private:
+  std::size_t from_;
+};
+
+TEST(Contained, ABatchShowsAFaultOfItsLanes) {
+  for (const std::size_t from : {0, 2, 4, 8}) {
+    FaultOfLanes method(from);
+    EXPECT_EQ(call(method, numbered_pairs(1)[0], CallMode::batch).verdict, Verdict::intersecting) << from;
+  }
+  FaultOfLanes right(100);
+  EXPECT_EQ(call(right, numbered_pairs(1)[0], CallMode::batch).verdict, Verdict::disjoint);
+}
+
 /// Right if it is asked about one pair.
 class FaultOfMany final : public FakeMethod {
  public:

@@ -14,6 +14,7 @@
 
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 
@@ -135,7 +136,7 @@ std::string gate_json(const JudgedGate& gate) {
 
 GateBase read_base(const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
-    throw std::runtime_error(file + ": " + wrong + ": give the file that an earlier gate wrote as JSON");
+    throw InputError(file + ": " + wrong + ": give the file that an earlier gate wrote as JSON");
   };
   const auto natural = [&](const json& in, const char* key) {
     const json& value = in.at(key);
