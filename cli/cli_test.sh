@@ -80,9 +80,9 @@ balls 1 2.5 1
 says 'within a clearance' 0 'line 1: within 1, 0\.4999[0-9]* to 0\.5000[0-9]* apart, proof .*' check --text --distance --clearance 1
 says 'beyond a clearance' 0 'line 1: more than 0\.25 apart, 0\.4999[0-9]* to 0\.5000[0-9]* apart, proof .*' check --text --distance --clearance 0.25
 says 'at a clearance' 0 'line 1: exactly 0\.5 apart, proof .*' check --text --clearance 0.5
-says 'no overlap to tolerate' 0 '\{"verdict":"disjoint","distance":\[0\.7499[0-9]*,0\.7500[0-9]*\],.*"clearance":-0\.25\}' check --clearance -0.25
+says 'no overlap to tolerate' 0 '\{"verdict":"disjoint","direction":\[1,0,0\],"distance":\[0\.7499[0-9]*,0\.7500[0-9]*\],.*"clearance":-0\.25\}' check --clearance -0.25
 balls 1 1.75 1
-says 'tolerated' 0 'line 1: not deeper than 0\.5, 0\.2499[0-9]* to 0\.2500[0-9]* deep' check --text --clearance -0.5
+says 'tolerated' 0 'line 1: not deeper than 0\.5, 0\.2499[0-9]* to 0\.2500[0-9]* deep, proof \{"direction":\[1,0,0\]\}' check --text --clearance -0.5
 says 'deeper' 0 'line 1: deeper than 0\.125, 0\.2499[0-9]* to 0\.2500[0-9]* deep' check --text --clearance=-0.125
 says 'deeper, as JSON' 0 '\{"verdict":"intersecting","distance":\[-0\.1250[0-9]*,-0\.1249[0-9]*\],.*"clearance":-0\.125\}' check --clearance -0.125
 says 'as deep' 3 '\{"verdict":"undecided","distance":\[.*"clearance":-0\.25\}' check --clearance -0.25

@@ -63,7 +63,7 @@ std::vector<Pair> clear_pairs(const Family& family, std::size_t count) {
 TEST(RoundedMethods, AreRightWhereThatIsEasy) {
   const auto methods = all_methods();
   std::map<std::string, std::size_t> answers;
-  for (const Family& family : rounded_families()) {
+  for (const Family& family : rounded_families().first(9)) {  // two kinds each
     for (const Pair& pair : clear_pairs(family, 100)) {
       const bool meet = distance(pair.a, pair.b).value < 0;
       for (const auto& method : methods) {

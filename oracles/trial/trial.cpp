@@ -119,10 +119,11 @@ std::string distance_in_words(const Trial& trial) {
     return trial.meets() ? fmt::format("overlapping by at most {:.3g}", -trial.distance.lo)
                          : fmt::format("at most {:.3g} apart", trial.distance.hi);
   }
-  const std::string length = std::abs(true_one) < std::numeric_limits<double>::max()
-                                 ? told_from(sign * true_one, sign * other)
-                                 : "more than 1.79e308";  // which is below the largest double
-  const bool is_bound = trial.distance.hi - trial.distance.lo > bound_share * std::abs(true_one);
+  const bool beyond_doubles = !(std::abs(true_one) < std::numeric_limits<double>::max());
+  const std::string length = beyond_doubles ? "more than 1.79e308"  // which is below the largest double
+                                            : told_from(sign * true_one, sign * other);
+  const bool is_bound =
+      !beyond_doubles && trial.distance.hi - trial.distance.lo > bound_share * std::abs(true_one);
   const std::string shown = (is_bound ? "at least " : "") + length;
   return trial.meets() ? "overlapping by " + shown : shown + " apart";
 }
