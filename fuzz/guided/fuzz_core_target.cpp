@@ -67,8 +67,7 @@ class Core {
 
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
   void judge_unaided(const FuzzJudge& fuzz_judge) {
-    const Verdict aided = fuzz_judge.truth().verdict,
-                  unaided = judge(fuzz_judge.pair(), {}, filter_bits_cap).verdict;
+    const Verdict aided = fuzz_judge.truth().verdict, unaided = prove_in_double(fuzz_judge.pair()).verdict;
     if (aided == unaided || aided == Verdict::undecided || unaided == Verdict::undecided) return;
     if (aided != Verdict::disjoint && unaided != Verdict::disjoint) return;
     sink_.add_broken(fuzz_judge.pair(), "referee", "contradiction",

@@ -24,11 +24,11 @@ RandomStream draws_of(const Pair& pair) {
 FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
                      const Distance* measured, bool finely)
     : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
-  trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
+  trial_.truth = prove_in_double(trial_.pair, offered);
   count_execution();
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
-    trial_.truth = judge(trial_.pair, offered, wide_bits_cap);
+    trial_.truth = prove_exactly(trial_.pair, offered, wide_bits_cap);
   measured_ = measured ? *measured : distance(trial_.pair.a, trial_.pair.b);
   const Stratum stratum = count_geometry(trial_.pair, measured_, finely);
   count_stage(trial_.truth);
@@ -60,7 +60,8 @@ void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer
   const double slack = estimated_margin(trial_.pair);
   count_badness(Badness::undecided, slack);
   if (slack < resolved_margin) return;
-  if (trial_.truth.verdict == Verdict::undecided) trial_.truth = judge(trial_.pair, {}, wide_bits_cap);
+  if (trial_.truth.verdict == Verdict::undecided)
+    trial_.truth = prove_exactly(trial_.pair, {}, wide_bits_cap);
   if (const auto finding = compare(trial_, method.claim(), answer))
     sink_.add_finding(trial_.pair, method.name(), to_string(finding->kind), "beyond its claim");
 }

@@ -16,8 +16,8 @@
 
 namespace cyl {
 
-/// Precisions at which the referee stops: in double, and after one round of MPFI.
-inline constexpr int filter_bits_cap = 53, wide_bits_cap = 128;
+/// The precision at which the referee stops beyond double: one round of MPFI.
+inline constexpr int wide_bits_cap = 128;
 
 /// Pairs for one in which a costly question is asked, so that none of them costs more than the cheap ones
 /// together.

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
 #include "base/from_environment_test.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
 
@@ -83,6 +86,159 @@ TEST(EnclosedDistance, HoldsForAxesThatDifferByLessThanTheRoundingOfTheirLengths
     const Enclosure depth = enclose_distance(pair, truth);
     ASSERT_LE(depth.lo, -2.4e-19) << format_pair(pair);
     ASSERT_LE(depth.hi, 0) << format_pair(pair);
+  }
+}
+
+TEST(Enclosure, HoldsDistancesKnownOnPaper) {
+  struct Known {
+    Pair pair;
+    double distance;
+  };
+  const Known all[] = {// along an axis, across, both (corner to corner), and the depth by the least way out
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 3}, {0, 0, 1}, 1, 2}}, 1},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 6}, {0, 0, 1}, 1, 2}}, 5},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.5, 0, 0}, {0, 0, 2}, 1, 2}}, -0.5},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 0}, {1, 0, 0}, 1, 2}}, -2},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 10}, {{2.5, 0, 0}, {0, 1, 0}, 1, 10}}, 0.5},
+                       // a lying cylinder's wall over a cap
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.25, 0, 2.5}, {1, 0, 0}, 1, 2}}, 0.5}};
+  for (const Known& k : all) {
+    const Enclosure e = enclose_distance(k.pair, judge(k.pair));
+    EXPECT_LE(e.lo, k.distance) << format_pair(k.pair);
+    EXPECT_GE(e.hi, k.distance) << format_pair(k.pair);
+    EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(k.pair)) << format_pair(k.pair);
+  }
+}
+
+TEST(Enclosure, HoldsAmongTheSmallestAndTheLargestDoubles) {
+  constexpr double e = 5e-324, huge = 1e308;
+  auto upright = [](double x, double radius, double height) {
+    return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
+  };
+  struct Known {
+    Pair pair;
+    double distance;
+  };
+  for (const Known& k :
+       {Known{{upright(e, 0, 0), upright(7 * e, 0, 0)}, 6 * e},
+        Known{{upright(e, e, 0), upright(15 * e, e, 0)}, 12 * e},
+        Known{{upright(-huge / 2, huge / 8, 1), upright(huge / 2, huge / 8, 1)}, 0.75 * huge},
+        Known{{upright(huge, e, e), upright(huge, e, e)}, -e}}) {
+    const Enclosure found = enclose_distance(k.pair, judge(k.pair));
+    EXPECT_LE(found.lo, k.distance) << format_pair(k.pair);
+    EXPECT_GE(found.hi, k.distance) << format_pair(k.pair);
+  }
+}
+
+// The squares of the axes' tilt, of the offset or of the gap are subnormal or 0.
+TEST(Enclosure, HoldsWhereSquaresUnderflow) {
+  const std::pair<const char*, double> all[] = {
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":10},)"
+       R"("b":{"center":[0.25,0,1.5],"axis":[1,1.7e-162,0],"radius":1,"height":10}})",
+       -0.5},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":10},)"
+       R"("b":{"center":[0.25,0,2.5],"axis":[1,3.3e-162,0],"radius":1,"height":10}})",
+       0.5},
+      {R"({"a":{"center":[0,0,0],"axis":[0.93802855423460041,0.20899593535445551,0.27644733756334433],)"
+       R"("radius":0.039461180842312427,"height":0.35815195331538652},)"
+       R"("b":{"center":[1.477412159609916e-163,8.7712162317925232e-163,2.2065783915529403e-163],)"
+       R"("axis":[0.54973931746572768,-0.43924458190441734,-0.71052859203548557],)"
+       R"("radius":0.50528699969771806,"height":0.9622775011991217}})",
+       -0.5447481805400305},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2},)"
+       R"("b":{"center":[0,3e-160,1e-160],"axis":[0,1,0],"radius":0,"height":0}})",
+       3.1622776601683794e-160},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2},)"
+       R"("b":{"center":[0,3e-162,1e-162],"axis":[1,0,0],"radius":0,"height":0}})",
+       3.1622776601683794e-162}};
+  for (const auto& [text, distance] : all) {
+    const Pair pair = parse_case(text, 1).value.value().pair;
+    const AttainedDistance found = attain_distance(pair, judge(pair), 1e-12);
+    EXPECT_LE(found.distance.lo, distance) << text;
+    EXPECT_GE(found.distance.hi, distance) << text;
+    const auto [x, y, z] = found.direction;
+    EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-14) << text;
+  }
+}
+
+TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
+  // Built at a known signed distance, so the enclosure must hold it. Penetration may be shallower at an edge.
+  for (const char* name :
+       {"touching_rim_rim", "touching_side_rim", "touching_cap_rim", "touching_side_side"}) {
+    const Family* family = find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Pair pair = family->generate(5, i);
+      const Enclosure e = enclose_distance(pair, judge(pair));
+      EXPECT_LE(e.lo, e.hi);
+      EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << name << " " << i;
+      EXPECT_LE(std::fabs(e.lo), 0.02 * size_of(pair)) << name << " " << i;
+    }
+  }
+}
+
+// The support point of a direction within 1e-9 of an axis lies on the rim. The direction hardly determines
+// its place. The distance, to 16 digits, is from mpmath.
+TEST(Enclosure, KeepsToTheRimNearAnAxis) {
+  const Pair p{{{0.07799465032728059, -0.6491270501948554, 0.18302059596377318},
+                {0.36144175990345634, -0.8814801938102229, -0.3038955776548649},
+                9.66695294305895,
+                0},
+               {{6.185082114466994, 6.914833155770789, -14.493483402312991},
+                {0.36144176053822225, -0.8814801933388567, -0.3038955782671444},
+                7.954923558490437,
+                0}};
+  const Enclosure e = enclose_distance(p, judge(p), 1e-14);
+  EXPECT_LE(e.lo, 3.7935233225620569e-10);
+  EXPECT_GE(e.hi, 3.7935233225620569e-10);
+}
+
+// The depth is the least value of f over directions. No descent from any start goes below its bound.
+TEST(Enclosure, NoDirectionLeadsOutSooner) {
+  const auto f = [](const Pair& p, const Vector3& d) {
+    double sum = -d.dot(p.b.center - p.a.center);
+    for (const Cylinder* c : {&p.a, &p.b}) {
+      const Vector3 w = c->axis.normalized();
+      sum += c->height / 2 * std::fabs(d.dot(w)) + c->radius * d.cross(w).norm();
+    }
+    return sum;
+  };
+  for (const char* name :
+       {"random", "axes_nearly_parallel", "axes_crossing", "contained", "flat_disks", "needles"}) {
+    for (std::uint64_t i = 0; i < 24; ++i) {
+      const Pair pair = find_family(name)->generate(11, i);
+      const Truth truth = judge(pair);
+      if (truth.verdict != Verdict::intersecting) continue;
+      const double least = -enclose_distance(pair, truth, 1e-14).hi;
+      RandomStream s("ways out", 11, i);
+      const auto random = [&] { return s.unit_vector(); };
+      for (int start = 0; start < 12; ++start) {
+        Vector3 at = random().normalized();
+        double lowest = f(pair, at), step = 0.5;
+        for (int k = 0; k < 120; ++k) {
+          const Vector3 next = (at + step * random()).normalized();
+          const double there = f(pair, next);
+          step *= there < lowest ? 1.5 : 0.85;
+          if (there < lowest) at = next;
+          lowest = std::min(lowest, there);
+        }
+        ASSERT_GE(lowest, least - 1e-13 * size_of(pair)) << name << " " << i;
+      }
+    }
+  }
+}
+
+// The segments are end to end. By cancellation the double computation is off by more than the last place,
+// and only the slack covers it.
+TEST(Enclosure, CoversItsOwnRounding) {
+  for (int i = 1; i <= 200; ++i) {
+    const Pair p{{Vector3(0, 0, 0.1 * i), Vector3(0, 0, 1), 0, 0.3 * i},
+                 {Vector3(0, 0, 0.7 * i), Vector3(0, 0, 1), 0, 0.7 * i + 1e-9}};
+    const mpq_class gap = mpq_class(p.b.center.z()) - mpq_class(p.a.center.z()) -
+                          (mpq_class(p.a.height) + mpq_class(p.b.height)) / 2;
+    const Enclosure e = enclose_distance(p, judge(p));
+    EXPECT_LE(mpq_class(e.lo), gap) << i;
+    EXPECT_GE(mpq_class(e.hi), gap) << i;
   }
 }
 

@@ -160,7 +160,7 @@ Vec3<double> shifted(const Vec3<double>& v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
-std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
+std::optional<Truth> prove_by_filter(const Pair& pair, const Filter& filter,
                                      std::span<const MethodAnswer> offered, Certificates certificates,
                                      Guess& guess) {
   for (const MethodAnswer& answer : offered)
@@ -186,7 +186,7 @@ std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
 }
 
 // A few digits more are enough for most pairs that rounding in double leaves open.
-std::optional<Truth> prove_in_long_double(const Pair& pair, const Guess& guess) {
+std::optional<Truth> prove_by_long_filter(const Pair& pair, const Guess& guess) {
   using Long = long double;
   const auto lift = [](const Vector3& v) { return Vec3<Long>{v.x(), v.y(), v.z()}; };
   const SearchPair<Long> p{
@@ -273,7 +273,7 @@ std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
 // Cores that meet come first, because any common point is a proof. Then comes algebra, which settles ties,
 // then the nearest points. If the cores are as near to touching as a small contact distance, the search for
 // those points takes long. It shows nothing that this one does not show with more bits.
-Truth judge_rounded(const Pair& pair, int bits_cap) {
+Truth search_rounded(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
   Rational3 point, direction;
@@ -295,10 +295,9 @@ Truth judge_rounded(const Pair& pair, int bits_cap) {
   return undecided;
 }
 
-Truth judge_in_full(const Pair& pair, int bits_cap) {
+Truth search_exactly(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
-  if (is_rounded(pair)) return judge_rounded(pair, bits_cap);
   Rational3 point, direction;
   for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
     undecided.bits = bits;
@@ -319,29 +318,42 @@ Truth judge_in_full(const Pair& pair, int bits_cap) {
 
 }  // namespace
 
-Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   Guess guess;
-  if (auto t = prove_in_double(pair, Filter(pair), offered, Certificates::written, guess))
-    return std::move(*t);
-  // not covered: tests ask with that cap
-  if (bits_cap >= first_multiprecision_bits)
-    if (auto t = check_offers(pair, offered)) return std::move(*t);
-  return judge_in_full(pair, bits_cap);
+  return prove_by_filter(pair, Filter(pair), offered, Certificates::written, guess).value_or(Truth{});
+}
+
+Truth prove_in_long_double(const Pair& pair) {
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  Guess guess;
+  prove_by_filter(pair, Filter(pair), {}, Certificates::left_out, guess);
+  return prove_by_long_filter(pair, guess).value_or(Truth{});
+}
+
+Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  if (auto t = check_offers(pair, offered)) return std::move(*t);
+  return is_rounded(pair) ? search_rounded(pair, bits_cap) : search_exactly(pair, bits_cap);
+}
+
+Truth judge(const Pair& pair, std::span<const MethodAnswer> offered) {
+  Truth truth = prove_in_double(pair, offered);
+  return truth.verdict == Verdict::undecided ? prove_exactly(pair, offered) : truth;
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);  // not covered: a family's pairs are valid
   const Filter filter(pair);
   Guess guess;
-  if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
+  if (auto t = prove_by_filter(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
   if (guess.found.has_point &&
       filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);
-  if (auto t = prove_in_long_double(pair, guess)) return std::move(*t);
+  if (auto t = prove_by_long_filter(pair, guess)) return std::move(*t);
   if (auto t = check_offers(pair, offered)) return std::move(*t);
   if (auto t = prove_near(pair, guess)) return std::move(*t);
-  return judge_in_full(pair, precision_cap);
+  return prove_exactly(pair);
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {

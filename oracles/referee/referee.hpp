@@ -26,7 +26,6 @@ inline constexpr int precision_cap = 4096;
 /// solids
 ///    (Hull). If it proves the verdict, the certificate is the rational point of both hulls nearest to that
 ///    point.
-/// 5. With a cap below 128 bits, only double is used, also for witnesses.
 /// Cost:
 /// * about 1 us, with or without a witness; 20 us with a witness in hulls
 /// * 0.1 ms if double is not enough, below 1 ms for pairs that touch exactly
@@ -34,7 +33,16 @@ inline constexpr int precision_cap = 4096;
 ///   pairs
 /// * 0.4 ms in the mean if components of axes or lengths are hundreds of decades apart. 1 in 240 of these
 ///   takes more than 20 ms, the slowest 31 ms.
-Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
+Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {});
+
+/// The stages of judge() and judge_verdict(), each alone. A pair that a stage leaves open is `undecided`.
+/// In double with bounds of rounding: the offered witnesses, then one search. Cost: 1 us.
+Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered = {});
+/// The search in long double. Gives no certificate. Cost: 5 us, 15 us for rounded solids.
+Truth prove_in_long_double(const Pair& pair);
+/// In rationals and MPFR: the offered witnesses, then searches with 128 bits and twice as many each time.
+Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered = {},
+                    int bits_cap = precision_cap);
 
 /// Returns the same proved verdict as judge(). Leaves out the certificate if a cheaper proof has none:
 /// 1. a proof in long double,
