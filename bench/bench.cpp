@@ -84,6 +84,7 @@ Cost median(std::span<const Cost> costs) {
 BenchRow make_row(const Candidate& candidate, const Family& family) {
   BenchRow row;
   row.method = candidate.method->name();
+  row.name = candidate.method->name_parts();
   row.family = family.name;
   row.query = candidate.query;
   row.foreign = candidate.method->foreign();

@@ -39,6 +39,7 @@ inline constexpr std::size_t costly_asked = 100, costly_timed = 30;
 ///   batch        all verdicts in one call on prepared solids
 struct BenchRow {
   std::string method;
+  MethodName name;  ///< its parts
   std::string family;
   std::string query;
   bool foreign = false;

@@ -45,8 +45,7 @@ AnyCall prepare(const Candidate& candidate, std::span<const Pair> pairs) {
 class Contained : public Method {
  public:
   using Ask = std::function<MethodAnswer(const Pair&)>;
-  explicit Contained(Ask ask) : ask_(std::move(ask)) {}
-  std::string_view name() const override { return "bench"; }
+  explicit Contained(Ask ask) : Method({"bench"}), ask_(std::move(ask)) {}
   std::string_view version() const override { return ""; }
   Claim claim() const override { return {}; }
   bool supports(SolidKind) const override { return true; }

@@ -19,7 +19,6 @@ namespace {
 
 /// Answers by functions; an empty one stands for a way that it does not have.
 struct Fake : Method {
-  std::string name_ = "fake";
   Claim claim_;
   bool foreign_ = true;
   unsigned share_ = 1;
@@ -30,7 +29,7 @@ struct Fake : Method {
 
   static Verdict right(const Pair& pair) { return judge(pair).verdict; }
 
-  std::string_view name() const override { return name_; }
+  explicit Fake(std::string name = "fake") : Method({std::move(name)}) {}
   std::string_view version() const override { return ""; }
   Claim claim() const override { return claim_; }
   bool foreign() const override { return foreign_; }

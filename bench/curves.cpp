@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <regex>
 #include <utility>
 
 namespace cyl {
@@ -34,7 +33,12 @@ std::vector<std::vector<BenchRow>> by_question(std::span<const BenchRow> rows) {
 
 /// Returns the point of one method and query over all margins.
 SpeedPoint point_of(std::span<const BenchRow> rows) {
-  SpeedPoint all{rows[0].method, curve_of(rows[0].method), rows[0].query};
+  const MethodName& name = rows[0].name;
+  SpeedPoint all;
+  all.method = rows[0].method;
+  all.curve = name.library + (name.algorithm.empty() ? "" : '-' + name.algorithm);
+  all.setting = name.setting.empty() ? "default" : name.setting;
+  all.query = rows[0].query;
   all.digits = digits_of(rows);
   double sum = 0, timed = 0;
   for (const BenchRow& row : rows) {
@@ -57,18 +61,6 @@ std::string text_of(const std::optional<int>& digits) { return digits ? std::to_
 std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.0f}", x) : "-"; }
 
 }  // namespace
-
-CurveName curve_of(std::string_view method) {
-  static const std::regex word(R"((.*-(?:polish|real|arc))([0-9][0-9.]*(?:e-?[0-9]+)?))");
-  static const std::regex setting(R"((.*?)-((?:tol)?([0-9][0-9.]*(?:e-?[0-9]+)?)))");
-  static const std::regex other(R"((.*)-(margin[0-9]+|contacts-[0-9]+|unrefined|centers))");
-  const std::string name(method);
-  std::smatch found;
-  if (std::regex_match(name, found, word)) return {found[1], found[2]};
-  if (std::regex_match(name, found, other)) return {found[1], found[2]};
-  if (std::regex_match(name, found, setting)) return {found[1], found[3]};
-  return {name, "default"};
-}
 
 std::optional<int> margin_of_family(std::string_view family) {
   constexpr std::string_view start = "margin_1e-";
@@ -106,16 +98,15 @@ std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows) {
 
 std::string format_curves(std::vector<SpeedPoint> points) {
   std::stable_sort(points.begin(), points.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
-    return std::pair(x.query, x.name.curve) < std::pair(y.query, y.name.curve);
+    return std::pair(x.query, x.curve) < std::pair(y.query, y.curve);
   });
   std::string text =
       fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", "curve", "setting",
                   "query", "ns/pair", "p99 ns", "max ns", "pairs", "disj(!)", "inter(!)", "digits", "low");
   for (const SpeedPoint& p : points) {
-    text +=
-        fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", p.name.curve,
-                    p.name.setting, p.query, number(p.ns), number(p.p99_ns), number(p.max_ns), p.asked,
-                    p.wrong_disjoint, p.wrong_intersecting, text_of(p.digits.right), text_of(p.digits.low));
+    text += fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", p.curve, p.setting,
+                        p.query, number(p.ns), number(p.p99_ns), number(p.max_ns), p.asked, p.wrong_disjoint,
+                        p.wrong_intersecting, text_of(p.digits.right), text_of(p.digits.low));
   }
   return text +
          "\ndigits: right on every pair at margins of 1e-1 to 1e-digits of the size, and not at the next; "

@@ -13,16 +13,6 @@
 
 namespace cyl {
 
-/// Methods that differ in a setting only are points of one curve.
-struct CurveName {
-  std::string curve;
-  std::string setting;  ///< "1e-10", "64", "polish4"; "default" if the name has none
-};
-
-/// Derives curve and setting from the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10,
-/// "bullet-hull-64" is bullet-hull at 64, "libccd-gjk-centers" is libccd-gjk at centers.
-CurveName curve_of(std::string_view method);
-
 /// Returns d for "margin_1e-0d", nothing for another family.
 std::optional<int> margin_of_family(std::string_view family);
 
@@ -49,7 +39,9 @@ Digits digits_of(std::span<const BenchRow> rows);
 /// of theirs (which bound the joint ones), and counts are sums.
 struct SpeedPoint {
   std::string method;
-  CurveName name;
+  std::string
+      curve;  ///< library and algorithm: methods that differ in a setting only are points of one curve
+  std::string setting;  ///< "tol1e-10", "64", "polish4", or "default"
   std::string query;
   double ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
   std::size_t asked = 0, wrong_disjoint = 0, wrong_intersecting = 0;

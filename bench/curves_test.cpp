@@ -34,43 +34,23 @@ std::vector<BenchRow> rows_of(int right, std::size_t pairs = 600, std::size_t Be
   return rows;
 }
 
-TEST(Curves, OfMethodsThatDifferInASettingOnly) {
-  const std::map<std::string, std::pair<std::string, std::string>> known{
-      {"fcl-libccd", {"fcl-libccd", "default"}},
-      {"fcl-libccd-tol1e-10", {"fcl-libccd", "1e-10"}},
-      {"fcl-distance-libccd-tol1e-4", {"fcl-distance-libccd", "1e-4"}},
-      {"bullet-hull-16", {"bullet-hull", "16"}},
-      {"bullet-gjkepa2", {"bullet-gjkepa2", "default"}},
-      {"bullet-cylinder-margin0", {"bullet-cylinder", "margin0"}},
-      {"nlopt-direct-6000", {"nlopt-direct", "6000"}},
-      {"ode", {"ode", "default"}},
-      {"ode-contacts-8", {"ode", "contacts-8"}},
-      {"ode-unrefined", {"ode", "unrefined"}},
-      {"libccd-gjk-centers", {"libccd-gjk", "centers"}},
-      {"seed2017-cg-steps-64", {"seed2017-cg-steps", "64"}},
-      {"seed2008-projection-polish16", {"seed2008-projection-polish", "16"}},
-      {"seed2008-polynomial-real1e-12", {"seed2008-polynomial-real", "1e-12"}},
-      {"seed2008-minimise-arc0", {"seed2008-minimise-arc", "0"}},
-      {"seedbook-printed", {"seedbook-printed", "default"}},
-  };
-  for (const auto& [method, wanted] : known) {
-    const CurveName name = curve_of(method);
-    EXPECT_EQ(std::pair(name.curve, name.setting), wanted) << method;
-  }
-}
-
 // The curves that settings were added for have several points, and no point stands twice.
 TEST(Curves, NoTwoMethodsAreOnePoint) {
   std::map<std::string, std::set<std::string>> settings;
+  std::set<std::string> names;
   for (const auto& methods : {all_methods(), setting_methods()}) {
     for (const auto& m : methods) {
-      const CurveName name = curve_of(m->name());
-      EXPECT_TRUE(settings[name.curve].insert(name.setting).second) << m->name();
+      BenchRow row = row_of("", "margin_1e-01");
+      row.name = m->name_parts();
+      const SpeedPoint point = speed_points({&row, 1})[0];
+      EXPECT_TRUE(settings[point.curve].insert(point.setting).second) << m->name();
+      EXPECT_TRUE(names.emplace(m->name()).second) << m->name();
     }
   }
   for (const char* curve : {"fcl-libccd", "fcl-indep", "fcl-distance-libccd", "bullet-hull", "libccd-mpr",
                             "mujoco", "nlopt-direct"})
     EXPECT_GE(settings[curve].size(), 5u) << curve;
+  EXPECT_TRUE(settings["libccd-mpr"].contains("tol1e-12") && settings["ode"].contains("default"));
 }
 
 TEST(Curves, TheMarginOfAFamilyIsInItsName) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/detail/best_direction.hpp"
 #include "solver/detail/distance_frame.hpp"
 #include "solver/detail/distance_patches.hpp"
 #include "solver/detail/distance_rims.hpp"
@@ -14,19 +15,14 @@
 namespace cyl {
 namespace {
 
-// Two values of f within this times the reach may be the same: twice distance_error.
-constexpr double tie_error = 2 * distance_error;
-
 // Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
 constexpr double shallow_tol = 0x1p-20;
 
 // The error of the bounds of section 6, divided by the reach.
 constexpr double patch_error = 4 * distance_error;
 
-constexpr int projection_cap = 60;  // of the points, if no other step brought the bounds together
-constexpr int touch_cap = 6;        // of them from each start, if the solids overlap
-constexpr int open_box_cap = 2;     // boxes of a pair of rims from which a search starts
-constexpr int settle_cap = 12;      // of them if direction and points do not belong together
+constexpr int open_box_cap = 2;  // boxes of a pair of rims from which a search starts
+constexpr int settle_cap = 12;   // of them if direction and points do not belong together
 
 // If the axes are nearly parallel and the rims nearly touch, f is flat from the poles to the circles.
 // Newton's method starts in that valley, from points that are each a quarter as far from the pole as the one
@@ -34,17 +30,13 @@ constexpr int settle_cap = 12;      // of them if direction and points do not be
 // stationary it takes up to 16 steps.
 constexpr double valley_tol = 0x1p-6;         // sine of the angle between the axes
 constexpr double valley_depth_tol = 0x1p-34;  // of the reach; if rims show it, deeper, section 3 finds it
-constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6, finish_step_cap = 24;
+constexpr int valley_start_cap = 10, valley_step_cap = 8, finish_step_cap = 24;
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
-// Lengths above this may add up to more than the largest double.
-constexpr double huge_tol = 0x1p1000;
-
-class Search {
+class Search : BestDirection {
  public:
-  Search(const Scaled& p, const TurnedFrame& f) noexcept
-      : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
+  Search(const Scaled& p, const TurnedFrame& f) noexcept : BestDirection(p), f_(f) {}
 
   // `decided` is the answer of decide(), which is asked if faces and circles show no gap beyond rounding.
   template <class Decide>
@@ -83,7 +75,7 @@ class Search {
     if (!(low_ < 0)) return;
     const Vector3 way = on1_ - on0_, off = way - dot(way, direction_) * direction_;
     const double rounding = distance_error * reach_;
-    if (dot(off, off) <= rounding * rounding || settle(direction_, on0_, on1_)) return;
+    if (dot(off, off) <= rounding * rounding || belong_together(direction_, on0_, on1_)) return;
     settling_ = true;
     if (look_at_circles() || look_at_faces(true) || look_at_faces(false) || look_at_starts() ||
         look_along(on1_ - on0_) || look_along(Vector3(direction_)))
@@ -92,9 +84,9 @@ class Search {
     for (int i = 0; i < settle_cap; ++i) {
       ++steps_;
       on0 = nearest(on1, p_.w0, p_.r0, p_.h0);
-      if (settle(direction_, on0, on1)) return;
+      if (belong_together(direction_, on0, on1)) return;
       on1 = nearest(on0 - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta;
-      if (settle(direction_, on0, on1)) return;
+      if (belong_together(direction_, on0, on1)) return;
     }
   }
 
@@ -110,69 +102,6 @@ class Search {
   }
 
  private:
-  // Takes points whose way from each other is along the direction within rounding, or along which f is as
-  // low.
-  bool settle(const Vector3& d, const Vector3& on0, const Vector3& on1) noexcept {
-    const Vector3 way = on1 - on0;
-    const double apart = length(way);
-    if (!(apart <= tie_error * reach_ - low_)) return false;
-    Vector3 along = d;
-    if (length(way - dot(way, d) * d) > distance_error * reach_) {
-      along = way / apart;
-      if (!(support_gap(p_, along) <= low_ + 0.5 * distance_error * reach_)) return false;
-    }
-    high_ = apart;
-    direction_ = along;
-    on0_ = on0;
-    on1_ = on1;
-    return true;
-  }
-
-  // Takes a direction and a point of one of the solids that goes with it, relative to C0, if they are better.
-  // Returns true if they prove the gap.
-  bool consider(const Vector3& along, const Vector3& anchor, bool on_b) noexcept {
-    const double size = length(along);
-    if (!(size > 0)) return false;
-    return consider_unit(along * ((dot(along, p_.delta) < 0 ? -1 : 1) / size), anchor, on_b);
-  }
-
-  // For a unit vector towards b.
-  bool consider_unit(const Vector3& d, const Vector3& anchor, bool on_b) noexcept {
-    const double f = support_gap(p_, d);
-    if (f < low_) {
-      low_ = f;
-      direction_ = d;
-      anchor_ = anchor;
-      on_b_ = on_b;
-    }
-    if (settling_) [[unlikely]] {
-      if (!(f <= low_ + 0.5 * distance_error * reach_)) return false;
-      const Vector3 other = opposite(anchor, on_b);
-      return on_b ? settle(d, other, anchor) : settle(d, anchor, other);
-    }
-    // As low within rounding: the direction is the same, its point may be the better one.
-    return f < 0 && f <= low_ + tie_error * reach_ && meet(anchor, on_b);
-  }
-
-  // The point of the other solid that is nearest.
-  Vector3 opposite(const Vector3& anchor, bool on_b) const noexcept {
-    return on_b ? nearest(anchor, p_.w0, p_.r0, p_.h0)
-                : Vector3(nearest(anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
-  }
-
-  // Takes a point and its nearest one in the other solid, if they are nearer. Returns true if they prove the
-  // gap.
-  bool meet(const Vector3& anchor, bool on_b) noexcept {
-    const Vector3 other = opposite(anchor, on_b);
-    const double distance = length(other - anchor);
-    if (distance < high_) {
-      high_ = distance;
-      on0_ = on_b ? other : anchor;
-      on1_ = on_b ? anchor : other;
-    }
-    return high_ + low_ <= tie_error * reach_;
-  }
-
   // The normals of the three flat faces of K. f is known there in closed form.
   void measure_faces() noexcept {
     const Scaled& p = p_;
@@ -301,48 +230,6 @@ class Search {
     }
   }
 
-  // Newton's method on f over unit directions, with a step shortened until f falls. g is the part of y
-  // perpendicular to D. The second derivative is sum r/s t t^T - f. Here t is perpendicular to the axis and
-  // to D, and s is the sine of their angle. b0 lies along the valley. A step along it ends at half of the way
-  // to the pole.
-  void descend(Vector3 d, int step_cap) noexcept {
-    const Scaled& p = p_;
-    double value = support_gap(p, d);
-    for (int step = 0; step < step_cap; ++step) {
-      ++steps_;
-      const Vector3 radial0 = d - dot(d, p.w0) * p.w0, radial1 = d - dot(d, p.w1) * p.w1;
-      const double s0 = length(radial0), s1 = length(radial1);
-      if (!(s0 > 0) || !(s1 > 0) || dot(d, p.delta) < 0) return;
-      const Vector3 n0 = radial0 / s0, n1 = radial1 / s1;
-      const Vector3 on0 = std::copysign(p.h0, dot(d, p.w0)) * p.w0 + p.r0 * n0;
-      const Vector3 y = on0 + std::copysign(p.h1, dot(d, p.w1)) * p.w1 + p.r1 * n1 - p.delta;
-      consider_unit(d, on0, false);
-      const Vector3 flat = p.w0 - dot(p.w0, d) * d, b0 = flat / length(flat), b1 = d.cross(b0);
-      const Vector3 t0 = n0.cross(p.w0), t1 = n1.cross(p.w1);
-      const double g0 = dot(y, b0), g1 = dot(y, b1), k0 = p.r0 / s0, k1 = p.r1 / s1;
-      const double q00 = k0 * dot(t0, b0) * dot(t0, b0) + k1 * dot(t1, b0) * dot(t1, b0) - value,
-                   q01 = k0 * dot(t0, b0) * dot(t0, b1) + k1 * dot(t1, b0) * dot(t1, b1),
-                   q11 = k0 * dot(t0, b1) * dot(t0, b1) + k1 * dot(t1, b1) * dot(t1, b1) - value;
-      if (!(q11 > 0)) return;
-      const double slope = g0 - q01 * g1 / q11, bend = q00 - q01 * q01 / q11, most = s0 / 2;
-      double x0 = bend > 0 ? -slope / bend : -std::copysign(most, slope);
-      x0 = larger(-most, smaller(most, x0));
-      const double x1 = -(g1 + q01 * x0) / q11;
-      double part = 1;
-      int tries = 0;
-      for (;; part /= 4) {
-        const Vector3 turned = d + part * x0 * b0 + part * x1 * b1, next = turned / length(turned);
-        const double now = support_gap(p, next);
-        if (now < value) {
-          d = next;
-          value = now;
-          break;
-        }
-        if (++tries == shorter_step_cap) return;
-      }
-    }
-  }
-
   // Section 3. D is perpendicular to both tangents, and along y. Near contact y is mostly rounding. If the
   // tangents are nearly parallel, their product is too.
   bool look_at_rims(const Rims& start, Rims* found = nullptr) noexcept {
@@ -369,15 +256,6 @@ class Search {
     const double i1 = 1 / std::sqrt(larger(along * along + u1 * u1, 0x1p-1000));
     return look_at_rims({std::copysign(1.0, dot(d, f.w0)), std::copysign(1.0, dot(d, f.w1)), along * i0,
                          u0 * i0, along * i1, u1 * i1});
-  }
-
-  // From each solid to the other and back.
-  bool project() noexcept {
-    for (int i = 0; i < projection_cap; ++i) {
-      ++steps_;
-      if (meet(on0_, false) || meet(on1_, true)) return true;
-    }
-    return false;
   }
 
   // Moved along the direction by the depth, b touches a in the plane perpendicular to it. A common point is
@@ -407,39 +285,8 @@ class Search {
     }
   }
 
-  bool come_to_plane() noexcept {
-    const Vector3 moved = p_.delta + low_ * direction_;
-    const double error = tie_error * reach_;
-    high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
-    return come_together(on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_, moved, error) ||
-           come_together(farthest(direction_, p_.w0, p_.r0, p_.h0, error), moved, error) ||
-           come_together(moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error), moved, error);
-  }
-
-  // From a point to one solid and to the other and back, keeping what is nearest.
-  bool come_together(Vector3 x, const Vector3& moved, double error) noexcept {
-    for (int i = 0; i < touch_cap; ++i) {
-      ++steps_;
-      const Vector3 on0 = nearest(x, p_.w0, p_.r0, p_.h0);
-      x = nearest(on0 - moved, p_.w1, p_.r1, p_.h1) + moved;
-      const double off = length(on0 - x);
-      if (off < high_) {
-        high_ = off;
-        on0_ = on0;
-        on1_ = on0 - low_ * direction_;
-      }
-      if (high_ <= error) return true;
-    }
-    return false;
-  }
-
-  const Scaled& p_;
   const TurnedFrame& f_;
-  double reach_;
-  double low_ = std::numeric_limits<double>::infinity();   // least f seen
-  double high_ = std::numeric_limits<double>::infinity();  // least distance of two points seen
-  Vector3 direction_{0, 0, 0}, anchor_{0, 0, 0}, on0_{0, 0, 0}, on1_{0, 0, 0};
-  bool on_b_ = false, overlap_ = false, is_least_ = false, settling_ = false;
+  bool overlap_ = false, is_least_ = false;
   struct {
     double value;
     bool inside;
@@ -449,130 +296,12 @@ class Search {
     double value;
     Rims rims;
   } start_[6];  // two poles, and two of each look at the circles
-  int starts_ = 0, steps_ = 0;
+  int starts_ = 0;
 };
-
-// Cut off at the largest double.
-double in_range(double x) noexcept {
-  constexpr double most = std::numeric_limits<double>::max();
-  return larger(-most, smaller(most, x));
-}
-
-// Parallel axes: apart along w, across it, or both.
-void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) noexcept {
-  const Vector3 w = axis_sum / length(axis_sum);
-  const double along = dot(p.delta, w);
-  // It is perpendicular to w even if nearly all of Delta is along w. If all is along it but for rounding,
-  // `off` need not be perpendicular to w. Then Delta counts as along it.
-  constexpr double coaxial_error = 8 * unit_roundoff_error;
-  const Vector3 rest = p.delta - along * w, off = rest - dot(rest, w) * w;
-  const double across = length(off) > coaxial_error * std::fabs(along) ? length(off) : 0;
-  // Any direction perpendicular to w if there is none.
-  Vector3 u;
-  if (across > 0) {
-    u = off * power_of_two(-exponent_of(max_abs(off)));  // its square may have no digits left
-    u /= length(u);
-  } else {
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-      if (std::fabs(w[i]) < std::fabs(w[least])) least = i;
-    const Vector3 unit(least == 0 ? 1 : 0, least == 1 ? 1 : 0, least == 2 ? 1 : 0);
-    u = w.cross(unit);
-    u /= length(u);
-  }
-  if (dot(u, p.delta) < 0) u = -u;
-  const double beyond = std::fabs(along) - p.h0 - p.h1, beside = across - p.r0 - p.r1;
-  const double sign = std::copysign(1.0, along);
-  const bool by_caps = beyond > 0 || (beside <= 0 && beyond >= beside), by_sides = beside > 0 || !by_caps;
-  const double along0 = by_caps ? sign * p.h0 : middle_of_both(p.h0, along, p.h1);
-  const double along1 = by_caps ? -sign * p.h1 : along0 - along;
-  const double across0 = by_sides ? p.r0 : middle_of_both(p.r0, across, p.r1);
-  const double across1 = by_sides ? -p.r1 : across0 - across;
-  out.on_a = along0 * w + across0 * u;
-  out.on_b = along1 * w + across1 * u;
-  if (by_caps && by_sides) {
-    const double most = larger(beyond, beside), x = beyond / most, y = beside / most;
-    const double root = std::sqrt(x * x + y * y);
-    out.value = most * root;
-    out.direction = (x / root * sign) * w + (y / root) * u;
-  } else {
-    out.value = by_caps ? beyond : beside;
-    out.direction = by_caps ? Vector3(sign * w) : u;
-  }
-  out.error = distance_error * (p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta));
-  out.least = !(out.value > 0);
-}
-
-// Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
-void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
-  const double room = rounding_a + rounding_b;
-  const bool apart = d.value > 0;
-  d.error += 4 * unit_roundoff_error * larger(room, std::fabs(d.value));
-  d.value -= room;
-  d.on_a += rounding_a * d.direction;
-  d.on_b -= rounding_b * d.direction;
-  // Every direction's f grows by as much. If the cores are apart, `error` shows that there is no lower one.
-  d.least = d.value <= 0 && (d.least || apart);
-  d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
-}
-
-double longest_of(const Prepared& c) noexcept {
-  return larger(larger(max_abs(c.center), c.rounding), larger(c.radius, c.height));
-}
-
-// Its core, in another unit.
-Prepared core_of(const Prepared& c, double unit) noexcept {
-  Prepared core = c;
-  core.rounding = 0;
-  core.ordinary = c.moderate;
-  if (unit != 1) {
-    core.center *= unit;
-    core.radius *= unit;
-    core.height *= unit;
-  }
-  return core;
-}
-
-// `grows`: the cores are about to.
-Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept;
 
 }  // namespace
 
-Distance distance(const Prepared& a, const Prepared& b) noexcept {
-  if ((a.defect != Defect::none) | (b.defect != Defect::none)) {
-    Distance out;
-    out.verdict = Verdict::invalid;
-    return out;
-  }
-  if (a.rounding + b.rounding == 0) return distance_of_cores(a, b);
-  // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
-  // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
-  // is far below the error.
-  const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
-  Distance out = measure(core_of(a, unit), core_of(b, unit), true);
-  grow(out, unit * a.rounding, unit * b.rounding);
-  if (unit != 1) {
-    out.value = in_range(out.value / unit);
-    out.error = in_range(out.error / unit);
-    for (int i = 0; i < 3; ++i) {
-      out.on_a[i] = in_range(out.on_a[i] / unit);
-      out.on_b[i] = in_range(out.on_b[i] / unit);
-    }
-  }
-  // Within rounding decide() has the last word; half of the error is within it of any gap there.
-  if (out.value <= 0 && -out.value <= out.error && decide(a, b).verdict == Verdict::disjoint) {
-    out.verdict = Verdict::disjoint;
-    out.value = 0.5 * out.error;
-    out.least = false;
-  }
-  return out;
-}
-
-Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept { return measure(a, b, false); }
-
-namespace {
-
-Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
+Distance distance_of_cores(const Prepared& a, const Prepared& b, bool grows) noexcept {
   Distance out;
   const bool swapped = out_of_order(a, b);
   const Prepared& first = swapped ? b : a;
@@ -621,9 +350,5 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
   }
   return out;
 }
-
-}  // namespace
-
-Distance distance(const Cylinder& a, const Cylinder& b) noexcept { return distance(prepare(a), prepare(b)); }
 
 }  // namespace cyl

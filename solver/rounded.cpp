@@ -287,7 +287,7 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
   }
   if (contact_distance >= huge_distance)
     return intersect_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
-  return verdict_of(distance_of_cores(core_of(a), core_of(b)).value <= contact_distance);
+  return verdict_of(distance_of_cores(core_of(a), core_of(b), false).value <= contact_distance);
 }
 
 namespace {
@@ -420,7 +420,7 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
     return answer;
   const Answer of_cores = decide(first, second);
   if (of_cores.proof == Proof::point) return of_cores;
-  const Distance d = distance_of_cores(first, second);
+  const Distance d = distance_of_cores(first, second, false);
   const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
   if (try_rounded_direction(p, d.direction, scaled_contact, answer)) return answer;
   try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_contact, answer);

@@ -24,7 +24,7 @@ constexpr int page_bytes = 16384;
 constexpr const char* tables = R"(
 CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE method(name TEXT PRIMARY KEY, version TEXT NOT NULL, relative TEXT NOT NULL, absolute TEXT NOT NULL,
-  source TEXT NOT NULL, share INTEGER NOT NULL);
+  source TEXT NOT NULL, share INTEGER NOT NULL, library TEXT NOT NULL, assumed INTEGER NOT NULL);
 CREATE TABLE progress(next INTEGER NOT NULL, milliseconds INTEGER NOT NULL);
 CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT NULL, declined INTEGER NOT NULL,
   failed INTEGER NOT NULL, contract INTEGER NOT NULL, resolution INTEGER NOT NULL, undecided INTEGER NOT NULL,

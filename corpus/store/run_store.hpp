@@ -49,11 +49,13 @@ struct MethodRecord {
   double relative = 0, absolute = 0;
   std::string source;  ///< of the claim
   unsigned share = 1;  ///< asked on one index in `share`, and if another method is wrong
+  std::string library = {};
+  bool assumed = false;  ///< The library states no such claim.
 
   bool operator==(const MethodRecord&) const = default;
   static constexpr const char* table = "method";
   static auto columns(auto& m) {
-    return std::tie(m.name, m.version, m.relative, m.absolute, m.source, m.share);
+    return std::tie(m.name, m.version, m.relative, m.absolute, m.source, m.share, m.library, m.assumed);
   }
 };
 

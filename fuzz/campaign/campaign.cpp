@@ -57,7 +57,8 @@ std::vector<MethodRecord> record_methods(const Workload& workload) {
   for (const auto& method : workload.methods) {
     const Claim claim = method->claim();
     all.push_back({std::string(method->name()), std::string(method->version()), claim.relative,
-                   claim.absolute, std::string(claim.source), method->share()});
+                   claim.absolute, std::string(claim.source), method->share(), std::string(method->library()),
+                   claim.assumed});
   }
   return all;
 }
@@ -89,14 +90,6 @@ Config limits(const CampaignOptions& options, milliseconds spent) {
           {"stop_at", options.stop_at}};
 }
 
-/// The methods whose claim is our assumption, a line each.
-std::string assumed_claims(const Workload& workload) {
-  std::string names;
-  for (const auto& method : workload.methods)
-    if (method->claim().assumed) names.append(method->name()).append("\n");
-  return names;
-}
-
 RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   Config config = identity(options, workload);
   const std::vector<MethodRecord> methods = record_methods(workload);
@@ -107,7 +100,6 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
     config["fuzzing"] = options.fuzzing;
     config["build"] = options.build;
     config["guests"] = options.guests;
-    config["assumed_claims"] = assumed_claims(workload);
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     config.merge(limits(options, {}));

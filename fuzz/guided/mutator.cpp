@@ -92,11 +92,12 @@ void scale_field(Pair& p, RandomStream& s) {
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
-// Reaches ratios between the powers of two. A fault may need several of them at once.
-void scale_length(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
-  double* const lengths[] = {&c.radius, &c.height, &c.rounding};
-  *lengths[s.below(3)] *= s.between(0.25, 2);
+// One length becomes a moderate multiple of any: a fault may need several ratios at once.
+void relate_lengths(Pair& p, RandomStream& s) {
+  double* const lengths[] = {&p.a.radius, &p.a.height, &p.a.rounding,
+                             &p.b.radius, &p.b.height, &p.b.rounding};
+  const double other = *lengths[s.below(6)], part = s.between(0.5, 1);
+  *lengths[s.below(6)] = std::ldexp(other * part, s.integer(-3, 4));
 }
 
 void change_field(Pair& p, RandomStream& s) {
@@ -194,7 +195,7 @@ constexpr Move all_moves[] = {
     {"swap", swap},
     {"scale_all", scale_all},
     {"scale_field", scale_field},
-    {"scale_length", scale_length},
+    {"relate_lengths", relate_lengths},
     {"change_field", change_field},
     {"snap_to_grid", snap_to_grid},
     {"make_coaxial", make_coaxial},

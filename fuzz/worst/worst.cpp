@@ -67,8 +67,7 @@ int rank(Failure failure) {
 /// Answers with the time of a call as the distance.
 class Timed final : public Method {
  public:
-  Timed(Method& method, double (*clock)()) : method_(method), clock_(clock) {}
-  std::string_view name() const override { return method_.name(); }
+  Timed(Method& method, double (*clock)()) : Method(method.name_parts()), method_(method), clock_(clock) {}
   std::string_view version() const override { return method_.version(); }
   Claim claim() const override { return method_.claim(); }
   bool supports(SolidKind kind) const override { return method_.supports(kind); }

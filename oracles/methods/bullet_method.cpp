@@ -116,14 +116,12 @@ MethodAnswer answer_of(std::optional<double> distance) {
 
 class Bullet : public Method {
  public:
-  explicit Bullet(std::string name) : name_(std::move(name)) {}
-  std::string_view name() const override { return name_; }
+  using Method::Method;
   std::string_view version() const override { return version_; }
   bool supports(SolidKind) const override { return true; }
   Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
 
  private:
-  const std::string name_;
   const std::string version_ = version_of_bullet();
 };
 
@@ -218,7 +216,7 @@ class GjkEpa2 final : public Bullet {
 class HullShape final : public Bullet {
  public:
   HullShape(int sides, unsigned share)
-      : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
+      : Bullet({"bullet", "hull", std::to_string(sides)}), sides_(sides), share_(share) {}
   unsigned share() const override { return share_; }
   bool supports(SolidKind kind) const override { return kind == SolidKind::cylinder; }
 
@@ -267,9 +265,9 @@ class HullShape final : public Bullet {
 
 std::vector<std::unique_ptr<Method>> bullet_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Detector<Rims::by_margin>>("bullet-cylinder"));
-  methods.push_back(std::make_unique<Detector<Rims::sharp>>("bullet-cylinder-margin0"));
-  methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
+  methods.push_back(std::make_unique<Detector<Rims::by_margin>>(MethodName{"bullet", "cylinder"}));
+  methods.push_back(std::make_unique<Detector<Rims::sharp>>(MethodName{"bullet", "cylinder", "margin0"}));
+  methods.push_back(std::make_unique<GjkEpa2>(MethodName{"bullet", "gjkepa2"}));
   methods.push_back(std::make_unique<HullShape>(16, 1));
   methods.push_back(std::make_unique<HullShape>(64, 8));  // 40 us a pair, ten times the others
   return methods;

@@ -65,9 +65,8 @@ using Intersect = int(const void*, const void*, const ccd_t*);
 /// Returns yes or no from one of libccd's two algorithms.
 class Ccd final : public Method {
  public:
-  Ccd(std::string_view name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
-      : name_(name), intersect_(intersect), settings_(settings), claim_(claim) {}
-  std::string_view name() const override { return name_; }
+  Ccd(MethodName name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
+      : Method(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
   bool supports(SolidKind) const override { return true; }
   Claim claim() const override { return claim_; }
@@ -90,7 +89,6 @@ class Ccd final : public Method {
     return intersect_(&a, &b, &settings_) != 0 ? Verdict::intersecting : Verdict::disjoint;
   }
 
-  const std::string_view name_;
   Intersect* const intersect_;
   const ccd_t settings_;
   const Claim claim_;
@@ -105,27 +103,26 @@ ccd_t default_settings(ccd_support_fn supported) {
   return settings;
 }
 
-std::unique_ptr<Method> gjk(std::string_view name, ccd_first_dir_fn first_direction,
-                            ccd_support_fn supported) {
+std::unique_ptr<Method> gjk(MethodName name, ccd_first_dir_fn first_direction, ccd_support_fn supported) {
   ccd_t settings = default_settings(supported);
   settings.first_dir = first_direction;
   const Claim claim{.absolute = zero_tol, .source = gjk_source, .assumed = true};
-  return std::make_unique<Ccd>(name, ccdGJKIntersect, settings, claim);
+  return std::make_unique<Ccd>(std::move(name), ccdGJKIntersect, settings, claim);
 }
 
-std::unique_ptr<Method> mpr(std::string_view name, double tolerance, ccd_support_fn supported = support) {
+std::unique_ptr<Method> mpr(MethodName name, double tolerance, ccd_support_fn supported = support) {
   ccd_t settings = default_settings(supported);
   settings.mpr_tolerance = tolerance;
   const Claim claim{.absolute = tolerance, .source = mpr_source};
-  return std::make_unique<Ccd>(name, ccdMPRIntersect, settings, claim);
+  return std::make_unique<Ccd>(std::move(name), ccdMPRIntersect, settings, claim);
 }
 
 std::vector<std::unique_ptr<Method>> methods_with(ccd_support_fn supported) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(gjk("libccd-gjk", ccdFirstDirDefault, supported));
-  methods.push_back(gjk("libccd-gjk-centers", direction_of_centers, supported));
-  methods.push_back(mpr("libccd-mpr", default_tol, supported));
-  methods.push_back(mpr("libccd-mpr-tol1e-10", fine_tol, supported));
+  methods.push_back(gjk({"libccd", "gjk"}, ccdFirstDirDefault, supported));
+  methods.push_back(gjk({"libccd", "gjk", "centers"}, direction_of_centers, supported));
+  methods.push_back(mpr({"libccd", "mpr"}, default_tol, supported));
+  methods.push_back(mpr({"libccd", "mpr", "tol1e-10"}, fine_tol, supported));
   return methods;
 }
 
@@ -139,10 +136,10 @@ std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums() {
 
 std::vector<std::unique_ptr<Method>> ccd_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(mpr("libccd-mpr-tol1e-2", 1e-2));
-  methods.push_back(mpr("libccd-mpr-tol1e-6", 1e-6));
-  methods.push_back(mpr("libccd-mpr-tol1e-8", 1e-8));
-  methods.push_back(mpr("libccd-mpr-tol1e-12", 1e-12));
+  methods.push_back(mpr({"libccd", "mpr", "tol1e-2"}, 1e-2));
+  methods.push_back(mpr({"libccd", "mpr", "tol1e-6"}, 1e-6));
+  methods.push_back(mpr({"libccd", "mpr", "tol1e-8"}, 1e-8));
+  methods.push_back(mpr({"libccd", "mpr", "tol1e-12"}, 1e-12));
   return methods;
 }
 

@@ -70,15 +70,14 @@ class CommandMethod final : public Method {
       throw std::runtime_error(std::string("asked about an easy pair, it failed: ") + answer.reason);
     introduced_ = true;
     if (guest_.name.empty()) guest_.name = hello_.name.empty() ? name_after(guest.what) : hello_.name;
+    set_name({guest_.name});
     if (hello_.version.empty()) hello_.version = "unversioned";
     if (const auto files = files_of(guest); !files.empty())
       hello_.version.append(" (").append(fingerprint(files)).append(")");
     if (hello_.claim_source.empty()) hello_.claim_source = "none made";
   }
 
-  std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return hello_.version; }
-  std::string_view library() const override { return guest_.name; }
   Claim claim() const override {
     if (guest_.claim) return {*guest_.claim, 0, "--claim"};
     return {hello_.relative, hello_.absolute, hello_.claim_source};

@@ -216,6 +216,17 @@ TEST(Contained, AFaultOfTheCallForManyIsAFindingThoughNoSingleCallHasIt) {
   }
 }
 
+TEST(Contained, ACallForManyAnswersNoQuestionOfAnotherMode) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<FaultOfMany>([] {}));  // it cannot prepare
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < 8; ++i)
+    questions.push_back({0, 0, i % 2 ? CallMode::prepared : CallMode::usual});
+  const auto said = ask_contained(methods, numbered_pairs(1), questions, {});
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_EQ(said[i].answer.status, i % 2 ? Status::declined : Status::answered) << i;
+}
+
 TEST(Contained, LongSleepIsAHang) {
   const MethodAnswer answer = ask_between_good_ones(
       [] {

@@ -2,6 +2,7 @@
 // A method for tests, whose answers come from a function.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,8 +32,7 @@ class FakeMethod : public Method {
  public:
   using Ask = std::function<MethodAnswer(const Pair&)>;
   FakeMethod(std::string name, Ask ask, FakeTraits traits = {})
-      : name_(std::move(name)), ask_(std::move(ask)), traits_(traits) {}
-  std::string_view name() const override { return name_; }
+      : Method(split(name, traits.guest)), ask_(std::move(ask)), traits_(traits) {}
   std::string_view version() const override { return "1"; }
   Claim claim() const override { return traits_.claim; }
   bool foreign() const override { return traits_.foreign; }
@@ -43,7 +43,14 @@ class FakeMethod : public Method {
   MethodAnswer answer(const Pair& pair) override { return ask_(pair); }
 
  private:
-  std::string name_;
+  /// A guest has algorithms of no name.
+  static MethodName split(const std::string& name, bool guest) {
+    const auto after = [&](std::size_t end) { return std::min(end, name.size() - 1) + 1; };
+    const std::size_t first = name.find('-'), second = name.find('-', after(first));
+    if (guest) return {name.substr(0, first), "", name.substr(after(first))};
+    return {name.substr(0, first), name.substr(after(first), second - after(first)),
+            name.substr(after(second))};
+  }
   Ask ask_;
   FakeTraits traits_;
 };

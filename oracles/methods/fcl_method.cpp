@@ -57,11 +57,10 @@ struct Solid {
 /// Calls fcl::collide without contacts, which returns yes or no.
 class Collide final : public Method {
  public:
-  Collide(std::string_view name, fcl::GJKSolverType solver, double tolerance) : name_(name) {
+  Collide(MethodName name, fcl::GJKSolverType solver, double tolerance) : Method(std::move(name)) {
     request_.gjk_solver_type = solver;
     request_.gjk_tolerance = tolerance;
   }
-  std::string_view name() const override { return name_; }
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
   bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
@@ -87,7 +86,6 @@ class Collide final : public Method {
     return hit ? Verdict::intersecting : Verdict::disjoint;
   }
 
-  std::string_view name_;
   fcl::CollisionRequestd request_;
 };
 
@@ -95,12 +93,11 @@ class Collide final : public Method {
 /// on, and with signed distance it aborts on overlapping pairs.
 class Distance final : public Method {
  public:
-  Distance(std::string_view name, double tolerance) : name_(name) {
+  Distance(MethodName name, double tolerance) : Method(std::move(name)) {
     request_.enable_nearest_points = true;
     request_.gjk_solver_type = fcl::GST_LIBCCD;
     request_.distance_tolerance = tolerance;
   }
-  std::string_view name() const override { return name_; }
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
   bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
@@ -139,7 +136,6 @@ class Distance final : public Method {
     return fcl::distance(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result);
   }
 
-  std::string_view name_;
   fcl::DistanceRequestd request_;
 };
 
@@ -147,26 +143,28 @@ class Distance final : public Method {
 
 std::vector<std::unique_ptr<Method>> fcl_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Collide>("fcl-libccd", fcl::GST_LIBCCD, default_tol));
-  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-10", fcl::GST_LIBCCD, fine_tol));
-  methods.push_back(std::make_unique<Collide>("fcl-indep", fcl::GST_INDEP, default_tol));
-  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd", default_tol));
-  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-10", fine_tol));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd"}, fcl::GST_LIBCCD, default_tol));
+  methods.push_back(
+      std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-10"}, fcl::GST_LIBCCD, fine_tol));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep"}, fcl::GST_INDEP, default_tol));
+  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd"}, default_tol));
+  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-10"}, fine_tol));
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> fcl_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-4", fcl::GST_LIBCCD, 1e-4));
-  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-8", fcl::GST_LIBCCD, 1e-8));
-  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-12", fcl::GST_LIBCCD, 1e-12));
-  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-4", fcl::GST_INDEP, 1e-4));
-  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-8", fcl::GST_INDEP, 1e-8));
-  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-10", fcl::GST_INDEP, 1e-10));
-  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-12", fcl::GST_INDEP, 1e-12));
-  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-4", 1e-4));
-  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-8", 1e-8));
-  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-12", 1e-12));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-4"}, fcl::GST_LIBCCD, 1e-4));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-8"}, fcl::GST_LIBCCD, 1e-8));
+  methods.push_back(
+      std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-12"}, fcl::GST_LIBCCD, 1e-12));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-4"}, fcl::GST_INDEP, 1e-4));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-8"}, fcl::GST_INDEP, 1e-8));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-10"}, fcl::GST_INDEP, 1e-10));
+  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-12"}, fcl::GST_INDEP, 1e-12));
+  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-4"}, 1e-4));
+  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-8"}, 1e-8));
+  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-12"}, 1e-12));
   return methods;
 }
 

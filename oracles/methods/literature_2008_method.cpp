@@ -15,7 +15,7 @@ using literature::CriticalWay;
 using literature::Options;
 
 struct Setting {
-  std::string_view name;
+  std::string_view library, algorithm, setting;
   CircleWay circle;
   CriticalWay critical;
   Options options;
@@ -29,25 +29,97 @@ struct Setting {
 //     arc1e-1, arc1e-2: 4.5e-3 and 5.8e-5, needle_and_disk. arc1e-8: 5e-12, close_contacts_by_angle.
 //     arc1e-3, arc1e-5: 1e-9 and 1e-12, touching_side_rim.
 constexpr Setting settings[] = {
-    {"seed2008-polynomial-polish0", CircleWay::polynomial, CriticalWay::normalised, {{}, 0, 1e-3}, 1e-5},
-    {"seed2008-polynomial-polish1", CircleWay::polynomial, CriticalWay::normalised, {{}, 1, 1e-3}, 1e-5},
-    {"seed2008-polynomial-polish2", CircleWay::polynomial, CriticalWay::normalised, {{}, 2, 1e-3}, 1e-5},
-    {"seed2008-polynomial-polish4", CircleWay::polynomial, CriticalWay::normalised, {{}, 4, 1e-3}, 1e-5},
-    {"seed2008-polynomial-polish16", CircleWay::polynomial, CriticalWay::normalised, {{}, 16, 1e-3}, 1e-5},
-    {"seed2008-polynomial-real1e-6", CircleWay::polynomial, CriticalWay::normalised, {{}, 16, 1e-6}, 0.2},
-    {"seed2008-polynomial-real1e-12", CircleWay::polynomial, CriticalWay::normalised, {{}, 16, 1e-12}, 0.2},
-    {"seed2008-projection-polish0", CircleWay::projection, CriticalWay::normalised, {{}, 0, 1e-3}, 1e-13},
-    {"seed2008-projection-polish1", CircleWay::projection, CriticalWay::normalised, {{}, 1, 1e-3}, 1e-13},
-    {"seed2008-projection-polish2", CircleWay::projection, CriticalWay::normalised, {{}, 2, 1e-3}, 1e-13},
-    {"seed2008-projection-polish4", CircleWay::projection, CriticalWay::normalised, {{}, 4, 1e-3}, 1e-13},
-    {"seed2008-projection-polish16", CircleWay::projection, CriticalWay::normalised, {{}, 16, 1e-3}, 1e-13},
-    {"seed2008-minimise-arc1e-1", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-1}, 2e-2},
-    {"seed2008-minimise-arc1e-2", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-2}, 1e-3},
-    {"seed2008-minimise-arc1e-3", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-3}, 1e-6},
-    {"seed2008-minimise-arc1e-5", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-5}, 1e-10},
-    {"seed2008-minimise-arc1e-8", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-8}, 1e-10},
-    {"seed2008-minimise-arc0", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 0}, 1e-13},
-    {"seedbook", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13},
+    {"seed2008",
+     "polynomial",
+     "polish0",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 0, 1e-3},
+     1e-5},
+    {"seed2008",
+     "polynomial",
+     "polish1",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 1, 1e-3},
+     1e-5},
+    {"seed2008",
+     "polynomial",
+     "polish2",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 2, 1e-3},
+     1e-5},
+    {"seed2008",
+     "polynomial",
+     "polish4",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 4, 1e-3},
+     1e-5},
+    {"seed2008",
+     "polynomial",
+     "polish16",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 16, 1e-3},
+     1e-5},
+    {"seed2008",
+     "polynomial",
+     "real1e-6",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 16, 1e-6},
+     0.2},
+    {"seed2008",
+     "polynomial",
+     "real1e-12",
+     CircleWay::polynomial,
+     CriticalWay::normalised,
+     {{}, 16, 1e-12},
+     0.2},
+    {"seed2008",
+     "projection",
+     "polish0",
+     CircleWay::projection,
+     CriticalWay::normalised,
+     {{}, 0, 1e-3},
+     1e-13},
+    {"seed2008",
+     "projection",
+     "polish1",
+     CircleWay::projection,
+     CriticalWay::normalised,
+     {{}, 1, 1e-3},
+     1e-13},
+    {"seed2008",
+     "projection",
+     "polish2",
+     CircleWay::projection,
+     CriticalWay::normalised,
+     {{}, 2, 1e-3},
+     1e-13},
+    {"seed2008",
+     "projection",
+     "polish4",
+     CircleWay::projection,
+     CriticalWay::normalised,
+     {{}, 4, 1e-3},
+     1e-13},
+    {"seed2008",
+     "projection",
+     "polish16",
+     CircleWay::projection,
+     CriticalWay::normalised,
+     {{}, 16, 1e-3},
+     1e-13},
+    {"seed2008", "minimise", "arc1e-1", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-1}, 2e-2},
+    {"seed2008", "minimise", "arc1e-2", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-2}, 1e-3},
+    {"seed2008", "minimise", "arc1e-3", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-3}, 1e-6},
+    {"seed2008", "minimise", "arc1e-5", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-5}, 1e-10},
+    {"seed2008", "minimise", "arc1e-8", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-8}, 1e-10},
+    {"seed2008", "minimise", "arc0", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 0}, 1e-13},
+    {"seedbook", "", "", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13},
 };
 
 /// The meaning of the settings, and the part of them that is in no document.
@@ -63,9 +135,9 @@ constexpr std::string_view sources[] = {
     "document (arcX: down to this arc), and the relative part is ours, above the largest error seen.",
 };
 
-std::unique_ptr<Method> method_of(std::string_view name, const Setting& s) {
+std::unique_ptr<Method> method_of(const Setting& s) {
   return std::make_unique<LiteratureMethod>(
-      name, "2008-03-02",
+      MethodName{std::string(s.library), std::string(s.algorithm), std::string(s.setting)}, "2008-03-02",
       Claim{.relative = s.relative, .source = sources[static_cast<std::size_t>(s.circle)], .assumed = true},
       // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
       s.circle == CircleWay::polynomial ? 16 : 1, s.options.literal,
@@ -79,8 +151,8 @@ std::unique_ptr<Method> literal_method(Document document, const std::string& nam
                                        literature::Faults faults) {
   const bool book = document == Document::book;
   const Options options{.faults = faults, .step_cap = 60, .tolerance = book ? 0 : 1e-3, .literal = true};
-  return method_of((book ? "seedbook-" : "seed2008-") + name,
-                   {"", book ? CircleWay::minimise : CircleWay::polynomial,
+  return method_of({book ? "seedbook" : "seed2008", "", name,
+                    book ? CircleWay::minimise : CircleWay::polynomial,
                     book ? CriticalWay::adjugate : CriticalWay::normalised, options, 1e-13});
 }
 
@@ -88,7 +160,7 @@ std::unique_ptr<Method> literal_method(Document document, const std::string& nam
 
 std::vector<std::unique_ptr<Method>> literature_2008_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  for (const Setting& s : settings) methods.push_back(method_of(s.name, s));
+  for (const Setting& s : settings) methods.push_back(method_of(s));
   methods.push_back(literal_method(Document::text_2008, "printed", literature::printed_2008));
   methods.push_back(literal_method(Document::book, "printed", literature::printed_book));
   return methods;

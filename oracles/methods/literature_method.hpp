@@ -19,16 +19,15 @@ class LiteratureMethod final : public Method {
   using Separate = std::function<literature::Separation(const Prepared&, const Prepared&)>;
 
   /// `version`: the document's date. A literal text takes the axes as they are given.
-  LiteratureMethod(std::string_view name, std::string_view version, const Claim& claim, unsigned share,
+  LiteratureMethod(MethodName name, std::string_view version, const Claim& claim, unsigned share,
                    bool literal, Separate separate)
-      : name_(name),
+      : Method(std::move(name)),
         version_(version),
         claim_(claim),
         share_(share),
         prepare_(literal ? literature::prepare_as_given : prepare),
         separate_(std::move(separate)) {}
 
-  std::string_view name() const override { return name_; }
   std::string_view version() const override { return version_; }
   Claim claim() const override { return claim_; }
   bool foreign() const override { return false; }
@@ -48,7 +47,6 @@ class LiteratureMethod final : public Method {
   }
 
  private:
-  const std::string name_;
   const std::string_view version_;
   const Claim claim_;
   const unsigned share_;

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "corpus/pairs/method_answer.hpp"
@@ -42,15 +43,22 @@ struct Claim {
   DecisionScope decides = DecisionScope::not_promised;
 };
 
+/// "fcl-libccd-tol1e-10": a library, one of its algorithms, and a setting. The parts that the name leaves out
+/// are empty.
+struct MethodName {
+  std::string library, algorithm = {}, setting = {};
+};
+
 /// A method. `ask` may do anything that foreign code does: throw, abort, hang. contained.hpp calls it safely.
 /// `ask` is called from one thread. The same pair gives the same answer.
 class Method {
  public:
+  explicit Method(MethodName name = {}) { set_name(std::move(name)); }
   virtual ~Method() = default;
-  virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
+  std::string_view name() const { return name_; }
+  const MethodName& name_parts() const { return parts_; }
+  std::string_view library() const { return parts_.library; }  ///< A guest is a library of its own.
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
-  /// The library that it belongs to: "fcl" of "fcl-libccd-tol1e-10". A guest is a library of its own.
-  virtual std::string_view library() const { return name().substr(0, name().find('-')); }
   virtual Claim claim() const = 0;
   virtual bool foreign() const { return true; }   ///< code of another project
   virtual bool guest() const { return false; }    ///< loaded by --plugin or started by --command
@@ -122,6 +130,16 @@ class Method {
  protected:
   /// Called only for pairs that supports() accepts.
   virtual MethodAnswer answer(const Pair& pair) = 0;
+  void set_name(MethodName name) {
+    parts_ = std::move(name);
+    name_ = parts_.library;
+    for (const std::string& part : {parts_.algorithm, parts_.setting})
+      if (!part.empty()) name_ += '-' + part;
+  }
+
+ private:
+  MethodName parts_;
+  std::string name_;
 };
 
 /// Every method of this build, in a fixed order: ours first.

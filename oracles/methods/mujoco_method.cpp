@@ -123,9 +123,8 @@ class Collider {
 /// depth of the grown solids along one direction that MPR finds. That is up to half off on plain pairs.
 class Mujoco final : public Method {
  public:
-  Mujoco(std::string_view name, double tolerance, int iterations)
-      : name_(name), tolerance_(tolerance), collider_(tolerance, iterations) {}
-  std::string_view name() const override { return name_; }
+  Mujoco(MethodName name, double tolerance, int iterations)
+      : Method(std::move(name)), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view version() const override { return mj_versionString(); }
   bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override {
@@ -151,7 +150,6 @@ class Mujoco final : public Method {
   }
 
  private:
-  const std::string_view name_;
   const double tolerance_;
   Collider collider_;
 };
@@ -160,16 +158,16 @@ class Mujoco final : public Method {
 
 std::vector<std::unique_ptr<Method>> mujoco_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Mujoco>("mujoco", default_tol, default_cap));
-  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-10", fine_tol, fine_cap));
+  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco"}, default_tol, default_cap));
+  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-10"}, fine_tol, fine_cap));
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> mujoco_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-4", 1e-4, default_cap));
-  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-8", 1e-8, fine_cap));
-  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-12", 1e-12, fine_cap));
+  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-4"}, 1e-4, default_cap));
+  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-8"}, 1e-8, fine_cap));
+  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-12"}, 1e-12, fine_cap));
   return methods;
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// How a method spends its budget of evaluations of f: `global` on each of the three charts, then at most
 /// `local` on each round of polishing.
 struct Setting {
-  std::string_view name;
+  std::string_view algorithm_name, setting;
   nlopt_algorithm algorithm;
   int global;
   int local;
@@ -154,35 +154,36 @@ void minimise(Problem& p, const Setting& s) {
 // and 1.4e-5 (direct-6000). They come from 2500 pairs each of random solids, needles, disks and solids along
 // the axes. Nine in ten errors were below 2e-10, and all above 2e-4 were depths of overlaps.
 constexpr Setting settings[] = {
-    {"nlopt-direct-600", NLOPT_GN_DIRECT_L, 120, 80, false, 64, 1e-1},
-    {"nlopt-direct-6000", NLOPT_GN_DIRECT_L, 1800, 200, false, 1024, 1e-3},
-    {"nlopt-mlsl-1200", NLOPT_G_MLSL_LDS, 300, 100, false, 64, 1e-2},
-    {"nlopt-crs-1200", NLOPT_GN_CRS2_LM, 300, 100, false, 64, 1e-1},
-    {"nlopt-sign-600", NLOPT_GN_DIRECT_L, 120, 80, true, 64, 1e-1},
+    {"direct", "600", NLOPT_GN_DIRECT_L, 120, 80, false, 64, 1e-1},
+    {"direct", "6000", NLOPT_GN_DIRECT_L, 1800, 200, false, 1024, 1e-3},
+    {"mlsl", "1200", NLOPT_G_MLSL_LDS, 300, 100, false, 64, 1e-2},
+    {"crs", "1200", NLOPT_GN_CRS2_LM, 300, 100, false, 64, 1e-1},
+    {"sign", "600", NLOPT_GN_DIRECT_L, 120, 80, true, 64, 1e-1},
 };
 
 // These are for curves. Their claims promise nothing, because no error is greater than the size.
 constexpr Setting more_settings[] = {
-    {"nlopt-direct-150", NLOPT_GN_DIRECT_L, 30, 20, false, 16, 1},
-    {"nlopt-direct-300", NLOPT_GN_DIRECT_L, 60, 40, false, 32, 1},
-    {"nlopt-direct-1500", NLOPT_GN_DIRECT_L, 350, 150, false, 256, 1},
-    {"nlopt-mlsl-300", NLOPT_G_MLSL_LDS, 70, 30, false, 32, 1},
-    {"nlopt-mlsl-600", NLOPT_G_MLSL_LDS, 140, 60, false, 64, 1},
-    {"nlopt-crs-300", NLOPT_GN_CRS2_LM, 70, 30, false, 32, 1},
-    {"nlopt-crs-600", NLOPT_GN_CRS2_LM, 140, 60, false, 64, 1},
-    {"nlopt-sign-150", NLOPT_GN_DIRECT_L, 30, 20, true, 16, 1},
-    {"nlopt-sign-1500", NLOPT_GN_DIRECT_L, 350, 150, true, 256, 1},
+    {"direct", "150", NLOPT_GN_DIRECT_L, 30, 20, false, 16, 1},
+    {"direct", "300", NLOPT_GN_DIRECT_L, 60, 40, false, 32, 1},
+    {"direct", "1500", NLOPT_GN_DIRECT_L, 350, 150, false, 256, 1},
+    {"mlsl", "300", NLOPT_G_MLSL_LDS, 70, 30, false, 32, 1},
+    {"mlsl", "600", NLOPT_G_MLSL_LDS, 140, 60, false, 64, 1},
+    {"crs", "300", NLOPT_GN_CRS2_LM, 70, 30, false, 32, 1},
+    {"crs", "600", NLOPT_GN_CRS2_LM, 140, 60, false, 64, 1},
+    {"sign", "150", NLOPT_GN_DIRECT_L, 30, 20, true, 16, 1},
+    {"sign", "1500", NLOPT_GN_DIRECT_L, 350, 150, true, 256, 1},
 };
 
 class Nlopt final : public Method {
  public:
-  explicit Nlopt(const Setting& setting) : setting_(setting) {
+  explicit Nlopt(const Setting& setting)
+      : Method({"nlopt", std::string(setting.algorithm_name), std::string(setting.setting)}),
+        setting_(setting) {
     int major, minor, bugfix;
     nlopt_version(&major, &minor, &bugfix);
     version_ = std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(bugfix);
   }
 
-  std::string_view name() const override { return setting_.name; }
   std::string_view version() const override { return version_; }
   Claim claim() const override {
     return {

@@ -67,10 +67,9 @@ class Solid {
 class Ode final : public Method {
  public:
   /// `flags` holds the number of contacts to find, and CONTACTS_UNIMPORTANT.
-  Ode(std::string_view name, unsigned flags) : name_(name), flags_(static_cast<int>(flags)) {
+  Ode(MethodName name, unsigned flags) : Method(std::move(name)), flags_(static_cast<int>(flags)) {
     initialise_once();
   }
-  std::string_view name() const override { return name_; }
   std::string_view version() const override { return dODE_VERSION; }
   bool recovers() const override { return true; }  // solids are made for each call, in no space
   bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
@@ -101,7 +100,6 @@ class Ode final : public Method {
     return count > 0 ? Verdict::intersecting : Verdict::disjoint;
   }
 
-  const std::string_view name_;
   const int flags_;
 };
 
@@ -109,9 +107,9 @@ class Ode final : public Method {
 
 std::vector<std::unique_ptr<Method>> ode_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Ode>("ode", 1));
-  methods.push_back(std::make_unique<Ode>("ode-unrefined", 1 | CONTACTS_UNIMPORTANT));
-  methods.push_back(std::make_unique<Ode>("ode-contacts-8", contacts_cap));
+  methods.push_back(std::make_unique<Ode>(MethodName{"ode"}, 1));
+  methods.push_back(std::make_unique<Ode>(MethodName{"ode", "", "unrefined"}, 1 | CONTACTS_UNIMPORTANT));
+  methods.push_back(std::make_unique<Ode>(MethodName{"ode", "", "contacts-8"}, contacts_cap));
   return methods;
 }
 

@@ -36,7 +36,7 @@ struct PreparedPairs {
 
 class Intersect final : public Method {
  public:
-  std::string_view name() const override { return "intersect"; }
+  Intersect() : Method({"intersect"}) {}
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.relative = 1e-13,
@@ -67,7 +67,7 @@ class Intersect final : public Method {
 
 class Decide final : public Method {
  public:
-  std::string_view name() const override { return "decide"; }
+  Decide() : Method({"decide"}) {}
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.source = "solver/decide.hpp: Never wrong.",
@@ -90,7 +90,7 @@ constexpr double distance_tol = 1e-13;
 
 class MeasureDistance final : public Method {
  public:
-  std::string_view name() const override { return "distance"; }
+  MeasureDistance() : Method({"distance"}) {}
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.relative = distance_tol,
@@ -113,7 +113,7 @@ class MeasureDistance final : public Method {
 
 class Exact final : public Method {
  public:
-  std::string_view name() const override { return "exact"; }
+  Exact() : Method({"exact"}) {}
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.source = "oracles/referee/decide_exactly.hpp: Proved, with certificate.",

@@ -236,25 +236,26 @@ std::string common_name(const std::vector<Label>& labels) {
   return common;
 }
 
-/// Returns the name of the library of a method: the name that the user gave it, else its own.
-std::string library_of(const Guest& guest, const std::vector<Label>& labels) {
-  if (labels.size() == 1) return guest.name;
-  if (guest.name == guest.method) return common_name(labels);
-  const std::string ending = '-' + guest.method;
-  return guest.name.ends_with(ending) ? guest.name.substr(0, guest.name.size() - ending.size()) : guest.name;
+/// A method of a library with several: the library has the name that the user gave it, else what the names of
+/// its methods have in common.
+MethodName name_of(const Guest& guest, const std::vector<Label>& labels) {
+  if (labels.size() == 1) return {guest.name};
+  std::string library = common_name(labels);
+  if (guest.name != guest.method && guest.name.ends_with('-' + guest.method))
+    library = guest.name.substr(0, guest.name.size() - guest.method.size() - 1);
+  if (!guest.name.starts_with(library + '-')) return {guest.name};
+  return {library, "", guest.name.substr(library.size() + 1)};
 }
 
 class Plugin final : public Method {
  public:
   Plugin(const Guest& guest, std::size_t place, const std::vector<Label>& labels)
-      : guest_(guest), library_(library_of(guest, labels)), place_(place), label_(labels[place]) {
+      : Method(name_of(guest, labels)), guest_(guest), place_(place), label_(labels[place]) {
     version_ = label_.version + (label_.version.empty() ? "(" : " (") + fingerprint({&guest.what, 1}) + ')';
     if (label_.source.empty()) label_.source = "oracles/plugin.h's claim fields";
   }
 
-  std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return version_; }
-  std::string_view library() const override { return library_; }
   Claim claim() const override {
     if (guest_.claim) return {*guest_.claim, 0, "--claim"};
     return {label_.relative, label_.absolute, label_.source};
@@ -389,7 +390,6 @@ class Plugin final : public Method {
   }
 
   Guest guest_;
-  std::string library_;
   std::size_t place_;  ///< among the methods of its library
   Label label_;
   std::string version_;

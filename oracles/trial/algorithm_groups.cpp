@@ -52,22 +52,12 @@ bool err_alike(std::span<const Outcome> x, std::span<const Outcome> y, bool one_
   return part(x_wrong + y_wrong - both) >= (one_library ? alike_part_margin : alike_part_across_margin);
 }
 
-std::string_view library_and_way(std::string_view name) {
-  const std::size_t way = name.find('-');
-  return way == name.npos ? name : name.substr(0, name.find('-', way + 1));
-}
-
-bool extends(std::string_view name, std::string_view by) {
-  return name.size() > by.size() && name.starts_with(by) && name[by.size()] == '-';
-}
-
 }  // namespace
 
 bool differ_in_setting(const Method& x, const Method& y) {
-  if (x.guest() != y.guest() || x.library() != y.library()) return false;
-  const std::string_view first = x.name(), second = y.name();
-  if (extends(first, second) || extends(second, first)) return true;
-  return first != second && library_and_way(first) == library_and_way(second);
+  const MethodName &first = x.name_parts(), &second = y.name_parts();
+  return x.guest() == y.guest() && first.library == second.library && first.algorithm == second.algorithm &&
+         first.setting != second.setting;
 }
 
 std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods,

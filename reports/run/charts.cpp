@@ -98,8 +98,8 @@ nlohmann::json finite_json(const std::optional<int>& x) {
 
 nlohmann::json speed_json(const SpeedPoint& p) {
   return {{"method", p.method},
-          {"curve", p.name.curve},
-          {"setting", p.name.setting},
+          {"curve", p.curve},
+          {"setting", p.setting},
           {"family", "all"},
           {"query", p.query},
           {"ns", finite_json(p.ns)},
@@ -166,6 +166,7 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
     for (const nlohmann::json& r : bench.at("results")) {
       BenchRow row;
       row.method = r.at("method");
+      row.name = {r.at("library"), r.at("algorithm"), r.at("setting")};
       row.family = r.at("family");
       row.query = r.at("query");
       row.pairs = r.at("n");

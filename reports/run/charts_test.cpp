@@ -129,6 +129,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(charts()["speed"], parse_json("[5]"));
   BenchRow row;
   row.method = "bad-tol1e-4";
+  row.name = {"bad", "", "tol1e-4"};
   row.family = "margin_1e-01";
   row.query = "verdict";
   row.pairs = 9;
@@ -150,7 +151,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all["honesty"][1]["bins"][1],
             parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,
               "declined":1,"within_disjoint":0,"within_intersecting":1})"));
-  EXPECT_EQ(all["speed"], parse_json(R"([{"method":"bad-tol1e-4","curve":"bad","setting":"1e-4",
+  EXPECT_EQ(all["speed"], parse_json(R"([{"method":"bad-tol1e-4","curve":"bad","setting":"tol1e-4",
     "family":"all","query":"verdict","ns":12.5,"p99":null,"asked":9,"wrong_disjoint":0,
     "wrong_intersecting":0,"digits":1,"digits_low":null}])"));
 }
@@ -158,6 +159,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
 TEST_F(Charts, ReadWhatABenchWrote) {
   BenchRow row;
   row.method = "a \"b\"";
+  row.name = {"a", "b", "c"};
   row.family = "random";
   row.query = "distance";
   row.pairs = 7;
@@ -171,6 +173,7 @@ TEST_F(Charts, ReadWhatABenchWrote) {
   const std::vector<BenchRow> rows = read_bench(file);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].method, row.method);
+  EXPECT_EQ(rows[0].name.setting, "c");
   EXPECT_EQ(rows[0].query, "distance");
   EXPECT_EQ(rows[0].pairs, 7u);
   EXPECT_EQ(rows[0].median_ns, 0.1);

@@ -89,28 +89,17 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
           {"folder", run.folder}};
 }
 
-/// The library of a method: its name up to the first '-'. A guest is not a setting of a packaged library,
-/// even if its name begins like one.
-std::string library_of(const std::string& method, std::span<const std::unique_ptr<Method>> packaged) {
-  const std::string library = method.substr(0, method.find('-'));
-  const auto begins_alike = [&](const auto& m) { return m->library() == library; };
-  const bool is_packaged = std::ranges::any_of(packaged, [&](const auto& m) { return m->name() == method; });
-  return is_packaged || std::ranges::none_of(packaged, begins_alike) ? library : method;
-}
-
 json methods_json(const RunData& run) {
   std::set<std::string, std::less<>> own;
   for (const auto& m : own_methods()) own.emplace(m->name());
-  const auto packaged = all_methods();
-  const std::vector<std::string> assumed_of = lines_of(value_of(run.config, "assumed_claims"));
   json all = json::array();
   for (const MethodRecord& m : run.methods) {
     json claim{{"relative", number_json(m.relative)},
                {"absolute", number_json(m.absolute)},
                {"source", m.source},
-               {"stated", std::find(assumed_of.begin(), assumed_of.end(), m.name) == assumed_of.end()}};
+               {"stated", !m.assumed}};
     all.push_back({{"name", m.name},
-                   {"library", own.contains(m.name) ? "ours" : library_of(m.name, packaged)},
+                   {"library", own.contains(m.name) ? "ours" : m.library},
                    {"version", m.version},
                    {"claim", std::move(claim)},
                    {"own", own.contains(m.name)}});

@@ -113,7 +113,7 @@ void commit(RunStore& store, const std::vector<FindingRecord>& findings) {
 TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   RunStore store =
       RunStore::create(folder, {{"seed", "42"}, {"started", "today"}, {"build", "b"}, {"status", "complete"}},
-                       {{"fake", "9.8", 1e-6, 0.001, "its manual", 3}, {"intersect", "1", 0, 0, "d", 1}});
+                       {{"fake", "9.8", 1e-6, 0.001, "its manual", 3, "fake"}, {"intersect", "1", 0, 0, "d", 1}});
   BatchRecord batch;
   batch.next = 7;
   batch.tallies = {{"fake", "random", {1002, 11, 12, 13, 14, 15, 1002 * 16}},
@@ -138,17 +138,6 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
     "failed":12,"contract":13,"resolution":14,"undecided":15})"));
   for (const char* empty : {"buckets", "findings", "maps", "honesty", "speed", "paths"})
     EXPECT_EQ(report[empty], json::array()) << empty;
-}
-
-TEST_F(ReportData, AGuestIsALibraryOfItsOwn) {
-  std::vector<MethodRecord> asked;
-  for (const char* name : {"decide", "mujoco-tol1e-10", "mujoco-js", "mine-2"})
-    asked.push_back({name, "1", 0, 0, "", 1});
-  RunStore::create(folder / "guests", {{"seed", "1"}}, asked);
-  std::vector<std::string> libraries;
-  const auto report = parse_ordered_json(report_json(read_run(folder / "guests", families())));
-  for (const auto& m : report["methods"]) libraries.push_back(m["library"]);
-  EXPECT_EQ(libraries, (std::vector<std::string>{"ours", "mujoco", "mujoco-js", "mine"}));
 }
 
 TEST_F(ReportData, TheCommandBringsTheGuests) {

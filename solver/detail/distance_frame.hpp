@@ -5,8 +5,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "solver/detail/frame.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 
@@ -119,6 +121,57 @@ inline bool circle_is_above(double z, double e, double own, double other, double
   const double both = room + other, from_chord = larger(0, e + other * (1 - c));
   return (room >= 0 && from_z * from_z + from_e * from_e <= room * room) ||
          (both >= 0 && z * z + from_chord * from_chord <= both * both);
+}
+
+// Cut off at the largest double.
+inline double in_range(double x) noexcept {
+  constexpr double most = std::numeric_limits<double>::max();
+  return larger(-most, smaller(most, x));
+}
+
+// Parallel axes: apart along w, across it, or both.
+inline void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) noexcept {
+  const Vector3 w = axis_sum / length(axis_sum);
+  const double along = dot(p.delta, w);
+  // It is perpendicular to w even if nearly all of Delta is along w. If all is along it but for rounding,
+  // `off` need not be perpendicular to w. Then Delta counts as along it.
+  constexpr double coaxial_error = 8 * unit_roundoff_error;
+  const Vector3 rest = p.delta - along * w, off = rest - dot(rest, w) * w;
+  const double across = length(off) > coaxial_error * std::fabs(along) ? length(off) : 0;
+  // Any direction perpendicular to w if there is none.
+  Vector3 u;
+  if (across > 0) {
+    u = off * power_of_two(-exponent_of(max_abs(off)));  // its square may have no digits left
+    u /= length(u);
+  } else {
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+      if (std::fabs(w[i]) < std::fabs(w[least])) least = i;
+    const Vector3 unit(least == 0 ? 1 : 0, least == 1 ? 1 : 0, least == 2 ? 1 : 0);
+    u = w.cross(unit);
+    u /= length(u);
+  }
+  if (dot(u, p.delta) < 0) u = -u;
+  const double beyond = std::fabs(along) - p.h0 - p.h1, beside = across - p.r0 - p.r1;
+  const double sign = std::copysign(1.0, along);
+  const bool by_caps = beyond > 0 || (beside <= 0 && beyond >= beside), by_sides = beside > 0 || !by_caps;
+  const double along0 = by_caps ? sign * p.h0 : middle_of_both(p.h0, along, p.h1);
+  const double along1 = by_caps ? -sign * p.h1 : along0 - along;
+  const double across0 = by_sides ? p.r0 : middle_of_both(p.r0, across, p.r1);
+  const double across1 = by_sides ? -p.r1 : across0 - across;
+  out.on_a = along0 * w + across0 * u;
+  out.on_b = along1 * w + across1 * u;
+  if (by_caps && by_sides) {
+    const double most = larger(beyond, beside), x = beyond / most, y = beside / most;
+    const double root = std::sqrt(x * x + y * y);
+    out.value = most * root;
+    out.direction = (x / root * sign) * w + (y / root) * u;
+  } else {
+    out.value = by_caps ? beyond : beside;
+    out.direction = by_caps ? Vector3(sign * w) : u;
+  }
+  out.error = distance_error * (p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta));
+  out.least = !(out.value > 0);
 }
 
 }  // namespace cyl

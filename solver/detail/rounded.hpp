@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solids grown by balls, as intersect(), decide() and distance() pass them on. The room is how near the
-// solids without their rounding may come: both roundings and the clearance. Room > 0, both solids valid. It
-// also covers a sum of roundings that overflows to infinity.
+// Solids grown by balls, as intersect(), decide() and distance() pass them on. The contact
+// distance is how near the solids without their rounding may come: both roundings and the clearance. It is >
+// 0, and infinite if their sum overflows. Both solids are valid.
 #pragma once
 
 #include "solver/distance.hpp"
@@ -16,7 +16,8 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
 bool intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double clearance,
                                  Verdict& verdict) noexcept;
 Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
-/// For the solids without their rounding, which must be 0 in both.
-Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept;
+/// For the solids without their rounding, which must be 0 in both. `grows`: they are about to grow, so that
+/// direction and points must belong together.
+Distance distance_of_cores(const Prepared& a, const Prepared& b, bool grows) noexcept;
 
 }  // namespace cyl

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The distance of solids grown by balls, from that of their cores.
+#include <cmath>
+
+#include "solver/decide.hpp"
+#include "solver/detail/distance_frame.hpp"
+#include "solver/detail/rounded.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+// Lengths above this may add up to more than the largest double.
+constexpr double huge_tol = 0x1p1000;
+
+// Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
+void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
+  const double contact_distance = rounding_a + rounding_b;
+  const bool apart = d.value > 0;
+  d.error += 4 * unit_roundoff_error * larger(contact_distance, std::fabs(d.value));
+  d.value -= contact_distance;
+  d.on_a += rounding_a * d.direction;
+  d.on_b -= rounding_b * d.direction;
+  // Every direction's f grows by as much. If the cores are apart, `error` shows that there is no lower one.
+  d.least = d.value <= 0 && (d.least || apart);
+  d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
+}
+
+double longest_of(const Prepared& c) noexcept {
+  return larger(larger(max_abs(c.center), c.rounding), larger(c.radius, c.height));
+}
+
+// Its core, in another unit.
+Prepared core_in_unit(const Prepared& c, double unit) noexcept {
+  Prepared core = c;
+  core.rounding = 0;
+  core.ordinary = c.moderate;
+  if (unit != 1) {
+    core.center *= unit;
+    core.radius *= unit;
+    core.height *= unit;
+  }
+  return core;
+}
+
+}  // namespace
+
+Distance distance(const Prepared& a, const Prepared& b) noexcept {
+  if ((a.defect != Defect::none) | (b.defect != Defect::none)) {
+    Distance out;
+    out.verdict = Verdict::invalid;
+    return out;
+  }
+  if (a.rounding + b.rounding == 0) return distance_of_cores(a, b, false);
+  // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
+  // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
+  // is far below the error.
+  const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
+  Distance out = distance_of_cores(core_in_unit(a, unit), core_in_unit(b, unit), true);
+  grow(out, unit * a.rounding, unit * b.rounding);
+  if (unit != 1) {
+    out.value = in_range(out.value / unit);
+    out.error = in_range(out.error / unit);
+    for (int i = 0; i < 3; ++i) {
+      out.on_a[i] = in_range(out.on_a[i] / unit);
+      out.on_b[i] = in_range(out.on_b[i] / unit);
+    }
+  }
+  // Within rounding decide() has the last word; half of the error is within it of any gap there.
+  if (out.value <= 0 && -out.value <= out.error && decide(a, b).verdict == Verdict::disjoint) {
+    out.verdict = Verdict::disjoint;
+    out.value = 0.5 * out.error;
+    out.least = false;
+  }
+  return out;
+}
+
+Distance distance(const Cylinder& a, const Cylinder& b) noexcept { return distance(prepare(a), prepare(b)); }
+
+}  // namespace cyl
