@@ -11,9 +11,10 @@ import { tracePlot } from "./run/stability.tsx";
 
 export { full, shellQuoted } from "./parts/words.ts";
 export { exact, floorSqrt, prove } from "./parts/prove.ts";
+export { whyNoExport } from "./run/cause.tsx";
 export { chosen, rowsOf } from "./run/findings.tsx";
 export { glossary } from "./run/glossary.ts";
-export { expand, isOrdinary } from "./run/report.ts";
+export { expand } from "./run/report.ts";
 export { pareto } from "./run/speed.tsx";
 export { sentenceOf } from "./run/words.ts";
 

@@ -9,7 +9,7 @@ import { charts, daylight } from "../chart.mjs";
 import { sourcesHash } from "../stamp.mjs";
 import { sample, untriaged } from "./sample.mjs";
 
-const { chosen, expand, full, glossary, isOrdinary, pareto, prove, rowsOf, sentenceOf, shellQuoted } = daylight;
+const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted, whyNoExport } = daylight;
 
 test("the committed page was built from the committed sources", () => {
   const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
@@ -52,27 +52,34 @@ test("a filter is a text and three selections", () => {
   assert.deepEqual(causes, report.buckets.filter((b) => b.methods.some((m) => /^fcl/.test(m))));
 });
 
-/** That no row comes before one with a lesser key. */
-function assertSorted(rows, keyOf) {
-  for (const [i, row] of rows.entries()) {
-    const [x, y] = [keyOf(rows[Math.max(0, i - 1)]), keyOf(row)],
-      at = x.findIndex((part, k) => part !== y[k]);
-    assert.ok(at < 0 || x[at] < y[at], `${x} before ${y}`);
-  }
-}
-
-test("new causes come first, then those beyond a claim, then those of ordinary size, then the frequent", () => {
-  const packed = sample(),
-    standings = ["new", "back", "rare", "known", "gone"];
-  packed.buckets.forEach((b, i) => Object.assign(b, { standing: standings[4 - (i % 5)] }));
-  for (const of of [packed.cases[packed.findings[0].case], packed.buckets[0].simplest]) of.pair.a.radius = 1e9;
+test("the order of causes and findings is that of the data", () => {
+  const packed = sample();
+  for (const of of [packed.buckets, packed.findings]) of.reverse();
   const { buckets, findings } = expand(packed);
-  assertSorted(buckets, (b) => [standings.indexOf(b.standing), b.severity, !isOrdinary(b.simplest.pair), -b.count]);
-  assertSorted(findings, (f) => [f.severity, !isOrdinary(f.pair), -f.margin[0]]);
-  const solid = (x, radius) => ({ center: [x, 0, 0], axis: [0, 0, 1], radius, height: 2 * radius });
-  const sizes = [[3, 1], [0, 1e4], [0, 1e-5], [1e3, 1], [1e308, 1e308]];
-  const ordinary = sizes.filter(([x, r]) => isOrdinary({ a: solid(0, r), b: solid(x, r) }));
-  assert.deepEqual(ordinary, [[3, 1]]);
+  assert.deepEqual(buckets.map((b) => b.key), packed.buckets.map((b) => b.key));
+  assert.deepEqual(findings.map((f) => f.id), packed.findings.map((f) => f.id));
+});
+
+test("export is offered only for what it can write", () => {
+  const report = expand(sample()),
+    [b] = report.buckets,
+    shown = (rounding) => ({ pair: { ...b.simplest.pair, a: { ...b.simplest.pair.a, rounding } } }),
+    guest = { ...report.methods.find((m) => m.name === "ode"), name: "mine", library: "mine" };
+  report.methods.push(guest);
+  for (const [method, kind, rounding, reason] of [
+    ["ode", "crash", 0, /^$/],
+    ["ode", "crash", 1, /roundings/],
+    ["ode", "malformed", 0, /one call .* "malformed"/],
+    ["mine", "malformed", 1, /^$/],
+    ["mine", "state_dependent", 0, /one call .* "state dependent"/],
+    ["seedbook", "crash", 0, /does not know/],
+    ["intersect", "crash", 0, /does not know/],
+  ])
+    assert.match(
+      whyNoExport(report, { method, kind, simplest: shown(rounding), worst: shown(rounding) }),
+      reason,
+      `${method} ${kind} ${rounding}`,
+    );
 });
 
 test("a sentence has the largest margin of its cause", () => {

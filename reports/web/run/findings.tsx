@@ -92,9 +92,10 @@ const FindingRow = ({ f }: { f: Finding }) => (
 
 const lead = (report: Report) =>
   `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
-  `and each later one that is worse. The margin of a wrong distance is its error over the size (r + h + r + h). The ` +
+  `and each later one that is worse. The margin of a wrong distance is its error over the size. The ` +
   `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds. ` +
-  `Those beyond a claim come first, then those of ordinary size, then those wrong by more.`;
+  `The size is the sum of both radii, heights and roundings. Findings are in the order in which the text of the run ` +
+  `names the worst one.`;
 
 const rowsAtFirst = 100;
 

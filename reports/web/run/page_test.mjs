@@ -178,7 +178,16 @@ async function readsACause(page, report) {
   assert.equal(await worst.getAttribute("aria-selected"), "true");
   assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${b.key} --out upstream`);
   assert.equal(JSON.parse(await copied(page, "suppressions.jsonl")).bucket, b.key);
-  assert.equal(await page.locator(".nights tbody tr").count(), b.nights.length);
+  assert.equal(await page.locator(".runs tbody tr").count(), b.nights.length);
+  const facts = await page.locator(".detail dl.facts").allInnerTexts();
+  assert.doesNotMatch(facts.join(), /\bpairs?\b/, "only the table of runs counts the pairs");
+
+  const found = report.buckets.find((b) => !b.simplified);
+  await go(page, `#/bucket/${found.key}`);
+  assert.deepEqual(await page.getByRole("tab").allInnerTexts(), ["A pair (not simplified)", "Worst"]);
+  await go(page, "#/bucket/seedbook/bad_witness");
+  assert.match(await textOf(page, ".handling .soft"), /^export writes nothing .* library of seedbook/);
+  assert.equal(await page.locator(".copy", { hasText: "For the maintainers" }).count(), 0);
 
   const [low, high] = [0, 1].map((end) => (f) => report.cases[f.case].margin?.[end]),
     narrow = report.findings.find((f) => low(f) > 0 && high(f) < 1e-9);
@@ -318,6 +327,7 @@ async function drawsTheExtreme() {
 }
 
 const report = sample();
+report.buckets.at(-1).simplified = false;
 await beginsWithTheAnswer();
 await answersBeforeTriage();
 await read(report, async (page) => {

@@ -141,8 +141,8 @@ export const Summary = ({ report }: { report: Report }) => (
     <Answer report={report} />
     {report.buckets.length === 0 && report.findings_total > 0 && (
       <p class="missing">
-        <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with its
-        simplest pair.
+        <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with a
+        simple pair.
       </p>
     )}
     <Facts report={report} />

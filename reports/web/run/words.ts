@@ -29,6 +29,8 @@ export function formatCoordinate(x: Coordinate): string {
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
+export const isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding);
+
 /** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
  *  other libraries: the amount may be of any. */
 function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
@@ -40,7 +42,6 @@ function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries 
 export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
-    isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding),
     solids = isRounded(b.worst) ? "solids" : "cylinders",
     largest = b.margin?.[1] ?? 0,
     amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
