@@ -78,7 +78,7 @@ enum class CloseKind : unsigned char {
 };
 constexpr auto words_of(CloseKind) noexcept { return std::array{"by decade", "by angle", "rods", "rims"}; }
 
-/// A pair and what is known of it.
+/// A pair and the facts by which it was made.
 struct CloseContact {
   Pair pair;
   CloseCell cell;  ///< aimed at: of an overlap the depth may be less

@@ -67,7 +67,7 @@ struct DirectionKinks {
 struct DirectionModel {
   Vec direction, y, g;
   double f;                               ///< f(D0)
-  double value;                           ///< D0.y: f(D0), but for what is lost at an axis
+  double value;                           ///< D0.y: f(D0) except for a loss at an axis
   double room = 0;                        ///< b
   double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
   std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes

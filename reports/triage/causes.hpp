@@ -48,7 +48,7 @@ struct Cause {
 
   std::string key;
   std::string method;                              ///< of the finding that the simplest pair comes from
-  FindingKind kind = FindingKind::wrong_disjoint;  ///< likewise
+  FindingKind kind = FindingKind::wrong_disjoint;  ///< of the same finding
   std::set<std::string> methods, families;
   std::set<std::string> methods_of_kind;     ///< those that fail in the way of `kind`
   Severity severity = Severity::resolution;  ///< the gravest

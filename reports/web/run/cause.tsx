@@ -27,7 +27,7 @@ const Runs = ({ b }: { b: Cause }) => (
   </Table>
 );
 
-/** What `export` needs: a program for one of these libraries, whose solids have no rounding, or a guest. */
+/** `export` needs one of these: a program for one of these libraries, whose solids have no rounding, or a guest. */
 const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
   manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
   ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
@@ -70,7 +70,7 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
 
 const fromTo = (first: string, last: string) => safe(first === last || last === "" ? first : `${first} to ${last}`);
 
-/** What it is, since when, who shares it, and what to do. */
+/** The facts of a cause, its methods, its runs, and the next steps. */
 function Story({ report, b }: { report: Report; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   return (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page does with its data before it draws, and the charts, as built into the page.
+// The data of the page before it draws, and the charts, as built into the page.
 //     node --test data_test.mjs
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -114,7 +114,7 @@ test("long numbers have exponents, and every digit", () => {
   assert.equal(full(Math.PI), "3.141592653589793");
 });
 
-test("a shell reads a word as it is, and a reader sees all of it", () => {
+test("a shell reads a word as it is, and a reader sees all characters", () => {
   for (const text of ["plain/word", "", "two words", "o'hara", "$HOME `x` \\", "a\u202eb\u00017", "\u00e9 \u200b'\\"]) {
     const quoted = shellQuoted(text);
     assert.doesNotMatch(quoted, /[\u0000-\u001f\u200b-\u202e]/);
@@ -129,13 +129,13 @@ test("each word has one sentence", () => {
   }
 });
 
-test("nobody on the front is beaten in both", () => {
+test("no point on the front is beaten in both", () => {
   const p = (ns, digits_low) => ({ ns, digits: 15, digits_low });
   const front = pareto([p(30, 9), p(10, 5), p(20, 5), p(20, 9), p(40, 3), p(50, 15), p(1, null)]);
   assert.deepEqual(front, [p(10, 5), p(20, 9), p(50, 15)]);
 });
 
-test("maps and curves tell a claim kept from one broken, and declined from undecided", () => {
+test("maps and curves separate a claim kept from one broken, and declined from undecided", () => {
   const cell = { y: 0, asked: 10, wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
   const [x, y] = [2, 1].map((n) => ({ title: "t", labels: Array.from({ length: n }, (_, i) => `${i}`) }));
   const cells = [
@@ -152,14 +152,14 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
   assert.match(rects[0], /wrongly reported disjoint 4 \(40 %\)\nwithin the claim 4" fill="#68727d"/);
   assert.match(rects[1], /declined 3 \(30 %\)\nwithin the claim 2" fill="#8f1612"/);
-  const said = files.get("honesty").match(/wrong \d+ of \d+/g);
-  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
+  const said = files.get("calibration").match(/wrong \d+ of \d+/g);
+  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of its answers");
 });
 
 test("every plot is drawn as a whole SVG", () => {
   const files = charts(expand(sample())),
     names = [...files.keys()];
-  assert.ok(files.has("map-angle-margin-ode") && files.has("honesty"), names.join());
+  assert.ok(files.has("map-angle-margin-ode") && files.has("calibration"), names.join());
   for (const [name, text] of files) {
     assert.ok(text.startsWith("<?xml") && text.trimEnd().endsWith("</svg>"), name);
     assert.ok(!/NaN|undefined|Infinity|var\(/.test(text), `${name} has a number or colour that is none`);

@@ -11,14 +11,14 @@ import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
 const selections = ["library", "kind", "family"] as const;
 type Selection = (typeof selections)[number];
-/** What is chosen; a part that is missing is all. It stands in the address behind "#/findings?". */
+/** The choice; a part that is missing means all. It stands in the address behind "#/findings?". */
 export type Filter = { [part in Selection | "text"]?: string };
 
 export const toFindings = (filter: Filter) =>
   `#/findings?${new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ""))}`;
-export const addressOf = (b: { key: string }) => `#/bucket/${b.key.split("/").map(encodeURIComponent).join("/")}`;
+export const addressOf = (b: { key: string }) => `#/cause/${b.key.split("/").map(encodeURIComponent).join("/")}`;
 
-/** A row, and what of it is compared with a filter. */
+/** A row, and its texts that a filter compares. */
 type Choosable<T> = { row: T; text: string } & Record<Selection, string[]>;
 
 const plain = (text: string) => text.toLowerCase().replaceAll("_", " ");
@@ -60,7 +60,7 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
-            {b.suppressed && `; suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
+            {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>
       </div>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The run at a glance: what is new and wrong, what was found, libraries against families.
+// The run at a glance: new faults, counts, libraries against families.
 import { group } from "d3-array";
 import { Section } from "../parts/elements.tsx";
 import { cellColours, outcomes, type Outcomes } from "../parts/plot.ts";
@@ -84,7 +84,7 @@ function Answer({ report }: { report: Report }) {
     faults.length > 0
       ? ["bad", `${plural(faults.length, compared ? "new fault" : "fault")}:`]
       : rare.length > 0
-        ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before; chance cannot be excluded:`]
+        ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before, perhaps by chance:`]
         : libraries.length > 0 && report.buckets.length === 0
           ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
           : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
@@ -137,7 +137,7 @@ function Facts({ report }: { report: Report }) {
 }
 
 export const Summary = ({ report }: { report: Report }) => (
-  <Section id="new" title="What is new">
+  <Section id="new" title="New in this run">
     <Answer report={report} />
     {report.buckets.length === 0 && report.findings_total > 0 && (
       <p class="missing">

@@ -4,7 +4,7 @@ import type { Coordinate } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
 import type { Case, Cause, Claim } from "./data.ts";
 
-/** Whether it is one of the texts that the project began with, and nobody's library. */
+/** Whether it is a publication that the project began with, and not a library. */
 export const isText = (library: string) => library.startsWith("seed");
 
 export const kindLabel = (kind: string) => kind.replaceAll("_", " ");
@@ -31,8 +31,8 @@ export function formatCoordinate(x: Coordinate): string {
 
 export const isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding);
 
-/** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
- *  other libraries: the amount may be of any. */
+/** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
+ *  come from any of them. */
 function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   if (libraries.length === 1) return [`${libraries[0]} (${methods.length} methods)`, false];
