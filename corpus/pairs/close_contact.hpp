@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs next to touching with everything else extreme as well: axes as good as parallel or square, contacts
+// Nearly touching pairs that are extreme in other ways too: almost parallel or perpendicular axes, contacts
 // at a feature's border, flat solids, small rims on large ones. Built from the contact outwards, as
 // near_touching.hpp does, but with angles, places and lengths drawn by their decades down to their exact
 // ends.

@@ -24,7 +24,7 @@ enum class LawKind : unsigned char {
   exact,        ///< bit for bit if the method claims that, else the verdict; no tolerance
   one_sided,    ///< one answer bounds another
   approximate,  ///< within an allowance that is proved
-  answer        ///< of one answer alone: what it offers holds, it comes, and comes again
+  answer        ///< its certificate holds, it arrives in time, a second call agrees
 };
 constexpr auto words_of(LawKind) noexcept {
   return std::array{"exact", "one-sided", "approximate", "answer"};
