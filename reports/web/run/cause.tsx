@@ -8,7 +8,7 @@ import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isRounded, isText, kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isRounded, isText, kindLabel, sentenceOf } from "./words.ts";
 
 /** The runs, the last one first. */
 const Runs = ({ b }: { b: Cause }) => (
@@ -85,6 +85,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
           <span title={about(b.standing ?? "")}>{b.standing ?? "\u2013"}</span>
+          {isOfNewFamilies(b) && <span class="soft"> no earlier run drew its families for its method</span>}
         </Fact>
         <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
         {b.first_version && <Fact label="versions">{fromTo(b.first_version, b.last_version)}</Fact>}

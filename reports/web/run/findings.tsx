@@ -7,7 +7,7 @@ import type { Cause, Finding, Report } from "./data.ts";
 import { Severity, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
-import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
+import { isOfNewFamilies, kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
 const selections = ["library", "kind", "family"] as const;
 type Selection = (typeof selections)[number];
@@ -60,6 +60,7 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
+            {isOfNewFamilies(b) && "; no earlier run drew its families for its method"}
             {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>

@@ -8,7 +8,7 @@ import type { Report, Tally } from "./data.ts";
 import { Fact, Legend } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isText, kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
 
 const labels = { bad: "beyond claim or failed", within: "within claim", undecided: "undecided or declined" };
 
@@ -88,7 +88,8 @@ function Answer({ report }: { report: Report }) {
         : libraries.length > 0 && report.buckets.length === 0
           ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
           : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
-  const named = faults.length > 0 ? faults : rare;
+  const named = faults.length > 0 ? faults : rare,
+    undrawn = faults.filter(isOfNewFamilies).length;
   return (
     <div class={`band ${kind}`}>
       <p class="answer">
@@ -103,6 +104,8 @@ function Answer({ report }: { report: Report }) {
         {compared
           ? `Compared with ${plural(report.against.length, "earlier run")}.`
           : "There are no causes of earlier runs to compare with."}
+        {undrawn > 0 &&
+          ` No earlier run drew the families of ${plural(undrawn, "new fault")} for their methods. Chance is unknown.`}
       </p>
     </div>
   );

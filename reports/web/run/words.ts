@@ -31,6 +31,9 @@ export function formatCoordinate(x: Coordinate): string {
 
 export const isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding);
 
+/** Whether it is new, but of pairs that no earlier run drew. Then nothing is known of chance. */
+export const isOfNewFamilies = (b: Cause) => b.standing === "new" && b.asked_before === false;
+
 /** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
  *  come from any of them. */
 function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
