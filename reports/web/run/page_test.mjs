@@ -111,6 +111,8 @@ const answersBeforeTriage = () =>
 
 /** Text and selections reach both tables, and what they show stands in the address. */
 async function filters(page, report) {
+  const libraries = await page.locator(".heat-table tbody th").allInnerTexts();
+  assert.deepEqual(new Set(libraries), new Set(report.methods.map((m) => m.library)));
   const all = [report.findings.length, report.buckets.map((b) => b.key).sort()];
   const steps = await page.evaluate(() => history.length);
   assert.deepEqual(await shown(page), all);

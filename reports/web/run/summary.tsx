@@ -38,6 +38,9 @@ function Cell({ library, family, tallies }: { library: string; family: string; t
   );
 }
 
+/** The tallies without those of the referee and of the stored cases. */
+const methodTallies = ({ tallies, methods }: Report) => tallies.filter((t) => methods.some((m) => m.name === t.method));
+
 const Heat = ({ report }: { report: Report }) => (
   <>
     <Legend empty="not asked" />
@@ -56,7 +59,7 @@ const Heat = ({ report }: { report: Report }) => (
           </tr>
         </thead>
         <tbody>
-          {[...group(report.tallies, (t) => t.library)].map(([library, tallies]) => (
+          {[...group(methodTallies(report), (t) => t.library)].map(([library, tallies]) => (
             <tr key={library}>
               <th scope="row">{safe(library)}</th>
               {report.families.map(({ name }) => (
