@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
+import type { Pair } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
@@ -27,19 +28,23 @@ const Runs = ({ b }: { b: Cause }) => (
   </Table>
 );
 
-/** `export` needs one of these: a program for one of these libraries, whose solids have no rounding, or a guest. */
+/** `export` writes a program for one of these libraries, whose solids have no rounding, or a case for a guest. */
 const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
   manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
   ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
-export function whyNoExport({ methods }: Report, { method, kind, simplest, worst }: Cause): string {
+function refusal({ methods }: Report, { method, kind, pair }: { method: string; kind: string; pair: Pair }): string {
   const { library, own } = methods.find((m) => m.name === method) ?? { library: "", own: false },
     isPackaged = libraries.includes(library);
   if (own || isText(library) || library === "nlopt") return `it does not know the library of ${method}`;
   if (manyCalls.includes(kind) || (isPackaged && ofGuests.includes(kind)))
     return `one call cannot show a finding of the kind "${kindLabel(kind)}"`;
-  return isPackaged && isRounded(simplest) && isRounded(worst)
-    ? "its programs for packaged libraries do not support roundings"
-    : "";
+  return isPackaged && isRounded(pair) ? "its programs for packaged libraries do not support roundings" : "";
+}
+/** Why `export` refuses every pair of the cause, or "" if it does not. */
+export function whyNoExport(report: Report, { key, method, kind, simplest, worst }: Cause): string {
+  const shown = [simplest, worst].map(({ pair }) => refusal(report, { method, kind, pair }));
+  const works = shown.includes("") || report.findings.some((f) => f.bucket === key && refusal(report, f) === "");
+  return works ? "" : shown[0]!;
 }
 
 const day = 86_400_000,

@@ -66,6 +66,8 @@ test("export is offered only for what it can write", () => {
     shown = (rounding) => ({ pair: { ...b.simplest.pair, a: { ...b.simplest.pair.a, rounding } } }),
     guest = { ...report.methods.find((m) => m.name === "ode"), name: "mine", library: "mine" };
   report.methods.push(guest);
+  const why = (method, kind, rounding) =>
+    whyNoExport(report, { key: "k", method, kind, simplest: shown(rounding), worst: shown(rounding) });
   for (const [method, kind, rounding, reason] of [
     ["ode", "crash", 0, /^$/],
     ["ode", "crash", 1, /roundings/],
@@ -75,11 +77,9 @@ test("export is offered only for what it can write", () => {
     ["seedbook", "crash", 0, /does not know/],
     ["intersect", "crash", 0, /does not know/],
   ])
-    assert.match(
-      whyNoExport(report, { method, kind, simplest: shown(rounding), worst: shown(rounding) }),
-      reason,
-      `${method} ${kind} ${rounding}`,
-    );
+    assert.match(why(method, kind, rounding), reason, `${method} ${kind} ${rounding}`);
+  Object.assign(report.findings[0], { ...shown(0), method: "ode", kind: "crash", bucket: "k" });
+  assert.equal(why("ode", "crash", 1), "", "a finding without rounding can be sent");
 });
 
 test("a sentence has the largest margin of its cause", () => {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Names of a run as people read them, and a cause in one plain sentence.
-import type { Coordinate } from "../parts/data.ts";
+import type { Coordinate, Pair } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
-import type { Case, Cause, Claim } from "./data.ts";
+import type { Cause, Claim } from "./data.ts";
 
 /** Whether it is a publication that the project began with, and not a library. */
 export const isText = (library: string) => library.startsWith("seed");
@@ -29,7 +29,7 @@ export function formatCoordinate(x: Coordinate): string {
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
-export const isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding);
+export const isRounded = ({ a, b }: Pair) => Boolean(a.rounding || b.rounding);
 
 /** Whether it is new, but of pairs that no earlier run drew. Then nothing is known of chance. */
 export const isOfNewFamilies = (b: Cause) => b.standing === "new" && b.asked_before === false;
@@ -45,7 +45,7 @@ function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries 
 export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
-    solids = isRounded(b.worst) ? "solids" : "cylinders",
+    solids = isRounded(b.worst.pair) ? "solids" : "cylinders",
     largest = b.margin?.[1] ?? 0,
     amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
   switch (b.kind) {
