@@ -16,7 +16,7 @@ def read(path):
 
 
 def rooms_of(text):
-    """The rooms in the order of CMakeLists.txt: {room: (rooms it uses, folders that are part of it)}."""
+    """The rooms in the order of CMakeLists.txt, as {room: (rooms it uses, folders that are part of it)}."""
     rooms = {}
     for call in re.findall(r'^daylight_room\(([^)]*)\)', text, re.MULTILINE):
         words, key, lists = call.split(), None, {'USES': [], 'WITH': []}
@@ -30,7 +30,8 @@ def rooms_of(text):
 
 
 def table_of(rooms, lines):
-    """A row a room: its lines of sources and of tests (`lines`: {room: [sources, tests]}), and what it may include."""
+    """A row for each room: its lines of sources and of tests, and the rooms that it may include. `lines` is
+    {room: [sources, tests]}."""
     rows = ['| room | lines | of tests | may include |', '|---|---:|---:|---|']
     for room, (uses, _) in rooms.items():
         rows.append(f'| {room} | {lines[room][0]:,} | {lines[room][1]:,} | {", ".join(uses) or "nothing of ours"} |')
@@ -39,7 +40,7 @@ def table_of(rooms, lines):
 
 
 def arrows_of(rooms):
-    """What each room uses, without what it also reaches through another: {room: [room]}."""
+    """The rooms that each room uses, without those that it also reaches through another, as {room: [room]}."""
     reach = {}
     for room, (uses, _) in rooms.items():
         reach[room] = set(uses).union(*(reach[other] for other in uses))
@@ -135,7 +136,7 @@ def write(rooms, lines):
 
 
 def violations(rooms, lines):
-    """Yields (path, line, what) where the page or the picture is not today's; numbers of lines may drift."""
+    """Yields (path, line, what) of each part of the page or the picture that is not today's. Lines may drift."""
     page, again = read(PAGE), '.ci/includes --draw writes it anew'
     numbers = re.compile(r' [\d,]+ (?=\|)')
     if numbers.sub('', page) != numbers.sub('', page_with(table_of(rooms, lines))):

@@ -15,11 +15,11 @@ namespace cyl {
 /// Returns the value of `text`. Throws nlohmann::json::exception, with the place, if it is not JSON.
 nlohmann::json parse_json(std::string_view text);
 
-/// Likewise, of a file that a stranger may have written: with the control characters of its strings escaped
-/// (safe_text.hpp), and not nested more than 100 deep.
+/// Does the same for a file that a stranger may have written. Escapes the control characters of its strings
+/// (safe_text.hpp), and refuses values nested more than 100 deep.
 nlohmann::json parse_foreign_json(std::string_view text);
 
-/// Likewise, with the keys of objects in their order.
+/// Does the same, and keeps the order of the keys of objects.
 nlohmann::ordered_json parse_ordered_json(std::string_view text);
 
 /// Returns a value as CBOR, which one process of ours passes to another of the same build. Strings need not

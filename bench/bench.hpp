@@ -53,7 +53,7 @@ struct BenchRow {
   std::size_t wrong_disjoint = 0;      ///< a distance gives it by its sign
   std::size_t wrong_intersecting = 0;
   std::size_t wrong_below_claim = 0;  ///< those of the two above that the method's own claim allows
-  std::size_t wrong_at_margin = 0;    ///< those of the same not proved to have a margin < right_from(family)
+  std::size_t wrong_at_margin = 0;    ///< wrong verdicts whose margin may be at or above right_from(family)
   std::size_t undecided = 0;          ///< or declined, answered invalid, or returned no distance
   std::size_t failed = 0;             ///< crashed, threw or hung; left out of the times
   /// The largest error of a distance relative to the size: at least and at most, by the enclosures.

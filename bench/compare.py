@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Is this commit slower than that one? Two executables, timed by turns.
+"""Compares the speed of two executables of daylight, timed by turns.
 
     bench/compare.py OLD_DAYLIGHT [NEW_DAYLIGHT] [--turns N] [-- OPTIONS OF bench]
 
-Each turn runs `bench` of the old one, twice of the new one, and of the old one again, so that what else the machine
-does falls on both. For each method, query and family the ratio new/old of the medians, its geometric mean over the
-turns and the 95 % interval of that (Student's t). Exit code 2: some method and query has become slower by more than
-5 % in the geometric mean over its families, or by more than 15 % on one family, and the interval says so; 0: none;
-1: a run failed.
+Each turn runs `bench` of the old one, twice of the new one, and of the old one again, so that other work of the
+machine falls on both. It prints the ratio new/old of the medians for each method, query and family: its geometric mean
+over the turns, and the 95 % interval of the mean (Student's t). The exit code is 2 if the interval shows that a method
+and query is slower by more than 5 % in the mean over its families. More than 15 % on one family suffices too. The exit
+code is 1 if a run failed.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""compare.py tells a slower executable, whatever the machine does meanwhile: shown with programs of made-up times."""
+"""compare.py finds a slower executable while the machine does other work. Programs of made-up times show it."""
 import os
 import subprocess
 import sys

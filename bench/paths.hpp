@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How steadily a method answers along paths of pairs: through touching, and through parallel, perpendicular
-// and coaxial axes at a distance that does not change. A path's distances and the direction they are attained
-// in are known by construction, but for rounding.
+// and coaxial axes at a distance that does not change. A path's distances and the direction along which they
+// are attained are known by construction, up to rounding.
 #pragma once
 
 #include <cstddef>
@@ -35,16 +35,16 @@ struct Path {
 /// Signed margin of the paths on which it does not change.
 inline constexpr double path_margin = 1e-7;
 
-/// Returns the paths of a seed, as a pure function of it.
+/// Returns the paths of a seed, a pure function of the seed.
 /// 1. Through touching. Two features are in general position, or two sides are parallel. b moves along the
 ///    normal, from an overlap of 1e-3 of the size to a gap of that.
 ///    * "touching ..": by decades down to 1e-15
 ///    * "touching-fine ..": by steps of 2e-15 of the size about touching, each more than rounding
 /// 2. At a gap and at an overlap of path_margin, through a special position of the axes.
 ///    * "parallel-..": their angle goes from 1e-2 through 0 to -1e-2, and is exactly 0 in the middle
-///    * "perpendicular-..": likewise from a right angle
+///    * "perpendicular-..": the same from a right angle
 ///    * ".. -cross": they turn about the normal
-///    * ".. -tilt": they turn against it, and a rim is next on either side of it
+///    * ".. -tilt": they turn against it, and a rim comes next on either side
 ///    * "coaxial ..": caps lie face to face, and the axes move across, through one line
 std::vector<Path> make_paths(std::uint64_t seed);
 

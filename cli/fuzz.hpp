@@ -21,8 +21,8 @@ unsigned parse_share(const std::string& text);
 /// std::runtime_error then if the run has no other pairs.
 void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options);
 
-/// Fills corpus/ in the folder of a run from the corpus of another run, after it has read all of it. Throws
-/// std::runtime_error if a file there is not a record.
+/// Fills corpus/ in the folder of a run from the corpus of another run, which it first reads completely.
+/// Throws std::runtime_error if a file there is not a record.
 void begin_corpus(const std::string& run, const std::string& from);
 
 /// Fuzzes for the time that the run has left for it, and keeps what came of it in the run. Returns false if a

@@ -254,12 +254,12 @@ void add_gate(Program& program) {
   command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
       .option("--annotate FILE:LINE", arguments->annotate,
-              "source line of failures in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
+              "source line to blame in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
       .one_each();
   command.section("Baseline");
   command
       .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs; only buckets that are new or have more pairs count")
+              "JSON of an earlier gate; reruns its pairs, and fails only on new buckets or more pairs of one")
       .excludes("--pairs")
       .excludes("--seed");
   command

@@ -156,7 +156,7 @@ void add_judge(Program& program) {
       .default_text("the name in the hello of the answers");
   command
       .option("--claim MARGIN", options->claim,
-              "margin from which answers must be right, relative to the size")
+              "answers may be wrong only below this margin, relative to the size")
       .within(0, 1)
       .default_text("the claim in the hello of the answers, else 0");
   command.section("Output");
@@ -169,8 +169,7 @@ void add_judge(Program& program) {
       "is one. It is\n"
       "{\"id\":\"17\",\"declined\":\"why\"} or {\"id\":\"17\",\"error\":\"why\"} if there is no verdict. "
       "Exit code 2\n"
-      "of judge also means that answers failed, are missing, or were given twice, or that a line is not "
-      "an\n"
+      "of judge also means that an answer failed, is missing, or was given twice, or that a line is not an\n"
       "answer. Such lines are reported by number and affect no others.");
   command.run([options] { return judge_answers(*options); });
 }

@@ -73,7 +73,7 @@ class Command {
 
   /// Sets the work of this command, which returns the exit code.
   void run(std::function<int()> work);
-  /// Likewise, with all that follows the command, which is not parsed.
+  /// Does the same, and passes the words after the command without parsing them.
   void run_unparsed(std::function<int(const std::vector<std::string>&)> work);
 
  private:

@@ -15,7 +15,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// Returns whether it is time to show something; `elapsed` since the work began.
   bool due(std::chrono::milliseconds elapsed) const;
-  /// Shows the share of the work that is done, and what came of it.
+  /// Shows the share of the work that is done, and its results so far.
   void show(std::chrono::milliseconds elapsed, double share, const std::string& numbers);
 
  private:

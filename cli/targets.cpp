@@ -30,7 +30,7 @@ Target of_finding(const std::string& run, FindingRecord finding) {
   return {label, line.value->pair, std::move(finding), stated};
 }
 
-/// Returns all cases of a file, or the case on one line of it.
+/// Returns all cases of a file, or the case on one of its lines.
 std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> wanted) {
   std::vector<Target> targets;
   std::ifstream file;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
-So is the English in the comments of headers and in the descriptions of JSON schemas.
+So is the English of comments, docstrings, the page's strings and the descriptions of JSON schemas.
 Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
 command lines that other tests run. The files for CI name commands and options that exist. README.md's first pair stays
 wrong when it is moved, and its numbers match the output of its command. "docs_test.py PROGRAM write" writes these
@@ -84,10 +84,11 @@ def check_size(page, text):
 
 
 def sources():
-    """The headers and sources of C and C++ in the source tree."""
+    """The files of the source tree with comments that plain_english.py reads."""
     for folder, names, files in os.walk(ROOT):
         names[:] = sorted(set(names) - {'build', 'node_modules', '.git'})
-        yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(('.hpp', '.h', '.cpp')))
+        paths = [pathlib.Path(folder) / name for name in sorted(files)]
+        yield from (path for path in paths if path.suffix in plain_english.SPLITS)
 
 
 def descriptions():
@@ -98,18 +99,18 @@ def descriptions():
 
 
 def check_english():
-    """The documents, the comments of C and C++ and the descriptions of schemas have no finding of plain_english.py, and
-    neither has --help of any command."""
+    """The documents, sources and descriptions of schemas have no finding of plain_english.py, and neither has --help of
+    any command."""
     for habit, pattern, _, example in plain_english.PHRASES:
         if not re.search(pattern, example):
             fail(f'the pattern of "{habit}" misses its example: {example}')
     found = [f'{page.relative_to(ROOT)}:{number}: {message}'
              for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
     files = list(sources())
-    if len(files) < 500:
-        fail(f'only {len(files)} files of C and C++ were found')
-    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in files for number, _, message in
-              plain_english.findings(source.read_text(), plain_english.comments)]
+    if len(files) < 500 or set(plain_english.SPLITS) - {file.suffix for file in files}:
+        fail(f'only {len(files)} sources, or none of a language, were found')
+    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in files
+              for number, _, message in plain_english.findings(source.read_text(), plain_english.SPLITS[source.suffix])]
     described = list(descriptions())
     if len(described) < 50:
         fail(f'only {len(described)} descriptions were found in schemas')
@@ -193,7 +194,7 @@ def shortened(words, number):
 
 
 def prepare(folder):
-    """What the command lines speak of."""
+    """Makes the files that the command lines name."""
     solid = '{"center":[%s,0,0],"axis":[0,%s,1],"radius":1,"height":2}'
     pair = '{"a":' + solid % ('0', '0') + ',"b":' + solid % ('%s', '1') + '}\n'
     (folder / 'pairs.jsonl').write_text(pair % '2.5' + pair % '1')

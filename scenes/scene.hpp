@@ -33,12 +33,12 @@ struct Link {
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
-  bool held = false;      ///< fixed only here: its joint moves in a way that nothing draws
-  bool split = false;     ///< of a body of MJCF with joints: the next link is the rest of the same body
-  bool stands = false;    ///< on a parent that is there to be hit, and so not adjacent to it
-  bool endless = false;   ///< it turns without limits: [low, high] is as far as it and its followers repeat
-  bool in_part = false;   ///< it follows an endless joint and does not repeat: only a part of it is drawn
-  Vector3 axis{0, 0, 1};  ///< unit, in the joint's frame
+  bool held = false;         ///< fixed only here: its joint moves in a way that nothing draws
+  bool split = false;        ///< the next link is another part of the same body of MJCF
+  bool stands = false;       ///< on a parent that is there to be hit, and so not adjacent to it
+  bool endless = false;      ///< turns without limits; [low, high] is a common period with its followers
+  bool in_part = false;      ///< it follows an endless joint and does not repeat: only a part of it is drawn
+  Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
   double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
   std::optional<Follow> follow;
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not

@@ -90,7 +90,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}}));
 }
 
-// A link that is welded to the world is the world. A link that floats on it is not a part of it.
+// A link that is welded to the world is the world. A link that floats on it is not a part.
 TEST(Pairs, OfWeldedAndFloatingBodies) {
   const Scene scene = read_scene(folder + "walker.xml");
   const PairRule rule(scene, false);

@@ -10,7 +10,7 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of it. The solid is
+/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of the cylinder. It is
 /// defined by axis/|axis| taken exactly, so the axis may have any finite non-zero length. With radius 0 it is
 /// a segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
 /// segment is a capsule, a point a sphere.

@@ -72,9 +72,10 @@ struct PlaneWeights {
           bits(f.s2 * (across * across + beside * beside) < room * room)) == 3;
 }
 
-// The slice at u = z r0/(r0 + r1), in a unit of a power of two in which the radii are near 1, for the sake of
-// products of so many lengths. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 - (dn/(r0 + r1))^2), the squares
-// of the four coordinates, along and across both axes, in units of their half lengths, sum up to
+// The slice at u = z r0/(r0 + r1). Lengths are divided by a power of two that brings the radii near 1, so
+// that products of so many lengths do not overflow. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 - (dn/(r0 +
+// r1))^2), the squares of the four coordinates, along and across both axes, in units of their half lengths,
+// sum up to
 //   A^2/h0^2 + (B - d1)^2/h1^2 + (B - C A)^2/g0 + (A - d0 - C (B - d1))^2/g1,
 // with the weights 1/h_i^2 and 1/g_i times all denominators.
 struct FirstSlice {
@@ -325,7 +326,7 @@ template <bool ordinary>
   return answer;
 }
 
-// Apart, so that solids that are not ordinary cost others nothing.
+// Not inlined, to keep the common path small.
 [[gnu::noinline]] Answer decide_other(const Prepared& a, const Prepared& b) noexcept {
   if (a.rounding + b.rounding > 0 && a.defect == Defect::none && b.defect == Defect::none)
     return decide_rounded(a, b, 0);

@@ -87,7 +87,7 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 ///   than t), a disk or segment of radius t replaces the ball.
 /// * An overlap of two flat solids may stay undecided if both are segments, or if one is a point. The same
 ///   holds if a disk crosses a disk or a segment at a small angle.
-/// * Subnormal lengths are an exception from both.
+/// * None of this holds for subnormal lengths.
 /// Cost: three times that of intersect(), twice if the axes are parallel. It takes up to 0.3 ms within 1e-11
 /// of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;

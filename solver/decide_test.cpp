@@ -210,8 +210,8 @@ TEST(Decide, ProvesGapsThatRoundingHides) {
 }
 
 // A feature of each solid at a common normal, at any tilt and in any place down to rounding, with lengths
-// from 1e-6 to 1. Gaps of 1.01e-13 of the size are proved, and so are overlaps that hold a ball of 1e-13 of
-// it.
+// from 1e-6 to 1. Gaps of 1.01e-13 of the size are proved, and so are overlaps that hold a ball of 1e-13
+// size.
 TEST(Decide, UndecidedOnlyWithinItsWord) {
   Stream random(20261122);
   const auto decades = [&](double least) { return std::pow(10, random.between(least, 0)); };

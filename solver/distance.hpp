@@ -33,16 +33,16 @@ struct Distance {
   ///   2^-1071 if that is subnormal (distance.md, section 4). If it is more, pass it on to your user.
   /// * Overlapping: the exact depth is at most -value + error, always. See `least`.
   double error = 0;
-  /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
-  /// or more has no inner point of a in it.
+  /// A unit vector that points from a to b (up to rounding). If b moves along it by error - value or more,
+  /// the solids share no inner point.
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center.
   /// * Apart: points of a and of b, |distance - value| <= error.
-  /// * Overlapping: the point of a that is deepest in b, and the point of b that is deepest in a. They
-  ///   differ by value * direction. One of
-  ///   them lies in its solid within rounding. The other lies in its solid within 1e-12 * (size + |Delta|) on
-  ///   all pairs tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle
-  ///   of 1e-11 to 1e-13. In that case 1 in 3,200 is farther out, by up to 2.6e-9.
+  /// * Overlapping: the point of a that is deepest in b, and the point of b that is deepest in a. They differ
+  ///   by value * direction. One lies in its solid within rounding. Bounds of the other, on the pairs tried:
+  ///   * 1e-12 * (size + |Delta|), except for one pair in 100,000;
+  ///   * 1e-9, unless two caps lie on each other at an angle of 1e-11 to 1e-13;
+  ///   * 2.6e-9 then. 1 in 3,200 of these is farther out than 1e-9.
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
   /// True if no direction has a depth that is smaller by more than 4 * error.

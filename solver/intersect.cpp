@@ -62,7 +62,7 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
   return magnitude(cosine) <= steep_cosine ? intersect_sections(sections(p)) : intersect_shallow(p);
 }
 
-// Apart, so that solids that are not ordinary cost others nothing.
+// Not inlined, to keep the common path small.
 [[gnu::noinline]] Verdict intersect_other(const Prepared& a, const Prepared& b) noexcept {
   if (a.ball & b.ball) {
     const Vector3 delta = b.center - a.center;

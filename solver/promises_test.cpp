@@ -40,7 +40,7 @@ double reach_of(const Pair& pair) {
          (pair.b.center - pair.a.center).norm();
 }
 
-/// How far the point, from the solid's centre, is outside of it.
+/// How far the point, which counts from the solid's centre, is outside the solid.
 double outside(const Cylinder& c, const Vector3& x) {
   const Vector3 w = c.axis.stableNormalized();
   const double along = x.dot(w);

@@ -347,7 +347,7 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   return true;
 }
 
-// A point, and a core that is neither flat nor thin, likewise (rounded.md, section 2).
+// Does the same for a point, and a core that is neither flat nor thin (rounded.md, section 2).
 bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   const bool second = p.r1 + p.h1 == 0;  // the ball
   const Vector3 &w = second ? p.w0 : p.w1, to = second ? p.delta : Vector3(-p.delta);

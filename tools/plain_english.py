@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the English of Markdown files and of the comments of C and C++: no phrase of the list below, no sentence of
-30 words or more, no sentence with more than one colon or semicolon. "plain_english.py FILE.." prints its findings and
-exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations" are not checked.
-docs/docs_test.py runs it."""
+"""Checks the English of Markdown files, of comments in C, C++, TypeScript and JavaScript, and of Python's docstrings.
+In TypeScript and JavaScript it also reads strings and the texts in tags. It finds each phrase of the list below,
+sentences of 30 words or more, and sentences with more than one colon or semicolon. "plain_english.py FILE.." prints
+its findings and exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations"
+are not checked. docs/docs_test.py runs it."""
+import ast
 import pathlib
 import re
 import sys
@@ -23,6 +25,9 @@ PHRASES = [
     ('where for if', r'(?i)(?<!know )(?<!shows )(?<!show )(?<!see )(?<!find )(?<!finds )\bwhere\b(?! to\b)', 'if, when',
      'Where none is, it throws.'),
     ('of which', r'(?i)\bof (?:which|whom)\b', 'two sentences', 'pairs of which none fails'),
+    ('missing noun', r'(?i)\blikewise\b|\bthose of the same\b', 'the noun again', 'Likewise, those of the same.'),
+    ('but for', r'(?i), but for\b', 'except for, apart from, or two sentences', 'It is right, but for rounding.'),
+    ('of it', r'\bof it(?=\.(?:\s|$)|$)', 'the noun, or its', 'The end of it.'),
     ('inverted sentence', r'(?:^|[.:;] )(?:Of|Beside|Said|Held|Told) ', 'the subject first', 'Said is the first.'),
 ]
 
@@ -70,6 +75,27 @@ def comments(text):
             held.append(bare[item_mark.end():] if item_mark else bare)
 
 
+def strings(text):
+    """Yields (line number, text) of each comment of TypeScript or JavaScript, of each string that has a space, and of
+    each text between tags. Strings that "+" joins are one text."""
+    yield from comments(text)
+    code = re.sub(r'(?m)^ *(?://|/?\*).*|(?<![\S"`])//.*', '', text)
+    whole = re.sub(r'["`]\s*\+\s*\n\s*["`]', '\v', code)  # \v stands for a line's end
+    for found in re.finditer(r'"((?:[^"\\\n]|\\.)*)"|`((?:[^`\\]|\\.)*)`|(?<!=)>([\w\s,.;:?!\'-]+)<', whole):
+        words = next(filter(None, found.groups()), '').replace('\\n', '. ')
+        words = ' '.join(re.sub(r'\$\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}', 'Code', words).split())
+        if len(words.split()) > 2 and '<' not in words:
+            yield len(re.findall(r'[\n\v]', whole[:found.start()])) + 1, words
+
+
+def docstrings(text):
+    """Yields (line number, text) of each paragraph of each docstring of Python."""
+    documented = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, documented) and (words := ast.get_docstring(node)):
+            yield from ((node.body[0].lineno + number - 1, part) for number, part in paragraphs(words))
+
+
 def prose(text):
     """The words that are read. A link is its text, code or a quotation is a word, a leading **term**: is a label."""
     text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
@@ -86,6 +112,10 @@ def phrases(text):
         for match in re.finditer(pattern, text):
             around = text[max(0, match.start() - 20):match.end() + 25].strip()
             yield habit, f'"{match[0].strip()}" in "..{around}..": write {better}'
+
+
+SPLITS = {'.hpp': comments, '.h': comments, '.cpp': comments, '.py': docstrings,
+          '.ts': strings, '.tsx': strings, '.mjs': strings}
 
 
 def findings(text, split=paragraphs):
@@ -106,8 +136,8 @@ def findings(text, split=paragraphs):
 def main():
     counts = {}
     for name in [word for word in sys.argv[1:] if word != '--count']:
-        split = comments if name.endswith(('.hpp', '.h', '.cpp')) else paragraphs
-        for number, habit, message in findings(pathlib.Path(name).read_text(), split):
+        path = pathlib.Path(name)
+        for number, habit, message in findings(path.read_text(), SPLITS.get(path.suffix, paragraphs)):
             counts[habit] = counts.get(habit, 0) + 1
             if '--count' not in sys.argv:
                 print(f'{name}:{number}: {message}')

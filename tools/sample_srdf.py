@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws configurations of a URDF and looks whether links touch that an SRDF disables as "Never", or come nearer than the
-proof behind them says. Shares no line with daylight: its own kinematics, its own distances. Exit code 1 if one does."""
+"""Draws configurations of a URDF. The exit code is 1 if links touch that an SRDF disables as "Never", or come nearer
+than their proof states. It has its own kinematics and distances, and shares no line with daylight."""
 import argparse
 import html
 import math

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""The test vectors: reads them, asks a function about them, judges what it returns. Also a plug-in of pytest:
+"""The test vectors: reads them, asks a function about them, and judges its answers. Also a plug-in of pytest:
 
     PYTHONPATH=vectors python3 -m pytest -p daylight_vectors --daylight mine:collide
 
 It adds a test for each flag and decade of margin. The function gets two solids as dictionaries (center, axis, radius,
-height, rounding; often quaternion) and returns a bool (do they meet?), a number (the signed distance), one of the words
-disjoint, touching, intersecting and invalid, or None (it has no such solids). For an invalid pair it may raise
-ValueError instead. It runs in a process of its own, so that a hang or a crash is an answer too.
+height, rounding; often quaternion). It returns one of these:
+
+* a bool (do they meet?),
+* a number (the signed distance),
+* one of the words disjoint, touching, intersecting and invalid,
+* None (it has no such solids).
+
+For an invalid pair it may raise ValueError instead. It runs in a process of its own, so that a hang or a crash is an
+answer too.
 """
 import importlib
 import json
@@ -31,13 +37,13 @@ LIMIT = 10.0  # seconds that an answer may take
 
 
 def load(tier='smoke'):
-    """The tier's JSON: {"vectors": [...], ...}. `tier` may also be a path, e.g. of what `daylight vectors` wrote."""
+    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be a path, such as a file of `daylight vectors`."""
     path = FOLDER / f'{tier}.json'
     return json.loads((path if path.exists() else pathlib.Path(tier)).read_text(encoding='utf-8'))
 
 
 def known_flags():
-    """What each flag means, which class of bug it is and who met it."""
+    """The meaning of each flag, its class of bug, and the projects that met it."""
     return json.loads((FOLDER / 'flags.json').read_text(encoding='utf-8'))
 
 
@@ -67,7 +73,7 @@ def remember(failed, path=STORE):
 
 
 def solid_of(solid):
-    """A copy with numbers where JSON has words."""
+    """A copy with numbers instead of the words of JSON."""
     def number(x):
         return [number(y) for y in x] if isinstance(x, list) else float(x)
     return dict({'rounding': 0.0}, **{name: number(x) for name, x in solid.items()})
@@ -137,7 +143,7 @@ class Asker:
             return {'failure': f'gave no answer within {seconds:g} s'}
 
     def ask(self, a, b, may_refuse):
-        """(what it said, None), or (None, why it gave no answer)."""
+        """Returns (the answer, None), or (None, why there is none)."""
         if self.process is None:
             self.start()
         try:
@@ -175,7 +181,7 @@ def answer(function, a, b, may_refuse):
 
 
 def serve(name):
-    """The process: a pair a line, and an answer a line. What the function prints goes to standard error."""
+    """The process: a pair a line, and an answer a line. The prints of the function go to standard error."""
     answers = os.fdopen(os.dup(1), 'w', encoding='utf-8')
     os.dup2(2, 1)
     try:
@@ -217,7 +223,7 @@ class Run:
         remember([i for i, v in asked.items() if self.is_wrong(v)] + sorted(self.before - set(asked)), self.store)
 
     def cells(self):
-        """{(flag, decade): vectors}: a vector is in the cell of each of its flags; what failed last time is first."""
+        """{(flag, decade): vectors}. A vector is in the cells of its flags. Failures of the last time are first."""
         cells = {}
         for v in self.vectors:
             for flag in v['flags'] or ['General']:
@@ -237,7 +243,7 @@ def simplest(vectors):
 
 
 def report(flag, failing, results):
-    """What a reader of a failure needs: how many, the simplest pair and what is known of the class of bug."""
+    """The text of a failure: how many, the simplest pair, and the class of bug."""
     v = simplest(failing)
     about = known_flags().get(flag, {})
     pair = json.dumps({k: {name: x for name, x in v[k].items() if name != 'quaternion'} for k in 'ab'})

@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Proves in rational arithmetic, with nothing but Python's standard library, what is true of two solids.
+"""Proves facts of two solids in rational arithmetic, with nothing but Python's standard library.
 
-    exact.py                            proves what stands in CLAIMS below; exit status 1 where that fails
-    exact.py PAIRS.jsonl ANSWERS.jsonl  checks what `daylight check` answered; exit status 2 where a certificate fails
+    exact.py                            proves the CLAIMS below; exit status 1 if that fails
+    exact.py PAIRS.jsonl ANSWERS.jsonl  checks answers of `daylight check`; exit status 2 if a certificate fails
 
-A cylinder is solid and closed: center, axis (of any length), radius, full height, and rounding: it is all points
-within the rounding of the cylinder proper, its core. Floats are taken exactly. A coordinate of a certificate may also
-be a list of floats (their exact sum) or a string "n/d". A direction proves that two solids are apart if planes square
-to it show a gap. A point proves that they meet if it lies in both cores; two `points`, if one lies in each core and
-they are no farther apart than both roundings together. `hulls` names with a point the subspaces that it is to be
-taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. They touch if they
+A cylinder is solid and closed. It has center, axis (of any length), radius, full height, and rounding. It is all
+points within the rounding of the cylinder proper, its core. Floats are taken exactly. A coordinate of a certificate may
+also be a list of floats (their exact sum) or a string "n/d".
+
+A direction proves that two solids are apart if planes square to it show a gap. A point proves that they meet if it lies
+in both cores. Two `points` prove it if one lies in each core, no farther apart than both roundings together. A point
+with `hulls` stands for the point nearest to it in the hulls of both solids, which are subspaces. They touch if they
 meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
-proves touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. If
-it is negative, a direction proves that the overlap is not deeper than tolerated. That it is deeper has no certificate:
-only the sign of the interval is checked, and the last line counts such answers. Of an interval of the distance, the
-order, the sign and what the direction shows are checked. An answer with a part of another verdict's certificate is
-refused. A pair that is not valid has no other answer than `invalid`.
+proves touching to within 2^-200 of the size.
+
+A `clearance` is added to the rounding of a. If it is negative, a direction proves that the overlap is not deeper than
+tolerated. A deeper overlap has no certificate: only the sign of the interval is checked, and the last line counts such
+answers. An interval of the distance must have the right order and sign, and agree with the direction. An answer with a
+part of another verdict's certificate is refused. A pair that is not valid has no other answer than `invalid`.
 """
 import json
 import re
@@ -78,8 +80,8 @@ def room(pair):
 
 
 def gap(pair, direction, bits, above=False):
-    """A bound of the gap that planes square to the direction show, below 0 where they cut both solids: the gap is not
-    smaller; with `above` it is not larger. The signed distance is never below the gap."""
+    """A lower bound of the gap that planes square to the direction show, with `above` an upper one. It is below 0 if
+    they cut both solids. The signed distance is never below the gap."""
     d = vector(direction)
     if not any(d):
         return Fraction(-1)
@@ -98,7 +100,7 @@ def separates(pair, direction, clearance=0):
 
 
 def equations(solid, hull):
-    """Of the points of a hull: rows (n, k), n.x = k."""
+    """The equations n.x = k of the points of a hull, as rows (n, k)."""
     w, c = vector(solid['axis']), vector(solid['center'])
     if hull == 'space':
         return []
@@ -110,7 +112,7 @@ def equations(solid, hull):
 
 
 def nearest(point, rows):
-    """The point nearest to `point` that satisfies the equations; None where none does."""
+    """The point nearest to `point` that satisfies the equations, or None if none does."""
     basis = []  # square to each other
     x = list(point)
     for n, k in rows:
@@ -141,16 +143,16 @@ def in_both(pair, point, hulls=SPACE):
 
 
 def come_near(pair, points, hulls=SPACE, extra=0):
-    """Whether there is a point in each core and the two are no farther apart than both roundings and the extra: then
-    the distance of the solids is at most the extra."""
+    """Whether a point lies in each core and the two are no farther apart than both roundings and the extra. Then the
+    distance of the solids is at most the extra."""
     x, y = (nearest(vector(p), equations(pair[k], hull)) for k, p, hull in zip('ab', points, hulls))
     between, reach = minus(x, y), room(pair) + exact(extra)
     return in_core(pair['a'], x) and in_core(pair['b'], y) and reach >= 0 and dot(between, between) <= reach**2
 
 
 def normals(solid, x):
-    """Of the outward normals of the core at its point x: vectors that span their cone, and the plane in which these lie,
-    by its normal, or None. Inner points have none."""
+    """Vectors that span the cone of the outward normals of the core at its point x, and the normal of their plane, or
+    None. Inner points have none."""
     w, out = vector(solid['axis']), minus(x, vector(solid['center']))
     along, height, radius = dot(out, w), exact(solid['height']), exact(solid['radius'])
     across = minus(out, [along / dot(w, w) * c for c in w])
@@ -175,8 +177,8 @@ def supports(solid, x, n):
 
 
 def touch_at(pair, x, y):
-    """Whether the solids, which meet, share no inner point: x and y, points of the cores, are nearest to each other and
-    as far apart as both roundings, or are one point in which the cores have opposite normals."""
+    """Whether the solids, which meet, share no inner point. Either x and y, points of the cores, are nearest to each
+    other and as far apart as both roundings. Or they are one point in which the cores have opposite normals."""
     between = minus(y, x)
     if any(between) or room(pair) > 0:
         return (dot(between, between) == room(pair)**2 and supports(pair['a'], x, between)
@@ -189,7 +191,7 @@ def touch_at(pair, x, y):
 
 
 def defect(pair):
-    """Why a pair is not valid, in words; None where it is."""
+    """Why a pair is not valid, in words, or None if it is."""
     if not isinstance(pair, dict):
         return 'it is no object'
     for side in 'ab':
@@ -239,7 +241,7 @@ def is_uncertified(answer):
 
 
 def fault(pair, answer):
-    """What is wrong with an answer and its certificate, in words; None where nothing is."""
+    """The fault of an answer and its certificate in words, or None."""
     verdict, why = answer.get('verdict'), defect(pair)
     if verdict == 'invalid':
         known = {'center', 'axis', 'radius', 'height', 'rounding'}
@@ -292,7 +294,7 @@ def fault(pair, answer):
 
 
 def wrong_interval(pair, answer):
-    """What is wrong with an interval of the distance; None where nothing is shown to be."""
+    """The fault of an interval of the distance that can be shown, or None."""
     low, high = map(exact, answer['distance'])
     signs = {'disjoint': high > 0, 'intersecting': low <= 0, 'touching': low <= 0 <= high}
     if low > high or not signs.get(answer['verdict'], True):
@@ -303,7 +305,7 @@ def wrong_interval(pair, answer):
 
 
 def refuted(pair, said):
-    """A claim against what was said of a pair, in words, and whether it holds."""
+    """A claim in words that refutes an answer about a pair, and whether it holds."""
     if 'distance' not in said:
         if 'direction' in said:
             return 'the direction said does not separate them', gap(pair, said['direction'], DIGITS[0], True) <= 0

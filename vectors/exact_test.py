@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The exact checker believes each certificate up to where it holds and none beyond."""
+"""The exact checker believes each certificate as long as it holds, and none beyond."""
 import contextlib
 import io
 import pathlib
@@ -82,7 +82,7 @@ class Exact(unittest.TestCase):
             self.assertIn(why or 'None', str(exact.fault(apart, answer)))
 
     def test_a_tolerated_overlap(self):
-        """An overlap of 1: the direction shows that it is not deeper than tolerated, up to where it is."""
+        """An overlap of 1: the direction shows that it is not deeper than tolerated, until it is."""
         deep = {'a': UP, 'b': dict(UP, center=[5, 0, 0])}
         answer = {'verdict': 'disjoint', 'direction': [1, 0, 0], 'distance': [JUST, 1]}
         for tolerated, held in ((1 + JUST, True), (1, False), (1 - JUST, False)):

@@ -97,7 +97,7 @@ def wrong_distance(v, low, high):
 
 
 def wrong(v, flags):
-    """What is wrong with a vector, in words; None where nothing is."""
+    """The fault of a vector in words, or None."""
     if v['id'] != id_of(v):
         return 'the id is not that of these numbers'
     unknown = [flag for flag in v['flags'] if flag not in flags]

@@ -87,7 +87,7 @@ class Lint(unittest.TestCase):
                     self.assertGreater(sum(v.get(key) == word for v in document['vectors']), 8, word)
 
     def planted(self, change, of=lambda v: True):
-        """What the lint says of the first vector of a kind after a change."""
+        """The findings of the lint about the first vector of a kind after a change."""
         document = copy.deepcopy(SMOKE)
         index, v = next((i, v) for i, v in enumerate(document['vectors']) if of(v))
         change(v)

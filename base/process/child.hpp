@@ -27,10 +27,10 @@ class Child {
   /// `work` throws. It runs no destructors and no exit handlers. It is killed when the thread that made it
   /// ends. Throws std::system_error if the system has no process or pipe left.
   explicit Child(const std::function<std::string()>& work, const ChildOptions& options = {});
-  /// Runs a program with its arguments, looked for in PATH, likewise; what it prints on standard output are
-  /// the bytes.
+  /// Does the same for a program, which is looked for in PATH, with its arguments. The bytes are those that
+  /// it prints on standard output.
   explicit Child(const std::vector<std::string>& command, const ChildOptions& options = {});
-  /// Likewise, for work that hands over its bytes itself, as they come.
+  /// Does the same for work that hands over its bytes itself, as they come.
   explicit Child(const std::function<void(int output)>& work, const ChildOptions& options = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;

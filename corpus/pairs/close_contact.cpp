@@ -92,8 +92,8 @@ double cosine_of(const Poise& p) {
 
 constexpr Turn at_side{0, 1}, at_cap{1, 0};
 
-// Rim on rim, with axes at the angle s. It has two parts square to each other, towards the normal and about
-// it. Either both rims are nearly sides, or the caps face each other.
+// Rim on rim, with axes at the angle s. s has two perpendicular components: the tilt towards the normal and
+// the twist about the normal. Either both rims are nearly sides, or the caps face each other.
 Poise parallel_rims(RandomStream& r, double s) {
   constexpr double tilted_share = 0x1p-4;  // of the tilt: if s is below it, both azimuths are alike
   const Turn share = extreme_turn(r, 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs next to touching with everything else extreme as well: axes as good as parallel or square, contacts
+// Nearly touching pairs that are extreme in other ways too: almost parallel or perpendicular axes, contacts
 // at a feature's border, flat solids, small rims on large ones. Built from the contact outwards, as
 // near_touching.hpp does, but with angles, places and lengths drawn by their decades down to their exact
 // ends.
@@ -78,7 +78,7 @@ enum class CloseKind : unsigned char {
 };
 constexpr auto words_of(CloseKind) noexcept { return std::array{"by decade", "by angle", "rods", "rims"}; }
 
-/// A pair and what is known of it.
+/// A pair and the facts by which it was made.
 struct CloseContact {
   Pair pair;
   CloseCell cell;  ///< aimed at: of an overlap the depth may be less

@@ -24,7 +24,7 @@ struct Family {
 /// draw close contacts, for which the gate has phases of its own.
 std::span<const Family> families();
 inline constexpr std::size_t first_close_family = 30;
-/// The pairs of a sphere, a capsule, a cylinder and a rounded cylinder, but for two cylinders.
+/// The combinations of a sphere, a capsule, a cylinder and a rounded cylinder, without two cylinders.
 std::span<const Family> rounded_families();
 /// The families of a campaign: first families(), then rounded_families().
 std::span<const Family> campaign_families();

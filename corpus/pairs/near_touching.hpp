@@ -12,7 +12,7 @@
 
 namespace cyl {
 
-/// The features that meet, of the one solid and of the other; which of the two is `a` is drawn.
+/// The features that meet. Which solid has which is random.
 enum class ContactKind : unsigned char {
   side_side,       ///< two generators cross
   side_rim,        ///< a rim meets a generator

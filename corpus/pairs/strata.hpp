@@ -31,11 +31,13 @@ inline constexpr auto drawn_strata = [] {
   return all;
 }();
 
-/// Gaps at even indices, penetrations at odd ones, if the cell has both. A solid that contains the other
-/// leaves no gap, and in decade 1 other penetrations are not known by construction. Rounding moves the margin
-/// by up to 5e-16. So from decade 14 on the decade is only a target, and in the last decade the sign too.
-/// Returns nothing outside the decades. In the last decade it returns nothing for containment, because
-/// doubles near the outer surface cannot represent so small an inner solid.
+/// Gaps at even indices, penetrations at odd ones, if the cell has both. Containment leaves no gap.
+/// * Decade 1: penetrations by containment only, because others are not known by construction.
+/// * Decades 14 and up: the decade is a target, because rounding moves the margin by up to 5e-16.
+/// * Last decade: the sign is a target too. Nothing for containment, because doubles near the outer surface
+/// cannot
+///   represent so small an inner solid.
+/// Returns nothing outside the decades.
 std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
                                     std::uint64_t index);
 

@@ -9,8 +9,8 @@
 
 namespace cyl {
 
-/// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
-/// once.
+/// Which findings are kept. filter(filter(S1) + filter(S2)) == filter(S1 + S2): shards keep what one run
+/// keeps.
 class Representatives {
  public:
   /// Counts the finding; whether it is to be kept.

@@ -25,7 +25,7 @@ class SqliteFile;
 /// enough to see a pattern.
 inline constexpr std::uint64_t representatives_cap = 10;
 
-/// How often a method was asked on a family and what came of it.
+/// How often a method was asked on a family, with the outcomes.
 struct Counts {
   std::uint64_t asked = 0;
   std::uint64_t declined = 0;

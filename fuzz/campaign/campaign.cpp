@@ -63,7 +63,7 @@ std::vector<MethodRecord> record_methods(const Workload& workload) {
   return all;
 }
 
-/// With the methods, what the findings are a function of. Two sessions of one run agree in all of it.
+/// Findings are a function of these values and the methods. The sessions of one run agree in them.
 Config identity(const CampaignOptions& options, const Workload& workload) {
   std::string families;
   for (const Family& family : workload.families) families.append(family.name).append("\n");

@@ -8,7 +8,7 @@ const folder = new URL('node_modules/@babylonjs/havok/', import.meta.url);
 const { version } = JSON.parse(readFileSync(new URL('package.json', folder)));
 const Havok = await initHavok({ wasmBinary: readFileSync(new URL('lib/esm/HavokPhysics.wasm', folder)) });
 
-/** What a call gives but its result code; throws where that is none of success. */
+/** Returns the value that comes with the result code of a call. Throws if the code is not that of success. */
 function must([result, ...values]) {
   if (result !== Havok.Result.RESULT_OK) throw new Error(`result ${result.value}`);
   return values[0];
@@ -26,7 +26,7 @@ const shapes = {
 const place = ({ position: p, turn: t }) => [[p.x, p.y, p.z], [t.x, t.y, t.z, t.w]];
 const reach = (s) => Math.hypot(s.radius, s.halfHeight) + s.rounding;
 
-// Of a cylinder it makes a prism of 16 sides inside, with rims rounded by at most 0.015, as small spheres around show.
+// It turns a cylinder into a prism of 16 sides inside it. Rims are rounded by at most 0.015, as small spheres show.
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
 serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'] }, (a, b) => {
   const made = [a, b].map((s) => shapes[s.kind](s));

@@ -21,7 +21,7 @@ function engineSettings() {
   return settings;
 }
 
-// PhysicsSettings.h: cDefaultConvexRadius; the lengths of a CylinderShape count it in.
+// cDefaultConvexRadius of PhysicsSettings.h. The lengths of a CylinderShape include it.
 const rounds = process.argv.includes('--default'), rounded_rims = rounds ? 0.05 : 0;
 const rims_of = (s) => (Math.min(s.halfHeight, s.radius) >= rounded_rims ? rounded_rims : 0);
 // A convex radius rounds only what its GJK sees; its penetration depth takes the sharp cylinder. So it has no rounded one.

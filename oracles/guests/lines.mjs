@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the guests in Node share: a hello, then an answer line for each line of a pair. Most engines are of single
-// precision and keep a cylinder along y, so that b is put where a has its centre, before it is rounded.
+// The guests in Node share this: a hello, then an answer line for each line of a pair. Most engines use single
+// precision and keep a cylinder along y. So positions count from the centre of a before they are rounded.
 import { createInterface } from 'node:readline';
 
 /** The unit quaternion that turns y to the line of `axis`, by the half-way vector. */
@@ -31,7 +31,7 @@ export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded'];
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
-  // What comes in together goes out together: a write for each line would take longer than the answer.
+  // Answers to lines that arrive together leave together: a write for each line would take longer than the answer.
   let said = '';
   const flush = () => { process.stdout.write(said); said = ''; };
   const say = (object) => {

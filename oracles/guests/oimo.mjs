@@ -5,7 +5,7 @@ import { serve } from './lines.mjs';
 
 const folder = new URL('node_modules/oimophysics/', import.meta.url);
 const { version } = JSON.parse(readFileSync(new URL('package.json', folder)));
-// Its file is a module, but its package does not say so: Node.js 18 would read it as CommonJS.
+// Its file is a module, but its package does not state it: Node.js 18 would read it as CommonJS.
 const source = readFileSync(new URL('OimoPhysics.js', folder));
 const { oimo } = await import(`data:text/javascript;base64,${source.toString('base64')}`);
 const { geometry, narrowphase } = oimo.collision, { Quat, Transform, Vec3 } = oimo.common;

@@ -18,9 +18,9 @@ namespace cyl {
 enum class CallMode : unsigned char {
   usual,         ///< Method::ask
   other_thread,  ///< Method::ask, from a new thread
-  prepared,      ///< Method::prepare_all, then its call. Gives the verdict alone; declined if there is no
+  prepared,      ///< Method::prepare_all, then its call. Gives the verdict alone. Declined if there is no
                  ///< such call.
-  batch          ///< Method::prepare_batch, then its call. Likewise, at several places among other pairs.
+  batch          ///< The same with Method::prepare_batch, at several places among other pairs.
 };
 
 /// One question of a batch: a method and a pair, as indices into the spans given to ask_contained.
@@ -61,7 +61,7 @@ struct Caps {
   /// Hangs of one method in one call of ask(). After these, its questions are declined, with that
   /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
-  /// Likewise the crashes of a program. It is started again after each, which may take a second.
+  /// The same limit for crashes of a program. It is started again after each, which may take a second.
   unsigned program_crashes = std::numeric_limits<unsigned>::max();
   /// From then on, questions are declined, and a call that a worker is in is ended and counts as declined.
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
@@ -101,7 +101,7 @@ class Asker {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Asks likewise, in workers that are started for this call.
+/// Asks in the same way, in workers that are started for this call.
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
                                            const Caps& caps = {});

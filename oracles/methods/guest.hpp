@@ -58,6 +58,6 @@ std::vector<OpenedGuest> open_guest(const Guest& guest);
 std::string fingerprint(std::span<const std::string> files);
 
 std::vector<OpenedGuest> open_plugins(const Guest& guest);  ///< as open_guest, with any name
-OpenedGuest open_command(const Guest& guest);               ///< likewise
+OpenedGuest open_command(const Guest& guest);               ///< as open_guest
 
 }  // namespace cyl

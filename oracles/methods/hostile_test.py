@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""hostile_test.py DAYLIGHT: guests that do what they can to hurt. Each is named, the run goes to its end, what is told of
-all others is what is told without the guest, no process is left, and the run resumes.
+"""hostile_test.py DAYLIGHT: guests that do what they can to hurt. Each is named, and the run goes to its end. The
+results of all others are those without the guest. No process is left, and the run resumes.
 
-All of it happens in a PID namespace of its own, so that what got through would reach nobody else.
+The test has a PID namespace of its own, so that a guest that broke out would reach no other process.
 """
 import os
 import shutil
@@ -184,8 +184,8 @@ def run(daylight, *words, status=None, mode=None):
     return done
 
 
-def told(folder, of_guest):
-    """What a run holds of the guest, or of all others."""
+def results_of(folder, of_guest):
+    """The tallies and findings of the guest in a run, or of all others."""
     with sqlite3.connect(folder / 'run.sqlite') as store:
         sign = '=' if of_guest else '<>'
         tallies = store.execute('SELECT method, family, asked, declined, failed, contract, resolution, undecided FROM tally '
@@ -196,8 +196,8 @@ def told(folder, of_guest):
 
 
 def processes():
-    """All of this namespace but this one, to which those come whose parent is gone; once those that are about to end
-    have ended: a keeper ends its guest when it sees that its own parent is gone, which may be after the program."""
+    """All processes of this namespace except this one, which adopts orphans. Waits for those that are about to end. A
+    keeper ends its guest when it sees that its own parent is gone, which may be after the end of the program."""
     for _ in range(PATIENCE):
         try:
             while os.waitpid(-1, os.WNOHANG)[0]:
@@ -223,9 +223,9 @@ def check(daylight, guest, mode, named, alone):
     campaign = ('campaign', '--pairs', str(PAIRS), '--seed', '3', '--cases', '', '--methods', f'{OTHERS},hostile', *guest)
     run(daylight, *campaign, '--out', str(out), status=(0, 2), mode=mode)
     faults = []
-    if told(out, False) != alone:
+    if results_of(out, False) != alone:
         faults.append('the answers of others changed')
-    tallies, findings = told(out, True)
+    tallies, findings = results_of(out, True)
     asked = sum(t[2] for t in tallies)
     if asked != PAIRS:
         faults.append(f'{asked} of {PAIRS} pairs were asked')
@@ -257,7 +257,7 @@ def inside(daylight):
     plugin, command = ('--plugin', './hostile.so'), ('--command', 'hostile=python3 hostile.py')
     run(daylight, 'campaign', '--pairs', str(PAIRS), '--seed', '3', '--cases', '',
         '--methods', OTHERS, '--out', 'runs/alone', status=(0, 2))
-    alone = told(Path('runs/alone'), False)
+    alone = results_of(Path('runs/alone'), False)
     good = True
     for mode, named in NAMED.items():
         good = check(daylight, plugin, mode, named, alone) and good

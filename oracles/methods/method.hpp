@@ -66,8 +66,8 @@ class Method {
   /// Returns whether its library keeps no state between calls. Then it may be asked again in the same process
   /// after one of its assertions failed.
   virtual bool recovers() const { return false; }
-  /// n > 1 for costly methods: it gets one pair in n, and each pair on which another method is wrong beyond
-  /// its claim.
+  /// Costly methods return n > 1. They get one pair in n, and each pair on which another method is wrong
+  /// beyond its claim.
   virtual unsigned share() const { return 1; }
   /// Performs one-time initialization in the calling process, such as loading a library. The first answer()
   /// does the same if there was no call. May fail like answer().

@@ -142,8 +142,8 @@ void Worker::post(std::span<const Pair> pairs, std::span<const Question> questio
 
 bool Worker::has_begun() const { return memory_->said->begun.load() == memory_->asked->number.load(); }
 
-// The times of a question start when the move of the cursor to it is noticed. So they never count time that
-// an earlier call used.
+// The clock of a question starts when the parent sees the cursor on it. So it never counts time that an
+// earlier call used.
 Worker::Watched Worker::watch() {
   const auto interval = std::clamp(caps_.call_cpu / 4, milliseconds(1), longest_look_interval);
   const auto& said = *memory_->said.operator->();

@@ -27,7 +27,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 /// The bytes that a worker may use beyond its memory at the fork. A leak in foreign code then ends in
-/// std::bad_alloc or a crash of the worker, and the machine's out-of-memory killer stays out of it.
+/// std::bad_alloc or a crash of the worker, and the machine's out-of-memory killer has no cause to act.
 constexpr rlim_t memory_cap = rlim_t{2} << 30;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests workers from the outside: which of them live on, what a guest may do, and what is reported of it.
+// Tests workers from the outside: which of them live on, what a guest may do, and the reports.
 #include "oracles/methods/worker.hpp"
 
 #include <gtest/gtest.h>

@@ -62,12 +62,13 @@ struct DirectionKinks {
   bool one_circle() const { return on_circle[0] != on_circle[1] && !are_a_point(); }
 };
 
-/// f near one direction D0, by the point y that supports D0; if several do, by the one most nearly along it.
+/// A model of f near one direction D0, built on a support point y of D0: the one nearest to the line along
+/// D0 if there are several.
 /// The letters are those of direction_bounds.cpp.
 struct DirectionModel {
   Vec direction, y, g;
   double f;                               ///< f(D0)
-  double value;                           ///< D0.y: f(D0), but for what is lost at an axis
+  double value;                           ///< D0.y: f(D0) except for a loss at an axis
   double room = 0;                        ///< b
   double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
   std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
@@ -90,8 +91,8 @@ class DirectionBounds {
   std::array<Vec, 3> likely() const;
   /// f of a unit direction.
   double value(const Vec& d) const;
-  /// A bound that falls short of the least value by the square of the cap's angle; none better than `enough`
-  /// is sought. Cost: 0.1 us, 0.6 beside kinks.
+  /// A lower bound of f on the cap, off by O(angle^2) at most. Stops early at `enough`. Cost: 0.1 us, 0.6 us
+  /// beside kinks.
   Bounds bounds(const Cap& cap, double enough) const;
   /// A bound that reaches the least value itself if f has a local minimum near `start`, and all of the
   /// cap is close enough to it. Stops at a bound of `enough`, or `width` below the value found. Cost: 1

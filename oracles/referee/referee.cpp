@@ -271,8 +271,8 @@ std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
 }
 
 // Cores that meet come first, because any common point is a proof. Then comes algebra, which settles ties,
-// then the nearest points. If the cores are as near to touching as a small contact distance, the search for
-// those points takes long. It shows nothing that this one does not show with more bits.
+// then the nearest points. The search for those points is slow if the cores almost touch. Then it proves
+// nothing that algebra with more bits would not.
 Truth search_rounded(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;

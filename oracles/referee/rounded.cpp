@@ -160,7 +160,7 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
       const DoublePoints guess = nearest_in_double(pair);
       return refine_nearest(p, bits, guess.lifted(guess.found.on_a), guess.lifted(guess.found.on_b));
     }
-    // At a tiny angle, one face may hide so small a part of the other that no other start leads there.
+    // At tiny angles the faces overlap in a sliver that only this start reaches.
     case Start::corners: {
       DoublePoints unit;
       const std::array<Vec3<double>, 4> corners = crossings_of_rims(double_pair(pair, unit.exponent));

@@ -33,7 +33,7 @@ constexpr auto words_of(Coordinate) noexcept {
 /// Relative to the size.
 inline constexpr double offset_size_margin = 100;
 
-/// Returns the coordinate of a legal pair. `margin` is |signed distance| / size, or an upper bound of it.
+/// Returns the coordinate of a legal pair. `margin` is |signed distance| / size, or an upper bound.
 Coordinate coordinate_of(const Pair& simplified, double margin);
 
 /// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure` is a finding's kind or a law's name. Without

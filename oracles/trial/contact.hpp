@@ -20,7 +20,7 @@ inline constexpr double flat_tol = 1e-7;
 /// 0) no cap: the rim takes their place. Never returns `containment`.
 ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 
-/// Returns whether no point of `inner` is outside `outer`, but for rounding.
+/// Returns whether no point of `inner` is outside `outer`, up to rounding.
 bool contains(const Cylinder& outer, const Cylinder& inner);
 
 /// Returns the features that meet in the direction of the signed distance, proved or from the solver.

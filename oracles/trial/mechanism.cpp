@@ -314,7 +314,7 @@ std::string_view in_words(Mechanism m) noexcept {
       "a fixed length in it, such as an absolute tolerance: right at another scale",
       "rounding of its numbers: right at no size that was tried",
       "its setting: right with another",
-      "no probe told",
+      "no probe changed the answer",
       "its model: right about cylinders with the rounded edges that it gives them"};
   static_assert(words.size() == words_of(Mechanism{}).size());
   return words[static_cast<std::size_t>(m)];

@@ -8,7 +8,7 @@
 
 namespace cyl {
 
-/// Returns bounds of the signed distance of a legal pair. `measured` is the solver's distance of it.
+/// Returns bounds of the signed distance of a legal pair. `measured` is the solver's distance of the pair.
 /// 1. Apart: both bounds are shown.
 /// 2. Overlapping: `hi` is 0, so no depth is shown, but the depth is at most -lo.
 /// 3. The bounds are wide or not finite if the points or the direction are bad.

@@ -45,7 +45,7 @@ constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_rerun = 10
 /// A hang counts as this many questions. It takes half a second, and a question takes some tenths of a
 /// millisecond.
 constexpr std::uint64_t hang_cost = 1000;
-/// Likewise a crash of a program, which is started again.
+/// The same for a crash of a program, which is started again.
 constexpr std::uint64_t program_crash_cost = 50;
 
 /// A method that hangs this often is not asked any more. This is 8 s of CPU time, or half a minute of sleep.

@@ -48,7 +48,7 @@ struct GateOptions {
   std::optional<GateAmount> amount = {};
   std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< the start of `cap`
-  /// Returns whether the gate was stopped. Then, too, nothing more is asked.
+  /// Asked again and again. Once it returns true, the gate asks no further questions and reports.
   std::function<bool()> stopped = [] { return false; };
   /// Stops after the round with the first failure beyond a claim, and neither reruns nor simplifies it.
   bool first_failure = false;

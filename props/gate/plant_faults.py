@@ -5,11 +5,13 @@
     plant_faults.py SOURCE_FOLDER OUTPUT_FOLDER
 
 Each line of planted_faults.jsonl is one fault:
+
     file     a source or header of solver/, or any other source
     find     text that is exactly once in the file, or exactly once in `near`, a longer text that is exactly once in it
-    replace  what stands there if the fault is chosen
+    replace  the text instead if the fault is chosen
     what     the fault in words
     law      a law that the faulty methods break in the gate
+
 A text that ends in ';' or '}' is a statement. Any other is an expression, and an operand as it stands.
 """
 import json
@@ -20,7 +22,7 @@ TABLE = 'props/gate/planted_faults.jsonl'
 
 
 def place(fault, text):
-    """Where the fault's text begins and ends in the file."""
+    """The begin and the end of the fault's text in the file."""
     start, end = 0, len(text)
     for key in ('near', 'find'):
         if key not in fault:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Our own code with one fault, chosen at run time, to test that the gate sees it. The faults are in
 // planted_faults.jsonl. plant_faults.py writes them into copies of the sources. The sources themselves, and
-// so the program `daylight`, know nothing of it.
+// so the program `daylight`, have no fault.
 #pragma once
 
 #include <span>

@@ -16,9 +16,9 @@
 
 namespace cyl {
 
-/// Returns all cells, empty, by feature and then by decade; the second function returns those of close
-/// contacts.
+/// Returns all cells, empty, by feature and then by decade.
 std::vector<GateCell> empty_cells();
+/// Returns the cells of close contacts, empty.
 std::vector<CloseGateCell> empty_close_cells();
 /// The number of pairs of one stratum in one round.
 inline constexpr std::uint64_t pairs_per_stratum = 4;
@@ -34,8 +34,8 @@ struct SampleRound {
 SampleRound draw_strata(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round);
-/// The number of pairs of each two kinds in one round of rounded solids. As many more as a round of close
-/// contacts are these, with capsules instead of cylinders.
+/// The number of pairs of each two kinds in one round of rounded solids. The round also has the pairs of a
+/// round of close contacts, with capsules instead of cylinders.
 inline constexpr std::uint64_t pairs_per_kinds = 16;
 
 /// The solids that the methods together support.

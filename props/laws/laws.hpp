@@ -24,7 +24,7 @@ enum class LawKind : unsigned char {
   exact,        ///< bit for bit if the method claims that, else the verdict; no tolerance
   one_sided,    ///< one answer bounds another
   approximate,  ///< within an allowance that is proved
-  answer        ///< of one answer alone: what it offers holds, it comes, and comes again
+  answer        ///< its certificate holds, it arrives in time, a second call agrees
 };
 constexpr auto words_of(LawKind) noexcept {
   return std::array{"exact", "one-sided", "approximate", "answer"};
@@ -36,11 +36,11 @@ struct LawQuery {
   CallMode mode = CallMode::usual;
 };
 
-/// One method's answers to a pair and to what a law made of it.
+/// One method's answers to a pair and to the questions that a law made from the pair.
 struct LawCase {
   const Method& method;  ///< for its name and claim; not to be asked
   const Pair& pair;
-  const MethodAnswer& first;  ///< to `pair`; answered, but for laws of failures
+  const MethodAnswer& first;  ///< to `pair`; a failure only for laws of failures
   std::span<const LawQuery> asked;
   std::span<const MethodAnswer> answers;  ///< to `asked`, one each
   Proofs& proofs;                         ///< of `pair` and of any other

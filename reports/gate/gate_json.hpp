@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gate's result as one JSON document, complete; and what a later gate reads back of it.
+// The gate's complete result as one JSON document, and the part that a later gate reads back.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct GateBase {
   std::vector<std::string> cases;                ///< digests
   std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
-  std::map<std::string, std::uint64_t> within;   ///< likewise within claims, which excuse nothing
+  std::map<std::string, std::uint64_t> within;   ///< the same within claims, which excuse nothing
 };
 
 /// Reads what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it

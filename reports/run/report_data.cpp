@@ -16,6 +16,7 @@
 #include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
+#include "base/source_tree.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/stored_answers.hpp"
 #include "oracles/methods/guest.hpp"
@@ -54,10 +55,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// Returns the command that repeats this run on a machine with the same build and guests. Empty if earlier
-/// runs, which may be gone, gave the weights of its families.
+/// runs, which may be gone, gave the weights of its families, and if all pairs come from a corpus.
 std::string command_of(const RunData& run) {
   const Config& config = run.config;
-  if (!value_of(config, "weights").empty()) return "";
+  const std::vector<std::string> families = lines_of(value_of(config, "families"));
+  const std::string cases = value_of(config, "cases"), corpus = run.folder + "/corpus";
+  const bool has_corpus = std::filesystem::is_directory(corpus);
+  if (!value_of(config, "weights").empty() || (has_corpus && families.empty())) return "";
   std::vector<std::string> asked, all, all_families;
   for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());
@@ -70,8 +74,10 @@ std::string command_of(const RunData& run) {
     command += ' ' + options_for(guest);
   }
   if (shard.count > 1) command += fmt::format(" --shard {}/{}", shard.index, shard.count);
-  return command + names_option("--methods", asked, all) +
-         names_option("--families", lines_of(value_of(config, "families")), all_families);
+  command += names_option("--methods", asked, all) + names_option("--families", families, all_families);
+  if (cases != in_source_tree("corpus/cases")) command += " --cases " + shell_quoted(cases);
+  if (has_corpus) command += " --corpus " + shell_quoted(corpus);
+  return command;
 }
 
 json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/json.hpp"
+#include "base/source_tree.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
@@ -156,6 +157,19 @@ TEST_F(ReportData, TheCommandBringsTheGuests) {
   const std::string whole = command_of(all);
   EXPECT_NE(whole.find(plugin), std::string::npos);
   EXPECT_EQ(whole.find("--methods"), std::string::npos);
+}
+
+TEST_F(ReportData, TheCommandHasTheCasesAndTheCorpus) {
+  const auto command_with = [&](const std::string& cases) {
+    const fs::path run = folder / std::to_string(cases.size());
+    RunStore::create(run, {{"seed", "1"}, {"cases", cases}, {"families", "random\n"}}, {});
+    fs::create_directories(run / (cases.empty() ? "none" : "corpus"));
+    return parse_ordered_json(report_json(read_run(run, families())))["run"]["command"].get<std::string>();
+  };
+  EXPECT_TRUE(command_with("").ends_with(" --cases ''"));
+  EXPECT_NE(command_with("/a b").find(" --cases '/a b' --corpus " + (folder / "4/corpus").string()),
+            std::string::npos);
+  EXPECT_EQ(command_with(in_source_tree("corpus/cases")).find("--cases"), std::string::npos);
 }
 
 TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What the program given as the first argument writes as JSON, held against the schemas of this folder. Each schema
-also has to refuse what was changed: a field more, a field less, a word that is none."""
+"""Checks the JSON that the program of the first argument writes with the schemas of this folder. Each schema also has
+to refuse changes: a field more, a field less, an unknown word."""
 import copy
 import json
 import pathlib

@@ -48,12 +48,12 @@ struct Cause {
 
   std::string key;
   std::string method;                              ///< of the finding that the simplest pair comes from
-  FindingKind kind = FindingKind::wrong_disjoint;  ///< likewise
+  FindingKind kind = FindingKind::wrong_disjoint;  ///< of the same finding
   std::set<std::string> methods, families;
   std::set<std::string> methods_of_kind;     ///< those that fail in the way of `kind`
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
-  std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
+  std::uint64_t pairs = 0;  ///< the most pairs on which one method is wrong, comparable between causes
   std::vector<std::int64_t> findings;  ///< ids of the stored findings
   std::optional<Enclosure> margin;     ///< the least and the greatest lower bound, of findings of that kind
   ShownCase simplest;
@@ -73,7 +73,8 @@ struct Cause {
   std::optional<Suppression> suppressed;
 };
 
-/// The findings of one method, kind, severity and family: all, and those looked at, by cause.
+/// The findings of one method, kind, severity and family: their number, the number examined, and how many
+/// have each cause.
 struct ExaminedFindings {
   std::uint64_t found = 0, looked_at = 0;
   std::map<std::string, std::uint64_t> by_cause;

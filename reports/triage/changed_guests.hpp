@@ -25,9 +25,9 @@ struct ChangedGuest {
   std::map<std::string, NewFault> newly_wrong;  ///< by the key of the cause
 };
 
-/// Compares each guest of the run with the last earlier run that asked another version of it. Asks about the
-/// pairs that the earlier run drew for it. Seed and index give them again. Stops when that part of the budget
-/// is used up.
+/// Compares each guest of the run with the last earlier run that asked another version of the guest. Asks
+/// about the pairs that the earlier run drew for it. Seed and index give them again. Stops when that part of
+/// the budget is used up.
 std::vector<ChangedGuest> ask_earlier_pairs(const TriageContext& context,
                                             const std::vector<TriagedRun>& earlier, double part);
 

@@ -62,7 +62,7 @@ struct TriageContext {
   std::vector<GroupRecord> finding_groups;       ///< all findings, counted
   std::vector<std::string> asked;                ///< the run's methods that are here
   std::vector<Subject> subjects;                 ///< the findings
-  std::map<std::int64_t, const Subject*> by_id;  ///< likewise
+  std::map<std::int64_t, const Subject*> by_id;  ///< the subjects
   std::set<std::int64_t> absent;                 ///< findings of guests that are not here
   std::chrono::milliseconds budget;              ///< what the page will take is taken off
 
@@ -115,7 +115,7 @@ void simplify_findings(const TriageContext& context, const std::set<std::string>
 /// Returns the findings to simplify: one of each cause after the other, new causes before known ones.
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known);
-/// Searches a worse pair for each cause, likewise.
+/// Searches a worse pair for each cause, until that part of the budget is used up.
 void search_worst(const TriageContext& context, double part);
 /// Judges the shown findings again: of each cause the worst, the least, and one of its severity. A stranger
 /// may have made the run. Throws InputError that names the finding if the referee, the claim or the stored

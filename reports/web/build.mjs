@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Builds what is committed: page_template.html, the page of a run without its data.
 //     npm ci && node build.mjs            writes it
-//     node build.mjs --check              says whether it is what these sources give; exit status 1 where not
+//     node build.mjs --check              states whether these sources give it; exit status 1 if not
 // The same sources and package-lock.json give the same bytes. It carries the hash of what it was built from, which
-// data_test.mjs holds against the sources without npm.
+// data_test.mjs compares with the sources without npm.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
@@ -59,7 +59,7 @@ async function page() {
     script = program.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = createHash("sha256").update(script).digest("base64");
-  const policy = `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'`;
+  const policy = ["default-src 'none'", `script-src 'sha256-${hash}'`, "style-src 'unsafe-inline'"].join("; ");
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp)

@@ -30,7 +30,7 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   }
   mkdirSync(folder, { recursive: true });
   let text = "";
-  for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
+  for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails if a pipe is slow
   for (const [name, svg] of charts(daylight.expand(JSON.parse(text)))) {
     writeFileSync(`${folder}/${name}.svg`, svg);
     console.log(`${folder}/${name}.svg`);

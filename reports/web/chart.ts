@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
+// The plots as files for a paper or a README, and the parts of the page that chart.mjs gives to Node.
 import { colours, shade, type Options } from "./parts/plot.ts";
 import { grouped } from "./parts/words.ts";
 import { calibrationPlot, colourOf, firstOfEach } from "./run/calibration.tsx";
@@ -11,17 +11,17 @@ import { tracePlot } from "./run/stability.tsx";
 
 export { full, shellQuoted } from "./parts/words.ts";
 export { exact, floorSqrt, prove } from "./parts/prove.ts";
+export { whyNoExport } from "./run/cause.tsx";
 export { chosen, rowsOf } from "./run/findings.tsx";
 export { glossary } from "./run/glossary.ts";
-export { expand, isOrdinary } from "./run/report.ts";
+export { expand } from "./run/report.ts";
 export { pareto } from "./run/speed.tsx";
 export { sentenceOf } from "./run/words.ts";
 
 const escaped = (text: string) =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
-/** A document to draw plots in where there is no browser: as much of one as Observable Plot asks for, and its text as
- *  SVG. */
+/** A document for plots if there is no browser. It has as much as Observable Plot asks for, and its text as SVG. */
 class PlainNode {
   parentNode: PlainNode | null = null;
   childNodes: PlainNode[] = [];
@@ -100,7 +100,7 @@ interface Key {
   colour: string;
 }
 
-/** A plot in a file of its own: white behind it, a title, and who has which colour below it. */
+/** A plot in a file of its own: a white background, a title, and the colours with their names below. */
 function framed(plot: Element, title: string, keys: Key[], notes: string[] = []): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
   const columns = Math.max(1, Math.floor(w! / 150)),
@@ -114,7 +114,7 @@ function framed(plot: Element, title: string, keys: Key[], notes: string[] = [])
     const square = `<rect x="${x}" y="${y}" width="10" height="10" fill="${colour}"/>`;
     return `${square}<text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
   });
-  const told = notes.map(
+  const lines = notes.map(
     (note, i) => `<text x="12" y="${h! + head + 12 + 15 * i}" fill="${colours.soft}">${escaped(note)}</text>`,
   );
   return (
@@ -123,14 +123,14 @@ function framed(plot: Element, title: string, keys: Key[], notes: string[] = [])
     `font-family="sans-serif" font-size="11" fill="${colours.fg}">` +
     `<rect width="100%" height="100%" fill="${colours.bg}"/><text x="12" y="17" font-size="13" ` +
     `font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" ` +
-    `color="${colours.fg}" fill="currentColor">${inner}</g>${legend.join("")}${told.join("")}</svg>\n`
+    `color="${colours.fg}" fill="currentColor">${inner}</g>${legend.join("")}${lines.join("")}</svg>\n`
   );
 }
 
 const sure = (name: string) => name.replace(/[^A-Za-z0-9_.-]+/g, "_");
 
-/** The plots that the report has data for, maps and curves of a method a library: file name (without ending) and SVG,
- *  whose colours are named as style.css names them. */
+/** The plots that the report has data for: file name (without ending) and SVG. Maps and curves show one method of each
+ *  library. Colours have the names of style.css. */
 export function charts(report: Report): Map<string, string> {
   const files = new Map<string, string>();
   const o: Options = { width, document: plainDocument() };
@@ -170,7 +170,7 @@ export function charts(report: Report): Map<string, string> {
     );
   if (curves.length > 0)
     files.set(
-      "honesty",
+      "calibration",
       framed(
         calibrationPlot(curves, o),
         "Share of wrong answers against margin",

@@ -6,13 +6,13 @@ import { safe } from "./parts/words.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
 
-/** What reports/run/page_template.cpp compressed: zlib, in base64. */
+/** Undoes reports/run/page_template.cpp, which compresses with zlib and encodes in base64. */
 function inflated(text: string): Response {
   const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")));
 }
 
-/** Draws the data in the element that reports/run/page_template.cpp fills, or says why it cannot. */
+/** Draws the data in the element that reports/run/page_template.cpp fills, or states why it cannot. */
 async function draw() {
   const page = document.getElementById("page")!,
     text = document.getElementById("report-data")!.textContent;
@@ -30,6 +30,6 @@ async function draw() {
   }
 }
 
-// In Node there is no page to draw: chart.mjs takes from here what draws the plots as files.
+// In Node there is no page to draw. chart.mjs takes the functions that draw the plots as files from here.
 if (typeof document === "undefined") Object.assign(globalThis, { daylight: forNode });
 else void draw();

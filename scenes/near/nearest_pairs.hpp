@@ -16,7 +16,7 @@ struct NearPair {
   double distance = 0, error = 0;  ///< negative: minus the depth of the overlap
   Vector3 on_a, on_b;              ///< the nearest, or the deepest points
   bool within = false;             ///< as was answered
-  Proof proof = Proof::none;       ///< the certificate that the solver has of it
+  Proof proof = Proof::none;       ///< the solver's certificate
 };
 
 /// Returns the nearest pairs whose boxes meet, by distance and then by index, at most `count`. If they are

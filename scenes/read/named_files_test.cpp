@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders of a workspace with a ROS package, and files outside of it.
+/// The folders of a workspace with a ROS package, and files outside the workspace.
 class NamedFilesTest : public testing::Test, protected Scratch {
  protected:
   NamedFilesTest() {

@@ -25,9 +25,9 @@
 // and their (n x w).y by at most r |v - (v.u) u|, v = n x w. If an end lies behind the foremost one by h,
 // then h of its advance does not count.
 //
-// So sums over a's joints, for both ends, bound how much farther a reaches towards b, and likewise for b.
-// Anywhere in the box, the gap along n, turned with the link at s, is at least that in the middle less both
-// sums. Any s is right, and the one with the least sums is taken.
+// So sums over a's joints, for both ends, bound how much farther a reaches towards b. The sums over b's
+// joints do the same. Anywhere in the box, the gap along n, turned with the link at s, is at least that in
+// the middle less both sums. Any s is right, and the one with the least sums is taken.
 //
 // Rounding: a joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into. If
 // the parts of the path are L long together, k links put a point within 32 k u L of its place. For two

@@ -59,7 +59,7 @@ class JointPath {
   /// A solid as a turning joint has it.
   struct Seen {
     std::array<double, 2> reach{};  ///< of the ends of its axis from that of the joint
-    double tilt = 0;                ///< of its disk, at most, when it turns by 1
+    double tilt = 0;                ///< largest change of the tilt of its disk per radian
   };
   /// The most that a joint adds to the reach of a solid.
   struct Step {

@@ -114,7 +114,7 @@ Total total_of(const SceneStudy& study, Level level, double tolerated);
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);
 
-/// Returns whether an accepted model answers all samples right, but for false alarms that are tolerated.
+/// Returns whether an accepted model answers all samples right, except for tolerated false alarms.
 bool suffices(const PairStudy& pair, Level level, double tolerated);
 
 /// Returns whether what is recommended is known from samples alone, not from what the model is: of a ball or

@@ -225,8 +225,8 @@ auto corner(const Sections<T>& f) noexcept {
   const auto rises2 = on2 & (fall1 < c * fall0);
   const auto rises3 = on3 & negate(rises2) & (c * fall1 > fall0);
   const auto overlaps = (x <= f.r0) & (y <= f.r1) & (u + v >= z);
-  // Up the first line y grows to r1 at most and u has to make up for what v lacks of z; likewise down the
-  // second.
+  // Up the first line y grows to r1 at most and u has to make up for what v lacks of z. The same holds down
+  // the second.
   const auto vain2 = too_long(f.r0, positive(x - c * positive(f.r1 - y)), positive(z - v));
   const auto vain3 = too_long(f.r1, positive(y - c * positive(f.r0 - x)), positive(z - u));
   const auto cannot_improve = (rises2 & vain2) | (rises3 & vain3);

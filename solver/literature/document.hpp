@@ -76,7 +76,7 @@ constexpr Options with(Options options, Fault fault) noexcept {
   return options;
 }
 
-/// Returns what prepare() does, but for the axis, which points as given.
+/// Does the same as prepare(), except that the axis points as given.
 inline Prepared prepare_as_given(const Cylinder& c) noexcept {
   Prepared p = prepare(c);
   const double first = c.axis.x() != 0 ? c.axis.x() : c.axis.y() != 0 ? c.axis.y() : c.axis.z();

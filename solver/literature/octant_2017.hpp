@@ -28,7 +28,7 @@ struct Octant {
   double along(int i, const Point& x) const noexcept;
   /// G with the given signs of the L_i, or their own signs if those are 0.
   double value(const Point& x, Signs signs) const noexcept;
-  /// A subgradient of it.
+  /// A subgradient of value().
   Point gradient(const Point& x, Signs signs) const noexcept;
   /// |P_i D(x)|.
   double across(int i, const Point& x) const noexcept;
@@ -38,7 +38,7 @@ struct Octant {
   Point off_axis(int i, const Point& x, Signs signs) const noexcept;
 };
 
-/// A convex polygon, anticlockwise: the triangle s, t >= 0, s + t <= 1, or what lines leave of it.
+/// A convex polygon, anticlockwise: the triangle s, t >= 0, s + t <= 1, or the rest that lines cut off.
 struct Cell {
   static constexpr int corner_cap = 5;  ///< a triangle and two cuts
   Point corners[corner_cap] = {{0, 0}, {1, 0}, {0, 1}};

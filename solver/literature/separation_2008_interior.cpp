@@ -141,8 +141,8 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
       const SmoothGap g(p, sign0, sign1);
       if (g.no_phi) return false;  // two rims' centres coincide
       const CriticalSystem& s = g.system;
-      // The segment between two rims' centres is square to both axes, so the end disks reach along all of
-      // it. The solids are separated if and only if |phi|^2 > (r0 + r1)^2. No other case of signs
+      // The segment between two rims' centres is square to both axes, so the end disks reach along the whole
+      // segment. The solids are separated if and only if |phi|^2 > (r0 + r1)^2. No other case of signs
       // contradicts this.
       if (s.det0 == 0 && s.det1 == 0) return finder.separates(g.w);
       const CriticalPairs pairs = critical_pairs(s, way, options.faults);

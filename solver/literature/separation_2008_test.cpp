@@ -84,7 +84,7 @@ TEST(Literal2008, VIsTested) {
   EXPECT_EQ(literally(point, segment, {}), Verdict::disjoint);
 }
 
-// As printed, but for the derivative: x = 0 is a root of this pair's polynomial.
+// As printed, except for the derivative. x = 0 is a root of this pair's polynomial.
 TEST(Literal2008, ARootAtZeroIsARoot) {
   const Cylinder a{{0, 0, 0}, {0, 0, 1}, 2, 1}, b{{0, 6, -2}, {0, 1, 1}, 2, 7};
   EXPECT_EQ(literally(a, b, printed_2008.without(Fault::derivative_of_the_wrong_term)), Verdict::disjoint);

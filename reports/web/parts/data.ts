@@ -19,7 +19,7 @@ export interface Pair {
   b: Cylinder;
 }
 
-/** What a flat solid lies in: its point is known by it better than by doubles. */
+/** The plane, line or point in which a flat solid lies. It places a point more exactly than doubles can. */
 export type Hull = "space" | "plane" | "line" | "center";
 
 /** As one line of `daylight check --distance`. */
@@ -29,12 +29,12 @@ export interface Truth {
   point?: Coordinate[];
   points?: [Coordinate[], Coordinate[]]; // one of a's core, one of b's
   near?: { point?: Coordinate[]; points?: [Coordinate[], Coordinate[]]; direction: Coordinate[] };
-  hulls?: [Hull, Hull]; // of a and b: the point meant is the nearest in both; of points, each in its own
+  hulls?: [Hull, Hull]; // of a and b; `point` stands for the nearest point in both, `points` for those in their own
   distance?: [number, number];
   stage?: "filter" | "wide" | "exact";
 }
 
-/** What a method said, as in a run's store. */
+/** The answer of a method, as in a run's store. */
 export interface Answer {
   verdict?: Verdict;
   distance?: number;
@@ -46,10 +46,10 @@ export interface Answer {
   reason?: string;
 }
 
-/** What a drawing shows. */
+/** A pair with the data that its drawing needs. */
 export interface Shown {
   pair: Pair;
   truth: Truth;
-  direction?: Vec; // unit, from a to b, where the signed distance is attained
-  nearest?: { a: Vec; b: Vec }; // nearest points (apart) or deepest (overlapping), where known
+  direction?: Vec; // unit, from a to b, along which the signed distance is attained
+  nearest?: { a: Vec; b: Vec }; // nearest points (apart) or deepest (overlapping), if known
 }

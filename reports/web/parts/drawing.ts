@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is drawn of a case, in a frame for drawing: the middle of the centres is the origin, the larger of the pair's
-// extent and the way between its centres is about 1. Doubles: a drawing proves nothing.
+// The drawing of a case, in a frame of its own. The origin is the middle of the centres. The larger of the pair's
+// extent and the way between its centres is about 1. It uses doubles, for a drawing proves nothing.
 import type { Coordinate, Pair, Shown, Vec } from "./data.ts";
 import { add, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 
@@ -41,7 +41,7 @@ function unitOf(pair: Pair): number {
   return longest > 0 && Number.isFinite(longest) ? longest : 1;
 }
 
-/** A point of the solid that is farthest along n, the middle of its face where a whole face is. */
+/** The point of the solid that is farthest along n, or the middle of its face if a whole face is. */
 function support(s: Solid, n: Vec): Vec {
   const along = dot(s.axis, n);
   const radial = sub(n, scale(s.axis, along)),
@@ -72,8 +72,8 @@ export function drawingOf(c: Shown): Drawing {
   const local = (x: Vec): Vec => add(drawnA.center, [0, 1, 2].map((i) => (x[i]! - a.center[i]!) / u) as Vec);
 
   const certificate = c.truth.direction ?? c.truth.near?.direction;
-  const told = c.direction ?? (certificate?.map(coordinateValue) as Vec | undefined) ?? null;
-  let direction = told && finite(told) && unit(told);
+  const given = c.direction ?? (certificate?.map(coordinateValue) as Vec | undefined) ?? null;
+  let direction = given && finite(given) && unit(given);
   const delta = sub(drawnB.center, drawnA.center);
   if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
   const certified = c.truth.point ?? c.truth.near?.point,
@@ -92,7 +92,7 @@ export function drawingOf(c: Shown): Drawing {
   const origin: Vec = [0, 0, 0],
     middle = finite(near && scale(add(near.a, near.b), 0.5)) ?? origin;
 
-  // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
+  // A plane square to the direction of the certificate itself, in the middle of the space that it leaves free.
   let plane: Vec | null = null;
   const normal = certificate && unit(certificate.map(coordinateValue) as Vec); // none beyond the range of doubles
   if (c.truth.verdict === "disjoint" && normal?.every(Number.isFinite)) {
@@ -122,15 +122,15 @@ export function drawingOf(c: Shown): Drawing {
 /** A gap or an overlap narrower than this part of the drawing cannot be seen. */
 const visibleShare = 0.06;
 
-/** By how much the gap is drawn wider than it is so that it shows; 1: to scale, or not known. */
+/** How many times as wide as it is the gap is drawn, so that it shows. 1 means to scale, or not known. */
 export function exaggeration(d: Drawing): number {
   if (d.gap === null || d.gap === 0 || !d.direction) return 1;
   const k = (visibleShare * d.extent) / Math.abs(d.gap);
   return k > 1 && Number.isFinite(k) ? k : 1;
 }
 
-/** The solids moved apart (or into each other) along the direction until the gap is k times as wide: about the
- * contact. */
+/** The solids, moved apart (or into each other) about their contact along the direction, until the gap is k times as
+ *  wide. */
 export function exaggerated(d: Drawing, k: number): Drawing {
   if (k === 1 || d.gap === null || !d.direction) return d;
   const move = scale(d.direction, ((k - 1) * d.gap) / 2),

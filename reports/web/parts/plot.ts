@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What all plots share: colours, size, and ticks of a logarithmic axis.
+// All plots share these: colours, size, and ticks of a logarithmic axis.
 import * as Plot from "@observablehq/plot";
 
-/** `document`: where there is none of a browser. `link`: where a click on a point leads. */
+/** `document` is for Node, which has none. `link` returns the address to which a click on a point leads. */
 export interface Options {
   width: number;
   document?: Document;
@@ -19,7 +19,7 @@ export const colours = {
   series: Array.from({ length: 10 }, (_, i) => `var(--series-${i})`),
 };
 
-/** Pairs by what a method did, of which the first that occurs gives a cell its colour. */
+/** Pairs by the outcome of a method. The first outcome that occurs gives a cell its colour. */
 export const outcomes = ["bad", "within", "undecided"] as const;
 export type Outcomes = { [outcome in (typeof outcomes)[number] | "asked"]: number };
 
@@ -27,7 +27,7 @@ export type Outcomes = { [outcome in (typeof outcomes)[number] | "asked"]: numbe
 export const shade = (outcome: string, step: number) => `var(--${outcome}-${step})`;
 const stepOf = (share: number) => Math.min(5, Math.max(1, Math.floor(Math.log10(share) + 1e-9) + 6));
 
-/** The fill is the share, the edge what it is of; a cell without such answers has no edge. */
+/** The fill shows the share, and the edge its outcome. A cell without such answers has no edge. */
 export function cellColours(c: Outcomes): { fill: string; edge: string | null } {
   const worst = outcomes.find((outcome) => c[outcome] > 0);
   if (!worst) return { fill: "var(--clean)", edge: null };

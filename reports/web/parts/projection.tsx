@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The drawing of a pair: both solids as lines, with what is known of them.
+// The drawing of a pair: both solids as lines, with the points and the plane that are known.
 import { polygonHull } from "d3-polygon";
 import type { Vec } from "./data.ts";
 import type { Drawing } from "./drawing.ts";
 import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geometry.ts";
 
-/** From where a drawing is seen, and the radius of what is in the picture. */
+/** The place of the eye, and the radius of the part that is in the picture. */
 interface View {
   eye: Vec;
   up: Vec;
@@ -70,7 +70,7 @@ function outline(of: Solid, flat: Flatten, view: View, name: string) {
   );
 }
 
-/** `close`: where the solids are nearest to each other, instead of all of them. */
+/** `close` shows the place at which the solids are nearest to each other, instead of the whole solids. */
 export function Projection({ drawing: d, close = false, label }: { drawing: Drawing; close?: boolean; label: string }) {
   const view = viewOf(d, close),
     flat = flatten(view);

@@ -7,8 +7,8 @@
 //   points P, Q   P in a, Q in b, |P - Q| <= R, squared
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
 //
-// A point may come with hulls: the axes and middle planes of flat solids. The point meant is the one of the hulls that
-// is nearest to it, which is rational too. Of two points each moves into the hull of its own solid.
+// A point may come with hulls: the axes and middle planes of flat solids. It stands for the point of the hulls that is
+// nearest to it, which is rational too. Each of two points moves into the hull of its own solid.
 //
 // A solid with a rounding is its core grown by a ball. The tests above are of the cores, R is the sum of both
 // roundings, and f has the additional term R |D|.
@@ -153,7 +153,7 @@ interface Side {
   bits: number;
 }
 
-/** The sign of f(D), 0 where it did not show. */
+/** The sign of f(D), or 0 if it did not show. */
 function signOfF(a: Solid, b: Solid, d: Vector): Side {
   const terms = [a, b].flatMap((s, i) => {
     const ww = dot(s.axis, s.axis);
@@ -237,7 +237,7 @@ interface Plane {
 }
 const one = rational(1n);
 
-/** In lowest terms: what goes on through several steps would double its digits at each. */
+/** In lowest terms. Without this, numbers would double their digits at each of several steps. */
 function reduced({ n, d }: Rational): Rational {
   let [x, y] = [n < 0n ? -n : n, d];
   while (y !== 0n) [x, y] = [y, x % y];
@@ -324,8 +324,8 @@ function seen(s: Solid, x: Vector) {
   return { out, along, ww, across: moved(out, neg(div(along, ww)), s.axis) };
 }
 
-/** Vectors that span the cone of the outward normals of a core at its point x, and the normal of the plane in which
- *  they lie, if they lie in one. Inner points have none. */
+/** Vectors that span the cone of the outward normals of a core at its point x, and the normal of their plane, if they
+ *  lie in one. Inner points have none. */
 function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null } {
   const { along, ww, across } = seen(s, x),
     onCap = equal(square(along), mul(square(half(s.height)), ww)),
@@ -357,8 +357,8 @@ function supports(s: Solid, x: Vector, n: Vector): boolean {
   );
 }
 
-/** Whether solids that meet share no inner point: x and y, points of the cores, are nearest to each other and as far
- *  apart as both roundings, or are one point in which the cores have opposite normals. */
+/** Whether solids that meet share no inner point. Either x and y, points of the cores, are nearest to each other and as
+ *  far apart as both roundings. Or they are one point in which the cores have opposite normals. */
 function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
   const between = minus(y, x),
     room = add(a.rounding, b.rounding);
@@ -439,7 +439,7 @@ const proofs = ["direction", "point", "points", "near"] as const,
     touching: ["point", "points", "near"],
   };
 
-/** Never throws: what cannot be read proves nothing, nor does what has a part that does not belong to its verdict. */
+/** Never throws. A truth that cannot be read, or has a part that does not belong to its verdict, proves nothing. */
 export function prove(pair: Pair, truth: Truth): Proof {
   try {
     const given = proofs.filter((part) => truth[part] !== undefined),

@@ -133,7 +133,7 @@ test("touching within 2^-200 of the size", () => {
   assert.equal(holds(huge, near([0, 1e150, 0], [0, 0, 0])), false);
 });
 
-test("what is no certificate proves nothing, and throws nothing", () => {
+test("a truth without a certificate proves nothing, and throws nothing", () => {
   for (const truth of [
     direction(1, 0),
     direction(1, 0, "x"),
@@ -183,7 +183,7 @@ test("a point in hulls is the nearest point of both", () => {
   assert.equal(holds({ a: rod, b: segment }, on([0.13, 0.24, 0.1], ["space", "line"])), true);
   assert.equal(holds({ a: rod, b: segment }, on([0.13, 0.24, 9], ["space", "line"])), false, "beyond both ends");
   assert.equal(holds({ a: disk, b: rod }, on([0.1, 0.1, 0.4], ["plane", "space"])), true);
-  assert.equal(holds({ a: disk, b: segment }, on([0.2, 0.3, 0.4], ["plane", "line"])), true, "where the line crosses");
+  assert.equal(holds({ a: disk, b: segment }, on([0.2, 0.3, 0.4], ["plane", "line"])), true, "at the crossing");
   const beside = cylinder([5, 0, 0], [0.3, 0.4, 1], 0, 4);
   assert.equal(holds({ a: disk, b: beside }, on([0.2, 0.3, 0.4], ["plane", "line"])), false);
   const above = cylinder([0, 0, 0.75], [0, 1, 3], 1, 0);

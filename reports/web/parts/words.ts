@@ -49,7 +49,7 @@ export function time(ns: number): string {
   return ns < 1e9 ? `${short(ns / 1e6)} ms` : `${short(ns / 1e9)} s`;
 }
 
-/** Text from anywhere: what reorders or hides the text around it is shown as an escape. */
+/** Text from anywhere. Characters that reorder or hide the text around them are shown as escapes. */
 export function safe(text: string): string {
   return text.replace(
     /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g,
@@ -58,8 +58,8 @@ export function safe(text: string): string {
 }
 
 const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
-/** The shortest decimal that is this double, in exponent form where it has more than 12 digits and is no size that
- *  people read as it is. */
+/** The shortest decimal that is this double. It is in exponent form if it has more than 12 digits, and people do not
+ *  read such a size as it is. */
 export function full(x: number): string {
   if (Object.is(x, -0)) return "-0";
   const text = String(x);
@@ -67,7 +67,7 @@ export function full(x: number): string {
   const long = text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e");
   return long && !readable ? exponent(x.toExponential()) : text;
 }
-/** One word of a POSIX shell; what cannot be seen in it is written as bytes. */
+/** One word of a POSIX shell. Characters that cannot be seen are written as bytes. */
 export function shellQuoted(text: string): string {
   if (/^[A-Za-z0-9_./:-]+$/.test(text)) return text;
   if (safe(text) === text) return `'${text.replaceAll("'", "'\\''")}'`;
@@ -77,7 +77,7 @@ export function shellQuoted(text: string): string {
   return `$'${bytes.map((byte) => (seen(byte) ? String.fromCharCode(byte) : octal(byte))).join("")}'`;
 }
 
-/** Where the share lies with 95 % confidence after k hits in n trials (Wilson); the upper end is 3/n for none. */
+/** The bounds of the share with 95 % confidence after k hits in n trials (Wilson); the upper end is 3/n for none. */
 export function shareBounds(k: number, n: number): [number, number] {
   if (n === 0) return [0, 1];
   if (k === 0) return [0, Math.min(1, 3 / n)];

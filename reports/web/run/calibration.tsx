@@ -15,7 +15,7 @@ const symbols = ["circle", "triangle", "square", "diamond", "star", "wye", "cros
 const shownCap = symbols.length;
 export const colourOf = (of: Curve[], method: string) => colours.series[of.findIndex((h) => h.method === method)]!;
 
-/** The first method of each library, ours first, what the documents have last: shown first. */
+/** The first method of each library: ours first, and the methods of the literature last. */
 export function firstOfEach(all: Curve[]): Curve[] {
   const rank = ({ library }: Curve) => (library === "ours" ? 0 : isText(library) ? 2 : 1);
   const firsts = all.filter((h, i) => all.findIndex(({ library }) => library === h.library) === i);
@@ -111,7 +111,7 @@ export function Calibration({ report }: { report: Report }) {
       title="Calibration"
       lead={
         "The share of wrong answers as the margin shrinks. A method that claims to be right above some " +
-        "margin must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
+        "margin must have no wrong answer to its left. An open mark means no wrong answer. Bars are 95 % confidence."
       }>
       <p class="tools">
         <Select

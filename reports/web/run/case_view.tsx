@@ -30,7 +30,7 @@ const isWrong = (a: Answer, truth: Truth) =>
   (a.verdict === "disjoint" && isMeeting(truth.verdict)) ||
   (isMeeting(a.verdict) && truth.verdict === "disjoint");
 
-/** The answers, each once: that of `method` first, then the wrong ones, then what most say. */
+/** The answers, each once: that of `method` first, then the wrong ones, then the most frequent. */
 function Answers({ shown: { answers, truth }, method }: { shown: Case; method: string }) {
   const same = group(Object.entries(answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
   const rows = [...same.values()].map((given) => {
@@ -57,7 +57,7 @@ function Answers({ shown: { answers, truth }, method }: { shown: Case; method: s
   );
 }
 
-/** What proves a truth, and why it does. */
+/** The kind of certificate that proves a truth, and why it does. */
 const describeCertificate = (t: Truth): [string, string] =>
   t.direction
     ? ["separating direction", "A plane perpendicular to this direction has one solid on each side."]
@@ -124,7 +124,7 @@ function Prover({ shown }: { shown: Case }) {
   );
 }
 
-/** `method`: the one that is wrong; `story`: what is known of its cause, beside the picture. */
+/** `method` is wrong. `story` has the facts of its cause, and stands beside the picture. */
 export function CaseView({ shown, method, story }: { shown: Case; method: string; story?: ComponentChildren }) {
   const { truth } = shown;
   const isProved = Boolean(truth.direction || truth.point || truth.points || truth.near);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
+import type { Pair } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
-import { grouped, plural, range, safe, shellQuoted, short } from "../parts/words.ts";
+import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isRounded, isText, kindLabel, sentenceOf } from "./words.ts";
 
 /** The runs, the last one first. */
-const Nights = ({ b }: { b: Cause }) => (
-  <Table kind="nights" of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]}>
+const Runs = ({ b }: { b: Cause }) => (
+  <Table kind="runs" of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]}>
     {[...b.nights].reverse().map((n) => (
       <tr key={n.run}>
         <td>{safe(n.run)}</td>
@@ -27,22 +28,46 @@ const Nights = ({ b }: { b: Cause }) => (
   </Table>
 );
 
+/** `export` writes a program for one of these libraries, whose solids have no rounding, or a case for a guest. */
+const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
+  manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
+  ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
+function refusal({ methods }: Report, { method, kind, pair }: { method: string; kind: string; pair: Pair }): string {
+  const { library, own } = methods.find((m) => m.name === method) ?? { library: "", own: false },
+    isPackaged = libraries.includes(library);
+  if (own || isText(library) || library === "nlopt") return `it does not know the library of ${method}`;
+  if (manyCalls.includes(kind) || (isPackaged && ofGuests.includes(kind)))
+    return `one call cannot show a finding of the kind "${kindLabel(kind)}"`;
+  return isPackaged && isRounded(pair) ? "its programs for packaged libraries do not support roundings" : "";
+}
+/** Why `export` refuses every pair of the cause, or "" if it does not. */
+export function whyNoExport(report: Report, { key, method, kind, simplest, worst }: Cause): string {
+  const shown = [simplest, worst].map(({ pair }) => refusal(report, { method, kind, pair }));
+  const works = shown.includes("") || report.findings.some((f) => f.bucket === key && refusal(report, f) === "");
+  return works ? "" : shown[0]!;
+}
+
 const day = 86_400_000,
   suppressedDays = 90;
 
 function NextSteps({ report, b }: { report: Report; b: Cause }) {
   const run = shellQuoted(report.run.folder),
     key = shellQuoted(b.key),
+    reason = whyNoExport(report, b),
     expires = new Date(Date.now() + suppressedDays * day).toISOString().slice(0, 10),
     suppression = { bucket: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
   return (
     <section class="handling">
       <h3>Next steps</h3>
       <Copy label="Explain it" text={`./daylight explain ${run} ${key}`} />
-      <Copy
-        label="For the maintainers: a proof, the text of an issue, and a program or case"
-        text={`./daylight export ${run} ${key} --out upstream`}
-      />
+      {reason ? (
+        <p class="soft"><code>export</code> writes nothing for the maintainers, because {safe(reason)}.</p>
+      ) : (
+        <Copy
+          label="For the maintainers: a proof, the text of an issue, and a program or case"
+          text={`./daylight export ${run} ${key} --out upstream`}
+        />
+      )}
       <Copy label="A line for suppressions.jsonl" text={safe(JSON.stringify(suppression))} />
     </section>
   );
@@ -50,7 +75,7 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
 
 const fromTo = (first: string, last: string) => safe(first === last || last === "" ? first : `${first} to ${last}`);
 
-/** What it is, since when, who shares it, and what to do. */
+/** The facts of a cause, its methods, its runs, and the next steps. */
 function Story({ report, b }: { report: Report; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   return (
@@ -60,12 +85,12 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           <Severity of={b.severity} />
         </Fact>
         <Fact label="findings">
-          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>{" "}
-          <span class="soft">on {plural(b.pairs, "pair")}</span>
+          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>
         </Fact>
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
           <span title={about(b.standing ?? "")}>{b.standing ?? "\u2013"}</span>
+          {isOfNewFamilies(b) && <span class="soft"> no earlier run drew its families for its method</span>}
         </Fact>
         <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
         {b.first_version && <Fact label="versions">{fromTo(b.first_version, b.last_version)}</Fact>}
@@ -88,7 +113,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           {safe(b.suppressed.link)})
         </p>
       )}
-      {b.nights.length > 0 && <Nights b={b} />}
+      {b.nights.length > 0 && <Runs b={b} />}
       <NextSteps report={report} b={b} />
     </>
   );
@@ -106,7 +131,7 @@ export function CauseView({ report, named }: { report: Report; named: string }) 
       <h2 tabIndex={-1}>{safe(b.key)}</h2>
       <p class="story">{safe(sentenceOf(b))}.</p>
       <div class="tabs" role="tablist">
-        {[b.simplified ? "Simplest" : "As found", "Worst"].map((name, i) => (
+        {[b.simplified ? "Simplest" : "A pair (not simplified)", "Worst"].map((name, i) => (
           <button type="button" role="tab" aria-selected={worst === (i > 0)} onClick={() => choose(i > 0)} key={name}>
             {name}
           </button>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The fields of the data that the page reads, as expand() of report.ts gives them. C++ writes the data as
 // reports/schemas/report_data.json describes them (reports/run/report_data.*).
-// Sections that a run has nothing for are null or empty: the page says so and how to get them.
+// Sections without data are empty. The page names the commands that add them.
 import type { Answer, Shown, Verdict } from "../parts/data.ts";
 
-/** Who did it. expand() adds the library. */
+/** A method. expand() adds its library. */
 export interface Doer {
   method: string;
   library: string;
@@ -27,15 +27,15 @@ export interface Tally
   extends Doer, Counts<"asked" | "declined" | "failed" | "contract" | "resolution" | "undecided"> {
   family: string;
 }
-/** "rare": on so few pairs that its absence from the other runs may be chance. */
+/** "rare" means on so few pairs that its absence from the other runs may be chance. */
 export type Standing = "new" | "back" | "rare" | "known" | "gone";
 
-/** A pair with all that is known of it. */
+/** A pair with its truth and all answers. */
 export interface Case extends Shown {
   margin: [number, number] | null; // |signed distance| / size, enclosed; of "distance_outside" |error| / size
   answers: Record<string, Answer>;
   replay: string; // the command that asks again
-  note?: string; // where the pair comes from, in words
+  note?: string; // the origin of the pair, in words
 }
 
 export interface Finding extends Case, Doer {
@@ -58,6 +58,7 @@ export interface Cause {
   first_seen: string;
   last_seen: string; // run ids
   standing: Standing | null;
+  asked_before: boolean; // an earlier run drew its families for its method; else the chance of "new" is unknown
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   simplest: Case;
   worst: Case;
@@ -67,9 +68,8 @@ export interface Cause {
   methods_of_kind: string[]; // those that fail in the way that `kind` names
   libraries: string[]; // of these methods; expand() adds them
   libraries_of_kind: string[];
-  /** On how many pairs each run saw it, the oldest first, this run last; the rate is of a million, with its bounds. */
+  /** The number of pairs in each run, the oldest first and this run last. The rate is per million, with its bounds. */
   nights: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
-  pairs: number; // on which one of its methods was wrong in this run
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
@@ -82,20 +82,20 @@ export interface FailureMap extends Doer {
   y: { title: string; labels: string[] };
   cells: MapCell[];
 }
-/** within_...: of the wrong ones, those that the claim allows. */
+/** within_... counts the wrong answers that the claim allows. */
 export interface MapCell
   extends
     Counts<"x" | "y" | "asked" | "failed" | "undecided" | "declined">,
     Counts<"wrong_disjoint" | "wrong_intersecting" | "within_disjoint" | "within_intersecting"> {
   finding?: number;
 }
-/** Share wrong against margin: bin d holds margins in (10^(-d-1), 10^-d]; the last all below. */
+/** Share wrong against margin. Bin d holds margins in (10^(-d-1), 10^-d], and the last one all below. */
 export interface Calibration extends Doer {
   bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; declined?: number }[];
 }
 
-/** From `daylight bench`: speed against accuracy. `digits`: -log10 of the least margin from which on the method was
- * always right; `digits_low`: the same where at most that share is wrong with 95 % confidence. */
+/** Speed against accuracy, from `daylight bench`. `digits` is -log10 of the least margin from which on the method was
+ *  always right. `digits_low` is the part that the number of pairs shows with 95 % confidence. */
 export interface SpeedPoint extends Doer, Counts<"ns" | "asked" | "wrong_disjoint" | "wrong_intersecting"> {
   curve: string; // methods that differ in a setting only share it
   setting: string;

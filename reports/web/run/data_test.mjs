@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page does with its data before it draws, and the charts, as built into the page.
+// The data of the page before it draws, and the charts, as built into the page.
 //     node --test data_test.mjs
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -9,7 +9,7 @@ import { charts, daylight } from "../chart.mjs";
 import { sourcesHash } from "../stamp.mjs";
 import { sample, untriaged } from "./sample.mjs";
 
-const { chosen, expand, full, glossary, isOrdinary, pareto, prove, rowsOf, sentenceOf, shellQuoted } = daylight;
+const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted, whyNoExport } = daylight;
 
 test("the committed page was built from the committed sources", () => {
   const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
@@ -52,27 +52,34 @@ test("a filter is a text and three selections", () => {
   assert.deepEqual(causes, report.buckets.filter((b) => b.methods.some((m) => /^fcl/.test(m))));
 });
 
-/** That no row comes before one with a lesser key. */
-function assertSorted(rows, keyOf) {
-  for (const [i, row] of rows.entries()) {
-    const [x, y] = [keyOf(rows[Math.max(0, i - 1)]), keyOf(row)],
-      at = x.findIndex((part, k) => part !== y[k]);
-    assert.ok(at < 0 || x[at] < y[at], `${x} before ${y}`);
-  }
-}
-
-test("new causes come first, then those beyond a claim, then those of ordinary size, then the frequent", () => {
-  const packed = sample(),
-    standings = ["new", "back", "rare", "known", "gone"];
-  packed.buckets.forEach((b, i) => Object.assign(b, { standing: standings[4 - (i % 5)] }));
-  for (const of of [packed.cases[packed.findings[0].case], packed.buckets[0].simplest]) of.pair.a.radius = 1e9;
+test("the order of causes and findings is that of the data", () => {
+  const packed = sample();
+  for (const of of [packed.buckets, packed.findings]) of.reverse();
   const { buckets, findings } = expand(packed);
-  assertSorted(buckets, (b) => [standings.indexOf(b.standing), b.severity, !isOrdinary(b.simplest.pair), -b.count]);
-  assertSorted(findings, (f) => [f.severity, !isOrdinary(f.pair), -f.margin[0]]);
-  const solid = (x, radius) => ({ center: [x, 0, 0], axis: [0, 0, 1], radius, height: 2 * radius });
-  const sizes = [[3, 1], [0, 1e4], [0, 1e-5], [1e3, 1], [1e308, 1e308]];
-  const ordinary = sizes.filter(([x, r]) => isOrdinary({ a: solid(0, r), b: solid(x, r) }));
-  assert.deepEqual(ordinary, [[3, 1]]);
+  assert.deepEqual(buckets.map((b) => b.key), packed.buckets.map((b) => b.key));
+  assert.deepEqual(findings.map((f) => f.id), packed.findings.map((f) => f.id));
+});
+
+test("export is offered only for what it can write", () => {
+  const report = expand(sample()),
+    [b] = report.buckets,
+    shown = (rounding) => ({ pair: { ...b.simplest.pair, a: { ...b.simplest.pair.a, rounding } } }),
+    guest = { ...report.methods.find((m) => m.name === "ode"), name: "mine", library: "mine" };
+  report.methods.push(guest);
+  const why = (method, kind, rounding) =>
+    whyNoExport(report, { key: "k", method, kind, simplest: shown(rounding), worst: shown(rounding) });
+  for (const [method, kind, rounding, reason] of [
+    ["ode", "crash", 0, /^$/],
+    ["ode", "crash", 1, /roundings/],
+    ["ode", "malformed", 0, /one call .* "malformed"/],
+    ["mine", "malformed", 1, /^$/],
+    ["mine", "state_dependent", 0, /one call .* "state dependent"/],
+    ["seedbook", "crash", 0, /does not know/],
+    ["intersect", "crash", 0, /does not know/],
+  ])
+    assert.match(why(method, kind, rounding), reason, `${method} ${kind} ${rounding}`);
+  Object.assign(report.findings[0], { ...shown(0), method: "ode", kind: "crash", bucket: "k" });
+  assert.equal(why("ode", "crash", 1), "", "a finding without rounding can be sent");
 });
 
 test("a sentence has the largest margin of its cause", () => {
@@ -107,7 +114,7 @@ test("long numbers have exponents, and every digit", () => {
   assert.equal(full(Math.PI), "3.141592653589793");
 });
 
-test("a shell reads a word as it is, and a reader sees all of it", () => {
+test("a shell reads a word as it is, and a reader sees all characters", () => {
   for (const text of ["plain/word", "", "two words", "o'hara", "$HOME `x` \\", "a\u202eb\u00017", "\u00e9 \u200b'\\"]) {
     const quoted = shellQuoted(text);
     assert.doesNotMatch(quoted, /[\u0000-\u001f\u200b-\u202e]/);
@@ -122,13 +129,13 @@ test("each word has one sentence", () => {
   }
 });
 
-test("nobody on the front is beaten in both", () => {
+test("no point on the front is beaten in both", () => {
   const p = (ns, digits_low) => ({ ns, digits: 15, digits_low });
   const front = pareto([p(30, 9), p(10, 5), p(20, 5), p(20, 9), p(40, 3), p(50, 15), p(1, null)]);
   assert.deepEqual(front, [p(10, 5), p(20, 9), p(50, 15)]);
 });
 
-test("maps and curves tell a claim kept from one broken, and declined from undecided", () => {
+test("maps and curves separate a claim kept from one broken, and declined from undecided", () => {
   const cell = { y: 0, asked: 10, wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
   const [x, y] = [2, 1].map((n) => ({ title: "t", labels: Array.from({ length: n }, (_, i) => `${i}`) }));
   const cells = [
@@ -145,14 +152,14 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
   assert.match(rects[0], /wrongly reported disjoint 4 \(40 %\)\nwithin the claim 4" fill="#68727d"/);
   assert.match(rects[1], /declined 3 \(30 %\)\nwithin the claim 2" fill="#8f1612"/);
-  const said = files.get("honesty").match(/wrong \d+ of \d+/g);
-  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
+  const said = files.get("calibration").match(/wrong \d+ of \d+/g);
+  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of its answers");
 });
 
 test("every plot is drawn as a whole SVG", () => {
   const files = charts(expand(sample())),
     names = [...files.keys()];
-  assert.ok(files.has("map-angle-margin-ode") && files.has("honesty"), names.join());
+  assert.ok(files.has("map-angle-margin-ode") && files.has("calibration"), names.join());
   for (const [name, text] of files) {
     assert.ok(text.startsWith("<?xml") && text.trimEnd().endsWith("</svg>"), name);
     assert.ok(!/NaN|undefined|Infinity|var\(/.test(text), `${name} has a number or colour that is none`);

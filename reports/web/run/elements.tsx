@@ -35,7 +35,7 @@ export const Table = ({ of, kind, children }: { of: string[]; kind: string; chil
   </div>
 );
 
-/** What the colours of cells stand for: the more of it, the stronger. */
+/** The meaning of the colours of cells. A larger share has a stronger colour. */
 export const Legend = ({ empty }: { empty: string }) => (
   <p class="legend" aria-hidden="true">
     {[
@@ -61,7 +61,7 @@ export const Severity = ({ of }: { of: string }) => {
   );
 };
 
-/** From where on a method claims to be right, and whether it states so. */
+/** The margin from which on a method claims to be right, and whether its library states it. */
 export const ClaimWords = ({ of }: { of: Claim }) => (
   <>
     {formatClaim(of)} <span title={about(claimOrigin(of))}>({claimOrigin(of)})</span>

@@ -7,18 +7,18 @@ import type { Cause, Finding, Report } from "./data.ts";
 import { Severity, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
-import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
+import { isOfNewFamilies, kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
 const selections = ["library", "kind", "family"] as const;
 type Selection = (typeof selections)[number];
-/** What is chosen; a part that is missing is all. It stands in the address behind "#/findings?". */
+/** The choice; a part that is missing means all. It stands in the address behind "#/findings?". */
 export type Filter = { [part in Selection | "text"]?: string };
 
 export const toFindings = (filter: Filter) =>
   `#/findings?${new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ""))}`;
-export const addressOf = (b: { key: string }) => `#/bucket/${b.key.split("/").map(encodeURIComponent).join("/")}`;
+export const addressOf = (b: { key: string }) => `#/cause/${b.key.split("/").map(encodeURIComponent).join("/")}`;
 
-/** A row, and what of it is compared with a filter. */
+/** A row, and its texts that a filter compares. */
 type Choosable<T> = { row: T; text: string } & Record<Selection, string[]>;
 
 const plain = (text: string) => text.toLowerCase().replaceAll("_", " ");
@@ -60,7 +60,8 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
-            {b.suppressed && `; suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
+            {isOfNewFamilies(b) && "; no earlier run drew its families for its method"}
+            {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>
       </div>
@@ -92,9 +93,10 @@ const FindingRow = ({ f }: { f: Finding }) => (
 
 const lead = (report: Report) =>
   `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
-  `and each later one that is worse. The margin of a wrong distance is its error over the size (r + h + r + h). The ` +
+  `and each later one that is worse. The margin of a wrong distance is its error over the size. The ` +
   `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds. ` +
-  `Those beyond a claim come first, then those of ordinary size, then those wrong by more.`;
+  `The size is the sum of both radii, heights and roundings. Findings are in the order in which the text of the run ` +
+  `names the worst one.`;
 
 const rowsAtFirst = 100;
 

@@ -23,10 +23,10 @@ const { chromium } = await import("playwright-core").catch(() =>
 
 const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));
-/** The longest wait, in ms, for what never comes. A slow machine is not that. */
+/** The longest wait, in ms. A slow machine needs less. */
 const patience = 300_000;
 const browser = await chromium.launch({ executablePath, timeout: patience });
-/** What any page wrote on its console as an error, and what it asked of the network. */
+/** The errors that any page wrote on its console, and its requests to the network. */
 const errors = [],
   asked = [];
 
@@ -48,7 +48,7 @@ async function read(report, visit, { scheme = "light", width = 1366 } = {}) {
   await context.close();
 }
 
-/** Until what was done is drawn. */
+/** Until the page is drawn again. */
 const settled = (page) =>
   page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)))),
@@ -78,8 +78,9 @@ const copied = (page, label) => page.locator(".copy", { hasText: label }).locato
 async function beginsWithTheAnswer() {
   const suppressed = { reason: "r", link: "l", owner: "o", expires: "2027-01-01" };
   for (const [standing, kind, head, change = {}] of [
-    ["new", "bad", /^6 new faults: \S+/],
-    ["rare", "warn", /^6 causes were not seen before; chance cannot be excluded/],
+    ["new", "bad", /^6 new faults: \S+.* Compared with 1 earlier run\.$/],
+    ["new", "bad", / No earlier run drew the families of 6 new faults for their methods/, { asked_before: false }],
+    ["rare", "warn", /^6 causes were not seen before, perhaps by chance:/],
     ["known", "ok", /^Nothing is new and wrong\. Compared with 1 earlier run/],
     ["new", "ok", /^Nothing is new and wrong\./, { suppressed }],
   ]) {
@@ -97,7 +98,7 @@ async function beginsWithTheAnswer() {
   }
 }
 
-/** Before triage too; what is missing has the command that adds it. */
+/** Before triage too. Missing parts have the command that adds them. */
 const answersBeforeTriage = () =>
   read(untriaged(), async (page) => {
     assert.match(await textOf(page, ".band"), /^\d libraries are wrong beyond the claim: [a-z0-9, ]+/);
@@ -110,6 +111,8 @@ const answersBeforeTriage = () =>
 
 /** Text and selections reach both tables, and what they show stands in the address. */
 async function filters(page, report) {
+  const libraries = await page.locator(".heat-table tbody th").allInnerTexts();
+  assert.deepEqual(new Set(libraries), new Set(report.methods.map((m) => m.library)));
   const all = [report.findings.length, report.buckets.map((b) => b.key).sort()];
   const steps = await page.evaluate(() => history.length);
   assert.deepEqual(await shown(page), all);
@@ -130,7 +133,7 @@ async function filters(page, report) {
   assert.match(await focusedOn(page, "outerHTML"), /^<h2/);
   await page.goBack();
   assert.equal((await shown(page))[0], found, "Back finds it as it was");
-  assert.equal(await focusedOn(page, "href"), address, "and where");
+  assert.equal(await focusedOn(page, "href"), address, "and the link has the focus");
   await click(page, button(page, "Clear"));
   assert.deepEqual(await shown(page), all);
   await click(page, button(page, /^Show all/));
@@ -171,14 +174,23 @@ async function looksAndProves(page) {
 
 async function readsACause(page, report) {
   const b = report.buckets.find((b) => b.severity === "contract" && b.simplified);
-  await go(page, `#/bucket/${b.key}`);
+  await go(page, `#/cause/${b.key}`);
   await looksAndProves(page);
   const worst = page.getByRole("tab", { name: "Worst" });
   await click(page, worst);
   assert.equal(await worst.getAttribute("aria-selected"), "true");
   assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${b.key} --out upstream`);
   assert.equal(JSON.parse(await copied(page, "suppressions.jsonl")).bucket, b.key);
-  assert.equal(await page.locator(".nights tbody tr").count(), b.nights.length);
+  assert.equal(await page.locator(".runs tbody tr").count(), b.nights.length);
+  const facts = await page.locator(".detail dl.facts").allInnerTexts();
+  assert.doesNotMatch(facts.join(), /\bpairs?\b/, "only the table of runs counts the pairs");
+
+  const found = report.buckets.find((b) => !b.simplified);
+  await go(page, `#/cause/${found.key}`);
+  assert.deepEqual(await page.getByRole("tab").allInnerTexts(), ["A pair (not simplified)", "Worst"]);
+  await go(page, "#/cause/seedbook/bad_witness");
+  assert.match(await textOf(page, ".handling .soft"), /^export writes nothing .* library of seedbook/);
+  assert.equal(await page.locator(".copy", { hasText: "For the maintainers" }).count(), 0);
 
   const [low, high] = [0, 1].map((end) => (f) => report.cases[f.case].margin?.[end]),
     narrow = report.findings.find((f) => low(f) > 0 && high(f) < 1e-9);
@@ -211,9 +223,9 @@ async function drawsEveryPlot(page) {
   assert.equal(await hashOf(page), "#/findings?library=ode");
 }
 
-const hashes = (report) => ["#/new", `#/finding/${report.findings[0].id}`, `#/bucket/${report.buckets[0].key}`];
+const hashes = (report) => ["#/new", `#/finding/${report.findings[0].id}`, `#/cause/${report.buckets[0].key}`];
 
-/** Every head and fact says what it means, and the page ends with all words, folded. */
+/** Every head and fact has its meaning, and the page ends with all words, folded. */
 async function explainsItsWords(page, report) {
   for (const hash of hashes(report)) {
     await go(page, hash);
@@ -248,7 +260,7 @@ async function fits(page, report, width) {
   }
 }
 
-/** By keyboard alone from the top to a proved finding, and back to where one was. */
+/** By keyboard alone from the top to a proved finding, and back to the link. */
 async function goesByKeyboard(page) {
   const tabTo = async (what, most) => {
     for (let i = 0; !what.test(await focusedOn(page, "outerHTML")); ++i) {
@@ -260,13 +272,13 @@ async function goesByKeyboard(page) {
     await settled(page);
     return address;
   };
-  const address = await tabTo(/^<a [^>]*#\/bucket\//, 8);
+  const address = await tabTo(/^<a [^>]*#\/cause\//, 8);
   assert.match(await focusedOn(page, "outerHTML"), /^<h2/);
   await tabTo(/class="prove"/, 15);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
   await page.goBack();
   await settled(page);
-  assert.equal(await focusedOn(page, "href"), address, "back where it was");
+  assert.equal(await focusedOn(page, "href"), address, "back at the link");
 }
 
 /** Text of a store may be anything. */
@@ -288,7 +300,7 @@ async function showsHostileTextAsText() {
   report.findings[0].bucket = report.buckets[0].key;
   await read(report, async (page) => {
     const key = report.buckets[0].key.split("/").map(encodeURIComponent).join("/");
-    for (const hash of ["#/new", `#/finding/${report.findings[0].id}`, `#/bucket/${key}`]) {
+    for (const hash of ["#/new", `#/finding/${report.findings[0].id}`, `#/cause/${key}`]) {
       await go(page, hash);
       assert.equal(await page.locator("img").count(), 0);
       assert.ok(!(await page.locator("body").innerText()).includes("\u202e"));
@@ -297,7 +309,7 @@ async function showsHostileTextAsText() {
   });
 }
 
-/** The drawing of two points next to each other, and of a certificate beyond doubles, is no error. */
+/** The drawings of two points next to each other, and of a certificate beyond doubles, are not errors. */
 async function drawsTheExtreme() {
   const report = sample(),
     far = `1${"0".repeat(400)}`;
@@ -318,6 +330,7 @@ async function drawsTheExtreme() {
 }
 
 const report = sample();
+report.buckets.at(-1).simplified = false;
 await beginsWithTheAnswer();
 await answersBeforeTriage();
 await read(report, async (page) => {

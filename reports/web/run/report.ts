@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The data of the page, put into the form of data.ts and in order: every finding with its case, every row with its
-// library, the causes and findings that matter first.
-import { sort } from "d3-array";
-import type { Answer, Pair } from "../parts/data.ts";
+// The data of the page, put into the form of data.ts: every finding with its case, every row with its library. Causes
+// and findings keep their order.
+import type { Answer } from "../parts/data.ts";
 import { shellQuoted, short } from "../parts/words.ts";
 import type { Cause, FailureMap, Finding, Method, Report, SpeedPoint } from "./data.ts";
 
@@ -64,18 +63,6 @@ const noCounts = {
   ...{ failed: 0, undecided: 0, declined: 0 },
 };
 
-/** Of a size that scenes have, and near: shown before what is at the ends of the doubles. */
-export function isOrdinary({ a, b }: Pair) {
-  const size = a.radius + a.height + (a.rounding ?? 0) + b.radius + b.height + (b.rounding ?? 0);
-  return size >= 1e-3 && size <= 1e3 && Math.max(Math.hypot(...a.center), Math.hypot(...b.center)) <= 100 * size;
-}
-const severities = ["contract", "resolution", "unresolved"],
-  standings = ["new", "back", "rare", "known", null, "gone"];
-const severityRank = (of: { severity: string }) => severities.indexOf(of.severity),
-  standingRank = ({ standing }: Cause) => standings.indexOf(standing),
-  extreme = (pair: Pair) => Number(!isOrdinary(pair)),
-  marginOf = (f: Finding) => f.margin?.[0] ?? -1;
-
 export function expand({ cases, names, changes, ...packed }: Packed): Report {
   const library = libraryOf(packed.methods),
     librariesOf = (of: string[]) => [...new Set(of.map(library))],
@@ -102,18 +89,8 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
       ...m,
       claim: { ...m.claim, relative: numberOf(m.claim.relative), absolute: numberOf(m.claim.absolute) },
     })),
-    buckets: sort(
-      buckets,
-      (x, y) =>
-        standingRank(x) - standingRank(y) ||
-        severityRank(x) - severityRank(y) ||
-        extreme(x.simplest.pair) - extreme(y.simplest.pair) ||
-        y.count - x.count,
-    ),
-    findings: sort(
-      findings,
-      (x, y) => severityRank(x) - severityRank(y) || extreme(x.pair) - extreme(y.pair) || marginOf(y) - marginOf(x),
-    ),
+    buckets,
+    findings,
     maps: packed.maps.map((m: Packed) =>
       inDegrees(withLibrary({ ...m, cells: objectsOf(m.cells).map((c) => ({ ...noCounts, ...c })) })),
     ),

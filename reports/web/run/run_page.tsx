@@ -13,7 +13,7 @@ import { Stability } from "./stability.tsx";
 import { Summary } from "./summary.tsx";
 
 const sections = [
-  ["new", "What is new"],
+  ["new", "New in this run"],
   ["findings", "Causes and findings"],
   ["charts", "Charts"],
 ] as const;
@@ -79,7 +79,7 @@ const Footer = ({ report: { run } }: { report: Report }) => (
   </footer>
 );
 
-/** "#/bucket/a%2Fb/c" names "a/b/c" in the view "bucket". */
+/** "#/cause/a%2Fb/c" names "a/b/c" in the view "cause". */
 function readHash(hash: string) {
   const [path = "", query = ""] = hash.replace(/^#\/?/, "").split("?"),
     [view = "", ...rest] = path.split("/");
@@ -87,7 +87,7 @@ function readHash(hash: string) {
   try {
     named = decodeURIComponent(named);
   } catch {} // as it is
-  return { view, named, query, isDetail: view === "bucket" || view === "finding" };
+  return { view, named, query, isDetail: view === "cause" || view === "finding" };
 }
 
 export function RunPage({ report }: { report: Report }) {
@@ -121,7 +121,7 @@ export function RunPage({ report }: { report: Report }) {
       <Header report={report} />
       {isDetail && (
         <main class="detail">
-          {view === "bucket" ? (
+          {view === "cause" ? (
             <CauseView report={report} named={named} key={named} />
           ) : (
             <FindingView report={report} named={named} key={named} />

@@ -16,10 +16,10 @@ export const questions: Record<string, string> = {
   certificate: "with a proof",
 };
 
-/** The accuracy that the answers show with 95 % confidence; what is not shown is none. */
+/** The accuracy that the answers show with 95 % confidence, or 0. */
 const shownDigits = (p: SpeedPoint) => p.digits_low ?? 0;
 
-/** Those that no other beats in both: the faster first. */
+/** The points that no other beats in both, the faster first. */
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
   for (const p of sort(
@@ -32,7 +32,7 @@ export function pareto(points: SpeedPoint[]): SpeedPoint[] {
 
 const known = (points: SpeedPoint[]) => points.filter((p) => p.digits !== null);
 
-/** Of each library the setting that shows the highest accuracy, and of equal ones the fastest. */
+/** The setting of each library that shows the highest accuracy, and the fastest if several do. */
 const bestOfEach = (points: SpeedPoint[]) => {
   const better = (x: SpeedPoint, y: SpeedPoint) =>
     shownDigits(y) - shownDigits(x) || (y.digits ?? 0) - (x.digits ?? 0) || x.ns - y.ns;
@@ -58,7 +58,7 @@ const describePoint = (p: SpeedPoint) =>
   ].join("\n");
 
 const height = 420;
-/** Where names stand: beside the plot. */
+/** The place of the names, beside the plot. */
 const marginRight = 100,
   nameHeight = 15;
 
@@ -159,7 +159,7 @@ export function Speed({ report }: { report: Report }) {
       title="Speed against accuracy"
       lead={
         "One mark for each library, at its most accurate setting. Accuracy is a margin: the method was right about " +
-        "yes or no on every pair with a signed distance of at least that part of the size. It says nothing about the " +
+        "yes or no on every pair with a signed distance of at least that part of the size. It does not cover the " +
         "error of distances."
       }>
       <p class="tools">

@@ -9,7 +9,7 @@ import { grouped, safe, short } from "../parts/words.ts";
 import type { PathStability, Report } from "./data.ts";
 import { Table } from "./elements.tsx";
 
-/** What changes along a path, and its unit. */
+/** The quantity that changes along a path, and its unit. */
 const alongOf = (path: string) =>
   path.startsWith("touching")
     ? "gap (overlap below 0), part of the size"
@@ -75,7 +75,7 @@ export function tracePlot({ path, trace = [] }: PathStability, o: Options): Elem
 }
 const height = 220;
 
-/** How often the verdict flips beyond what is right: once where the path goes through touching. */
+/** The number of wrong flips of the verdict. One is right if the path goes through touching. */
 const noiseOf = (p: PathStability) => p.flips - (p.path.startsWith("touching") ? 1 : 0);
 
 export function Stability({ report }: { report: Report }) {
@@ -124,7 +124,7 @@ export function Stability({ report }: { report: Report }) {
               draw={draw}
               height={height}
               label="The answers along the path"
-              caption="Round: disjoint; square: intersecting; diamond: touching. Dashed: the verdict flips."
+              caption="Circles are disjoint, squares intersecting, diamonds touching. The verdict flips at dashes."
             />
           ) : (
             <p class="soft">No trace is stored for this path.</p>

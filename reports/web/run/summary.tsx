@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The run at a glance: what is new and wrong, what was found, libraries against families.
+// The run at a glance: new faults, counts, libraries against families.
 import { group } from "d3-array";
 import { Section } from "../parts/elements.tsx";
 import { cellColours, outcomes, type Outcomes } from "../parts/plot.ts";
@@ -8,7 +8,7 @@ import type { Report, Tally } from "./data.ts";
 import { Fact, Legend } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isText, kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
 
 const labels = { bad: "beyond claim or failed", within: "within claim", undecided: "undecided or declined" };
 
@@ -38,6 +38,9 @@ function Cell({ library, family, tallies }: { library: string; family: string; t
   );
 }
 
+/** The tallies without those of the referee and of the stored cases. */
+const methodTallies = ({ tallies, methods }: Report) => tallies.filter((t) => methods.some((m) => m.name === t.method));
+
 const Heat = ({ report }: { report: Report }) => (
   <>
     <Legend empty="not asked" />
@@ -56,7 +59,7 @@ const Heat = ({ report }: { report: Report }) => (
           </tr>
         </thead>
         <tbody>
-          {[...group(report.tallies, (t) => t.library)].map(([library, tallies]) => (
+          {[...group(methodTallies(report), (t) => t.library)].map(([library, tallies]) => (
             <tr key={library}>
               <th scope="row">{safe(library)}</th>
               {report.families.map(({ name }) => (
@@ -84,11 +87,12 @@ function Answer({ report }: { report: Report }) {
     faults.length > 0
       ? ["bad", `${plural(faults.length, compared ? "new fault" : "fault")}:`]
       : rare.length > 0
-        ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before; chance cannot be excluded:`]
+        ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before, perhaps by chance:`]
         : libraries.length > 0 && report.buckets.length === 0
           ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
           : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
-  const named = faults.length > 0 ? faults : rare;
+  const named = faults.length > 0 ? faults : rare,
+    undrawn = faults.filter(isOfNewFamilies).length;
   return (
     <div class={`band ${kind}`}>
       <p class="answer">
@@ -103,6 +107,8 @@ function Answer({ report }: { report: Report }) {
         {compared
           ? `Compared with ${plural(report.against.length, "earlier run")}.`
           : "There are no causes of earlier runs to compare with."}
+        {undrawn > 0 &&
+          ` No earlier run drew the families of ${plural(undrawn, "new fault")} for their methods. Chance is unknown.`}
       </p>
     </div>
   );
@@ -137,12 +143,12 @@ function Facts({ report }: { report: Report }) {
 }
 
 export const Summary = ({ report }: { report: Report }) => (
-  <Section id="new" title="What is new">
+  <Section id="new" title="New in this run">
     <Answer report={report} />
     {report.buckets.length === 0 && report.findings_total > 0 && (
       <p class="missing">
-        <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with its
-        simplest pair.
+        <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with a
+        simple pair.
       </p>
     )}
     <Facts report={report} />

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Names of a run as people read them, and a cause in one plain sentence.
-import type { Coordinate } from "../parts/data.ts";
+import type { Coordinate, Pair } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
-import type { Case, Cause, Claim } from "./data.ts";
+import type { Cause, Claim } from "./data.ts";
 
-/** Whether it is one of the texts that the project began with, and nobody's library. */
+/** Whether it is a publication that the project began with, and not a library. */
 export const isText = (library: string) => library.startsWith("seed");
 
 export const kindLabel = (kind: string) => kind.replaceAll("_", " ");
@@ -29,8 +29,13 @@ export function formatCoordinate(x: Coordinate): string {
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
-/** Who is wrong: a method, a library with several of its methods, or several libraries. No method stands for those of
- *  other libraries: the amount may be of any. */
+export const isRounded = ({ a, b }: Pair) => Boolean(a.rounding || b.rounding);
+
+/** Whether it is new, but of pairs that no earlier run drew. Then nothing is known of chance. */
+export const isOfNewFamilies = (b: Cause) => b.standing === "new" && b.asked_before === false;
+
+/** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
+ *  come from any of them. */
 function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   if (libraries.length === 1) return [`${libraries[0]} (${methods.length} methods)`, false];
@@ -40,8 +45,7 @@ function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries 
 export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
-    isRounded = ({ pair }: Case) => Boolean(pair.a.rounding || pair.b.rounding),
-    solids = isRounded(b.worst) ? "solids" : "cylinders",
+    solids = isRounded(b.worst.pair) ? "solids" : "cylinders",
     largest = b.margin?.[1] ?? 0,
     amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
   switch (b.kind) {
