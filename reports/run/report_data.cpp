@@ -53,11 +53,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Returns the command that repeats this run on a machine with the same build and guests. Empty if earlier
-/// runs, which may be gone, gave the weights of its families.
+/// Returns the command that repeats this run on a machine with the same build and guests.
 std::string command_of(const RunData& run) {
   const Config& config = run.config;
-  if (!value_of(config, "weights").empty()) return "";
   std::vector<std::string> asked, all, all_families;
   for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());
