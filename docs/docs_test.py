@@ -179,7 +179,7 @@ def shortened(words, number):
     if words[0] == 'triage' and '--for' not in words:
         words += ['--for', '1s']
     if words[0] == 'scene' and '--configurations' not in words:
-        words += ['--configurations', '10', '--boxes', '1000']
+        words += ['--configurations', '10']
     if words[0] == 'campaign' and not {'--out', '--resume', '--list'} & set(words):
         words += ['--out', f'runs/{number}']
     if words[0] == 'campaign' and not {'--methods', '--list'} & set(words):

@@ -26,7 +26,7 @@ case "$*" in
   gate*--pairs* | gate*--for* | gate*--against*) words+=(--cases '') ;;
   gate*) words+=(--cases '' --pairs 400) ;;
   scene*--configurations*) ;;
-  scene*) words+=(--configurations 50 --boxes 2000) ;;
+  scene*) words+=(--configurations 50) ;;
 esac
 exec "$real_daylight" "${words[@]}"
 END
