@@ -113,18 +113,15 @@ void add_bench(Program& program) {
   command.option(
       "--families LIST", options->families,
       "families: names or prefixes, separated by commas; a '-' before the list excludes; 'all' for all");
+  command.number("--pairs N", options->bench.pairs, "pairs to draw from each family", 1);
+  command.number("--seed N", options->bench.seed, "seed; the same seed gives the same pairs");
   command.section("Limits");
   command
       .option("--min-time SECONDS", options->bench.min_time,
               "timing for each row (method, family and query), over all passes")
       .within(0, 1000);
-  command.section("Pairs");
-  command.number("--pairs N", options->bench.pairs, "pairs to draw from each family", 1);
-  command.section("Limits");
   command.number("--passes N", options->bench.passes,
                  "times that each row is timed, in rotation with the others", 1);
-  command.section("Pairs");
-  command.number("--seed N", options->bench.seed, "seed; the same seed gives the same pairs");
   command.section("What to measure");
   command.flag("--curves", options->curves,
                "time each method at more settings, for the chart of speed against accuracy");

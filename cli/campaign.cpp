@@ -54,9 +54,8 @@ struct Selection {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
   std::vector<Case> cases;
-  std::vector<unsigned> weights;
   std::vector<Pair> corpus;
-  Workload workload() const { return {methods, families, cases, weights, corpus, mutate}; }
+  Workload workload() const { return {methods, families, cases, corpus, mutate}; }
 };
 
 void print_list(const GuestOptions& guests) {
@@ -122,8 +121,6 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   if (!arguments.corpus_only)
     selection.families = families_named(arguments.families,
                                         [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
-  if (!arguments.weights_from.empty())
-    selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);
   return options;
 }
@@ -184,9 +181,7 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   const Shard shard = shard_of(config);
   options.shard = shard.index;
   options.shards = shard.count;
-  selection.weights = parse_weights(value_of(config, "weights"));
   options.pairs = number_of(config, "pairs");
-  options.stop_at = value_of(config, "stop_at");
   const std::chrono::milliseconds budget(number_of(config, "budget_milliseconds"));
   const std::chrono::milliseconds spent(store.progress().milliseconds);
   if (budget.count() != 0) options.budget = left_of(budget - spent);
@@ -220,26 +215,12 @@ std::string cost_in_words(const CampaignCost& cost) {
   return text + fmt::format(", referee {:.1f} s", seconds(cost.judging));
 }
 
-/// A time at which a run stops limits its budget.
-void set_time_left(CampaignOptions& options) {
-  if (options.stop_at.empty()) return;
-  options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
-      parse_time_point(options.stop_at) - std::chrono::system_clock::now()));
-}
-
-/// Each limit on the command line replaces that limit of the run. A limit of time also ends the other limit
-/// of time.
+/// Each limit on the command line replaces that limit of the run.
 void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
   if (arguments.pairs) options.pairs = *arguments.pairs;
-  if (!arguments.budget.empty()) {
-    options.budget = parse_duration(arguments.budget);
-    options.stop_at.clear();
-  }
-  if (!arguments.stop_at.empty()) options.stop_at = format_time_point(parse_time_point(arguments.stop_at));
-  set_time_left(options);
+  if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
   if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
-  if (options.budget == spent_budget)
-    fmt::print(stderr, "no time is left: extend it with --for or --stop-at\n");
+  if (options.budget == spent_budget) fmt::print(stderr, "no time is left: extend it with --for\n");
 }
 
 /// Keeps others from writing to the run while this process lives. Throws UsageError if one writes to it.
@@ -272,7 +253,6 @@ void begin_with_corpus(const CampaignArguments& arguments, CampaignOptions& opti
 bool take_corpus(CampaignOptions& options, Selection& selection) {
   if (!options.resume) return true;
   if (!fuzz_before_campaign(options)) return false;
-  set_time_left(options);
   if (fs::is_directory(options.out + "/corpus"))
     for (const Pair& pair : read_corpus(options.out + "/corpus"))
       if (is_drawn(pair, selection.methods)) selection.corpus.push_back(pair);
@@ -356,34 +336,25 @@ void add_campaign(Program& program) {
   command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 1m or 8h")
       .default_text("1m if there is no other limit");
   command.number("--pairs N", arguments->pairs, "number of pairs; 0 for no limit");
-  command
-      .option("--stop-at TIME", arguments->stop_at,
-              "local time, such as 06:30 or 2026-11-22T06:00; append Z for UTC")
-      .excludes("--for");
   command.option(
       "--fuzz SHARE", *share,
       "share of the time, such as 25%, in which libFuzzer searches first; its corpus comes after the "
       "cases");
+  command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
+  command.option("--resume DIR", arguments->resume, "continue the run in this folder")
+      .not_empty("the folder of a run is expected");
+  command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
+  command.flag("--table", arguments->table, "also print the counts of each method");
+  command.flag("--list", arguments->list, "only list the methods with their claims, and the families");
   command.section("Pairs");
   command.number("--seed N", arguments->seed, "seed; the same seed gives the same findings")
       .default_text("random");
-  command.section("Output");
-  command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
-  command.section("Methods");
-  command
-      .option(
-          "--methods LIST", arguments->methods,
-          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
-      .default_text("all");
-  add_guest_options(command, arguments->guests);
-  add_run_guests_option(command, arguments->guests);
-  command.section("Pairs");
   command
       .option("--families LIST", arguments->families,
               "families: names or prefixes, separated by commas; a '-' before the list excludes")
       .default_text("all");
-  command.option("--weights-from DIR", arguments->weights_from,
-                 "run, or folder of runs; families with more findings there get more pairs");
   command
       .option("--shard I/N", arguments->shard,
               "run only part I of N, with I from 0 to N-1; daylight merge joins the parts")
@@ -393,23 +364,22 @@ void add_campaign(Program& program) {
       .default_text("corpus/cases/");
   command.option("--corpus DIR", arguments->corpus,
                  "corpus of an earlier run, whose pairs take turns with the families; --fuzz begins with it");
-  command.section("Limits");
-  command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
-  command.section("Output");
-  command.option("--resume DIR", arguments->resume, "continue the run in this folder")
-      .not_empty("the folder of a run is expected");
-  command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
-  command.section("Output");
-  command.flag("--table", arguments->table, "also print the counts of each method");
-  command.flag("--list", arguments->list, "only list the methods with their claims, and the families");
+  command.section("Methods");
+  command
+      .option(
+          "--methods LIST", arguments->methods,
+          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
+      .default_text("all");
+  add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command.examples(
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
       "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
       "the run stopped before its limit.");
   command.run([arguments, share, command] {
-    for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
-                              "--cases", "--corpus", "--create-only", "--fuzz"}) {
+    for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--shard", "--cases", "--corpus",
+                              "--create-only", "--fuzz"}) {
       if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
           std::string(fixed) +

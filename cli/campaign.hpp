@@ -14,7 +14,7 @@
 namespace cyl {
 
 struct CampaignArguments {
-  std::string budget, stop_at, out, methods, families, weights_from, shard, resume;
+  std::string budget, out, methods, families, shard, resume;
   std::optional<std::string> cases;
   std::string corpus;
   std::vector<std::string> fuzz_targets = {"core", "xcheck"};

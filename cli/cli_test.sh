@@ -136,6 +136,17 @@ for command in check families bench campaign replay worst; do
   says "help of $command" 0 '.*Examples:.*' "$command" --help
 done
 
+# A command has few options; those of guests count as one. More need a reason.
+declare -A more=(
+  [campaign]=16 # each changes what a night draws, asks or keeps; Slurm needs --create-only
+  [gate]=14     # a build server needs its files and a baseline; --laws prints what it checks
+)
+for command in $("$daylight" --help | sed -n '/^Examples/q; s/^  \([a-z]\+\) .*/\1/p'); do
+  "$daylight" "$command" --help >out
+  count=$(sed -n 's/^  \(--[a-z-]\+\).*/\1/p' out | sed 's/^--\(plugin\|command\|claim\|run-guests\)$/--guests/' | sort -u | wc -l)
+  ((count <= ${more[$command]:-10})) || failed "$command has $count options, not at most ${more[$command]:-10}"
+done
+
 says 'families' 0 '.*random .*' families
 says 'an unknown family' 64 '' families nobody
 says 'pairs of a family' 0 '.*"id":"random/7/5".*'$'\n''.*"id":"random/7/6".*' families random --seed 7 --from 5 --count 2

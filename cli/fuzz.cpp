@@ -73,7 +73,7 @@ unsigned parse_share(const std::string& text) {
 void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) {
   if (arguments.fuzz == 0) return;
   if (options.budget.count() <= 0)
-    throw UsageError("--fuzz is a share of the time: give --for or --stop-at, and not --pairs alone");
+    throw UsageError("--fuzz is a share of the time: give --for, and not --pairs alone");
   try {
     if (!arguments.guests.plugins.empty())
       fuzz_program("xcheck");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,6 +16,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,7 @@ struct GateArguments {
   std::optional<std::string> cases, suppressions;
   std::string corpus;
   std::optional<std::uint64_t> seed, pairs;
-  bool github = false, laws = false, first_failure = false;
+  bool laws = false;
   GuestOptions guests;
   std::vector<std::string> annotate;
 };
@@ -198,22 +200,13 @@ int gate(const GateArguments& arguments) {
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
 
-  options.first_failure = arguments.first_failure;
-  options.known = [&](const GateFailure& failure) {
-    return known.base.buckets.contains(failure.bucket) ||
-           find_suppression(known.suppressions, failure.bucket, today()) != nullptr;
-  };
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
   std::vector<std::unique_ptr<Method>> everyone;
   if (!known.suppressions.empty()) everyone = with_guests(arguments.guests).methods;
-  JudgedGate judged = judge(std::move(report), known, everyone, guests, cases, places);
-  // The failure that stopped the gate may turn out to be known by its cause. Or a known one has grown since.
-  if (options.first_failure && std::ranges::none_of(judged.failures, fails_gate) &&
-      std::ranges::any_of(judged.report.failures,
-                          [&](const GateFailure& f) { return is_error(f) && !options.known(f); }))
-    judged.not_asked.push_back("what follows the first failure, which is known");
-  if (arguments.github) fmt::print("{}", gate_github(judged));
+  const JudgedGate judged = judge(std::move(report), known, everyone, guests, cases, places);
+  const char* actions = std::getenv("GITHUB_ACTIONS");
+  if (actions && actions == std::string_view("true")) fmt::print("{}", gate_github(judged));
   fmt::print("{}", gate_text(judged));
   write_files(arguments, judged);
   if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
@@ -251,11 +244,13 @@ void add_gate(Program& program) {
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
   command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
-  command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
       .option("--annotate FILE:LINE", arguments->annotate,
               "source line to blame in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
       .one_each();
+  command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
+      .writable();
+  command.flag("--laws", arguments->laws, "only list the laws");
   command.section("Baseline");
   command
       .option("--against FILE", arguments->against,
@@ -266,17 +261,10 @@ void add_gate(Program& program) {
       .option("--suppressions FILE", arguments->suppressions,
               "file of known causes; their failures do not change the exit code")
       .default_text("suppressions.jsonl");
-  command.section("Limits");
-  command.flag("--first-failure", arguments->first_failure,
-               "stop at the first failure, without simplifying it");
-  command.section("Output");
-  command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
-      .writable();
-  command.section("Output");
-  command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
+      "With GITHUB_ACTIONS=true in the environment, gate prints annotations for the log of GitHub Actions.\n"
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
       "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
       "than half of its pairs.");

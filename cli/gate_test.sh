@@ -5,6 +5,7 @@ set -euo pipefail
 
 # shellcheck source=SCRIPTDIR/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
+unset GITHUB_ACTIONS # which asks for annotations
 gate() { expect "$1" "gate ${*:2}" "$daylight" gate "${@:2}"; }
 
 # The known cases once; else ten of them, beside which a copy of the program stands.
@@ -20,7 +21,7 @@ cp -- "$daylight" bin
 daylight=$scratch/bin/daylight
 gate 0 --method intersect,decide --pairs 500 --json ours.json
 
-gate 2 --method libccd-mpr --pairs 500 --json mpr.json --keep mpr.jsonl --github
+GITHUB_ACTIONS=true gate 2 --method libccd-mpr --pairs 500 --json mpr.json --keep mpr.jsonl
 holds 'a broken law' out '^1\. libccd-mpr[-a-z0-9]* breaks law '
 holds 'an annotation' out '^::error file='
 [[ -s mpr.jsonl ]] || failed 'no case was kept'
@@ -51,7 +52,7 @@ without_times other.json >other
 ! cmp -s first other || failed 'another seed is the same gate'
 
 # A cap on time cuts it: more pairs than any machine asks in a second.
-gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml --github
+GITHUB_ACTIONS=true gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml
 holds 'the cut' out '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, since the time was over$'
 holds 'a cut gate says that nothing fails' out '^Nothing that was asked fails the gate'
 holds 'an annotation of it' out '^::warning .*not asked::sample of all strata'
@@ -75,11 +76,12 @@ holds 'JUnit has it' stopped.xml '<error type="not asked"'
 # What fails of a guest is shown in the guest's tree, or nowhere.
 liar='liar=while read -r q; do echo "{\"verdict\":\"disjoint\"}"; done'
 gate 2 --command "$liar" --for 1s --pairs 4000000000
+lacks 'annotations that nobody asked for' out '^::error'
 : >src/liar.sh
-gate 2 --command "$liar" --pairs 100 --junit liar.xml --github
+GITHUB_ACTIONS=true gate 2 --command "$liar" --pairs 100 --junit liar.xml
 holds 'an annotation of a guest' out '^::error title=liar breaks law '
 ! grep -qF -e "$source_tree" -e "$scratch" liar.xml || failed 'a path of ours is in what is sent'
-gate 2 --command "$liar" --pairs 100 --junit liar.xml --github --annotate "$PWD/src/liar.sh:3"
+GITHUB_ACTIONS=true gate 2 --command "$liar" --pairs 100 --junit liar.xml --annotate "$PWD/src/liar.sh:3"
 holds 'an annotation in its tree' out '^::error file=src/liar.sh,line=3,title=liar breaks law '
 holds 'JUnit names it' liar.xml '<testcase .*file="src/liar.sh" line="3"'
 gate 64 --command "$liar" --annotate src/none.sh:3
@@ -121,13 +123,13 @@ gate 64 --against mpr.json --pairs 100
 gate 64 --against mpr.json --seed 2
 gate 64 --pairs 0
 printf '{"bucket":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
-gate 2 --method intersect --pairs 100 --suppressions stale.jsonl --junit stale.xml --json stale.json --github
+GITHUB_ACTIONS=true gate 2 --method intersect --pairs 100 --suppressions stale.jsonl --junit stale.xml --json stale.json
 holds 'a stale suppression' out 'nobody/hang \(line 1\) matches no stored case'
 holds 'a stale suppression' out '^::error title=daylight gate::'
 holds 'a stale suppression' stale.xml '<failure type="remark"'
 holds 'a stale suppression' stale.json '"exit_code": 2'
 printf 'while read -r line; do echo '\''{"verdict":"undecided"}'\''; done\n' >src/silent.sh
-gate 2 --command "silent=bash src/silent.sh" --cases '' --pairs 300 --suppressions stale.jsonl --github
+GITHUB_ACTIONS=true gate 2 --command "silent=bash src/silent.sh" --cases '' --pairs 300 --suppressions stale.jsonl
 holds 'a doubt beside a stale suppression' out '^::warning title=daylight gate::silent abstains on every pair'
 holds 'the suppression beside a doubt' out '^::error title=daylight gate::the suppression of nobody/hang'
 gate 64 --method nobody

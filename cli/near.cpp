@@ -81,16 +81,15 @@ void add_near(Program& program) {
   command.flag("--verify", arguments->verify, "ask the referee about each pair, and check each certificate");
   command.section("Output");
   command.number("--list N", arguments->listed, "nearest pairs to print", 0, nearest_cap);
-  command.section("Input");
-  command.option("--generate KIND", arguments->generate, "generate rods or pipes instead of reading a file");
-  command.number("--count N", arguments->count, "number of cylinders to generate", 1, 10'000'000);
-  command.number("--seed N", arguments->seed, "seed; the same seed gives the same cylinders");
-  command.section("Output");
   command
       .option("--json FILE", arguments->json,
               "write all pairs as JSON, and the 1000 nearest with their points")
       .writable();
   command.option("--csv FILE", arguments->csv, "write the 1000 nearest pairs as CSV").writable();
+  command.section("Input");
+  command.option("--generate KIND", arguments->generate, "generate rods or pipes instead of reading a file");
+  command.number("--count N", arguments->count, "number of cylinders to generate", 1, 10'000'000);
+  command.number("--seed N", arguments->seed, "seed; the same seed gives the same cylinders");
   command.examples(
       "  daylight near parts.csv --clearance 0.01 --csv near.csv\n"
       "  daylight near --generate rods --count 100000 --verify",

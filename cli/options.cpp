@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/spelling.hpp"
 #include "cli/commands.hpp"
 
 namespace cyl {
@@ -70,24 +71,6 @@ std::uint64_t whole_number(const std::string& text, const std::string& name, std
   if (error == std::errc() && rest == end && n >= least && n <= most) return n;
   throw CLI::ValidationError(name, "'" + text + "' is not a whole number from " + std::to_string(least) +
                                        " to " + std::to_string(most));
-}
-
-/// Returns how many letters must be inserted, left out, changed or exchanged with their neighbour to turn
-/// one name into the other.
-std::size_t typing_errors(const std::string& x, const std::string& y) {
-  std::vector<std::vector<std::size_t>> d(x.size() + 1, std::vector<std::size_t>(y.size() + 1));
-  for (std::size_t i = 0; i <= x.size(); ++i) {
-    for (std::size_t j = 0; j <= y.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (x[i - 1] != y[j - 1])});
-      if (i > 1 && j > 1 && x[i - 1] == y[j - 2] && x[i - 2] == y[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  }
-  return d[x.size()][y.size()];
 }
 
 /// Returns ". Do you mean 'check'?". If no name is similar, returns the list of names.

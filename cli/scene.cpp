@@ -21,7 +21,6 @@ namespace {
 struct SceneArguments {
   std::string json, srdf, srdf_out;
   std::vector<std::string> at, files_from;
-  bool table = false;
   SceneOptions question;
 };
 
@@ -55,7 +54,6 @@ int study(SceneArguments& arguments) {
   SceneOptions& question = arguments.question;
   check_length("--clearance", question.clearance);
   check_length("--tolerate", question.tolerated);
-  if (!(question.rate > 0 && question.rate <= 1)) throw UsageError("--rate is a share: above 0, 1 at most");
   if (question.file.empty()) throw UsageError("which scene? Give a FILE");
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   if (!arguments.srdf_out.empty()) {
@@ -72,17 +70,17 @@ int study(SceneArguments& arguments) {
   }
   check_count(scene);
   const SceneStudy s = study_scene(scene, question);
-  fmt::print("{}", study_text(scene, question, s, arguments.table));
+  fmt::print("{}", study_text(scene, question, s));
   if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, question, s));
   if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
-  if (s.verification && s.verification->wrong > 0) return exit_findings;
+  if (s.verification.wrong > 0) return exit_findings;
   const auto is_refuted = [](const ExemptionProof& e) { return e.verdict == MotionVerdict::refuted; };
   const auto is_open = [](const auto& proof) { return proof.verdict == MotionVerdict::open; };
   if (s.motions && (s.motions->contradicted > 0 || std::ranges::any_of(s.motions->exemptions, is_refuted)))
     return exit_findings;
   const bool left_open = s.motions && (std::ranges::any_of(s.motions->pairs, is_open) ||
                                        std::ranges::any_of(s.motions->exemptions, is_open));
-  const bool not_proved = left_open || s.undecided > 0 || (s.verification && s.verification->undecided > 0);
+  const bool not_proved = left_open || s.undecided > 0 || s.verification.undecided > 0;
   const bool not_known =
       !std::ranges::all_of(s.pairs, [&](const PairStudy& p) { return is_known(scene, p); });
   const bool not_seen = !scene.left_out.empty() || !joints_held_between(scene, s).empty();
@@ -94,7 +92,6 @@ int study(SceneArguments& arguments) {
 void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneOptions& question = arguments->question;
-  question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
       "Measure", "scene", "Reports which models of its shapes a robot or scene needs, and what they cost");
   command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
@@ -106,24 +103,11 @@ void add_scene(Program& program) {
   command.section("Configurations");
   command.number("--configurations N", question.configurations,
                  "configurations to draw within the limits of the joints", 1, 1'000'000);
-  command.option("--rate SHARE", question.rate,
-                 "draw until, at 95 %, an unrefuted model is wrong in at most this share");
-  command.number("--most N", question.most, "limit of the configurations that --rate draws", 1, 100'000'000);
   command.number("--seed N", question.seed, "seed; the same seed gives the same configurations");
   command.option("--at JOINT=VALUE", arguments->at, "one configuration; the other joints are at 0");
-  command.section("Pairs");
-  command.flag("--all-pairs", question.all_pairs,
-               "include adjacent links and pairs that the description disables");
-  command.flag("--each-link", question.each_link,
-               "treat links joined by fixed joints as separate bodies, and check them too");
   command.section("Proofs");
-  command.flag("--verify", question.verify, "check each recommended answer with the referee");
   command.flag("--prove", question.prove,
                "prove over all motions which pairs stay clear, or show where they do not");
-  command.number("--boxes N", question.motion_boxes,
-                 "limit of the boxes of joint values that --prove examines for a pair", 1, 100'000'000);
-  command.number("--against N", question.against, "configurations to draw against the proofs of --prove", 0,
-                 1'000'000'000);
   command.section("Pairs");
   command
       .option("--srdf FILE", arguments->srdf,
@@ -136,14 +120,13 @@ void add_scene(Program& program) {
       .existing_folder()
       .one_each();
   command.section("Output");
-  command.flag("--table", arguments->table, "list every pair of --prove, also those that stay clear");
   command
       .option("--srdf-out FILE", arguments->srdf_out,
               "write an SRDF that disables neighbours and proved pairs; implies --prove")
       .writable();
   command.option("--json FILE", arguments->json, "write everything as JSON").writable();
   command.examples(
-      "  daylight scene robot.urdf --clearance 0.01 --verify --json robot.json\n"
+      "  daylight scene robot.urdf --clearance 0.01 --json robot.json\n"
       "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
       "Exit code 2 of scene means that the referee refutes a recommended answer, or that --prove shows "
       "contact of\n"

@@ -23,8 +23,8 @@
 #include "cli/progress.hpp"
 #include "cli/targets.hpp"
 #include "corpus/store/case_files.hpp"
-#include "corpus/store/suppressions.hpp"
 #include "reports/run/report_data.hpp"
+#include "reports/triage/suppressed.hpp"
 
 namespace cyl {
 namespace {
@@ -102,18 +102,16 @@ void add_triage(Program& program) {
   command.section("Input");
   command.option("--against DIR", arguments->against, "triaged runs to compare with")
       .default_text("the runs in the same folder");
-  command.section("Limits");
-  command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("30s");
-  command.section("Methods");
-  add_guest_options(command, arguments->guests);
-  add_run_guests_option(command, arguments->guests);
-  command.section("Limits");
-  command.number("--jobs N", arguments->jobs, "processes; the causes do not depend on it", 1, 1024);
-  command.section("Input");
   command
       .option("--suppressions FILE", arguments->suppressions,
               "file of known causes; their findings do not change the exit code")
       .default_text("suppressions.jsonl");
+  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("30s");
+  command.number("--jobs N", arguments->jobs, "processes; the causes do not depend on it", 1, 1024);
+  command.section("Methods");
+  add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
   command.flag("--new-only", arguments->new_only,

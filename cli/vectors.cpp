@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,9 +21,9 @@
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_digest.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/solid_kind.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "corpus/pairs/vector_geometry.hpp"
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/certificate_check.hpp"
@@ -33,14 +32,10 @@
 #include "solver/distance.hpp"
 
 namespace cyl {
-
 namespace {
-
-using Long3 = Eigen::Matrix<long double, 3, 1>;
 
 /// The rounded families of vectors/v1, which never change.
 constexpr std::size_t rounded_in_v1 = 9;
-
 /// The relative width of the distance that is searched.
 constexpr double direction_width = 1e-13;
 
@@ -56,50 +51,6 @@ struct Extra {
   std::string like{}, change{}, source{};
   int prism_sides = 0;
 };
-
-// ---- numbers -------------------------------------------------------------------------------------------
-
-Long3 wide(const Vector3& v) { return v.cast<long double>(); }
-
-/// Returns the sum of all lengths that rounding errors are relative to.
-long double scale_of(const Pair& p) {
-  return (wide(p.b.center) - wide(p.a.center)).norm() + p.a.radius + p.a.height + p.a.rounding + p.b.radius +
-         p.b.height + p.b.rounding;
-}
-
-/// Returns the gap that planes square to the direction show, up to rounding.
-long double gap_along(const Pair& p, const Vector3& direction) {
-  const Long3 d = wide(direction).normalized();
-  long double gap = std::abs(d.dot(wide(p.b.center) - wide(p.a.center)));
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    const Long3 w = wide(c->axis).normalized();
-    gap -= c->radius * d.cross(w).norm() + c->height / 2.0L * std::abs(d.dot(w)) + c->rounding;
-  }
-  return gap;
-}
-
-/// Returns the lower end that a direction proves. The part taken off is far above all rounding errors.
-double proved_below(const Pair& p, const Vector3& direction) {
-  const auto low = static_cast<double>(gap_along(p, direction) - 0x1p-58L * scale_of(p));
-  return std::nextafter(low, -std::numeric_limits<double>::infinity());
-}
-
-/// Returns a direction whose gap is exactly 0, if its numbers have rational roots.
-std::optional<Vector3> touching_direction(const Pair& p) {
-  const Vector3 delta = p.b.center - p.a.center, normal = p.a.axis.cross(p.b.axis);
-  const auto has_root = [](double square) { return std::sqrt(square) * std::sqrt(square) == square; };
-  for (const Vector3& d : {p.a.axis, p.b.axis, normal, delta, Vector3(p.a.axis.cross(delta).cross(p.a.axis)),
-                           Vector3(p.b.axis.cross(delta).cross(p.b.axis))}) {
-    if (d.isZero(0) || !d.allFinite() || d.cwiseAbs().maxCoeff() > 1e5) continue;
-    bool rational = d == Vector3(d.array().round()) && has_root(d.squaredNorm());
-    for (const Cylinder* c : {&p.a, &p.b})
-      rational = rational && has_root(c->axis.squaredNorm()) && has_root(d.cross(c->axis).squaredNorm());
-    if (rational && std::abs(gap_along(p, d)) <= 0x1p-58L * scale_of(p)) return d;
-  }
-  return {};
-}
-
-// ---- certificates --------------------------------------------------------------------------------------
 
 Certificate direction_of(const Vector3& d) {
   const double head[3] = {d[0], d[1], d[2]};
@@ -134,7 +85,7 @@ std::optional<std::pair<Certificate, double>> nearest_points(const Pair& p) {
   if (!x || !y) return {};
   const Rational3 between = project_to_hull(b, exact(*y)) - project_to_hull(a, exact(*x));
   const long double length =
-      Long3(between.x.get_d(), between.y.get_d(), between.z.get_d()).norm() * (1 + 0x1p-51L);
+      Wide3(between.x.get_d(), between.y.get_d(), between.z.get_d()).norm() * (1 + 0x1p-51L);
   const long double high = length - p.a.rounding - p.b.rounding + 0x1p-58L * scale_of(p);
   Certificate proof{.kind = CertificateKind::points, .vector = *x, .second = *y};
   proof.hulls = {hull_of(a), hull_of(b)};
@@ -180,108 +131,11 @@ std::optional<Proved> prove(const Pair& pair, const Truth& truth) {
   return proved;
 }
 
-// ---- classes -------------------------------------------------------------------------------------------
-
-/// Returns the nearest float. It is volatile because g++ 12 -O3 drops both casts at a vectorised loop's end.
-double as_float(double x) {
-  const volatile float nearest = static_cast<float>(x);
-  return static_cast<double>(nearest);
-}
-
-bool is_float(const Pair& p) {
-  for (const double x : numbers_of(p)) {
-    const bool normal = x == 0 || (std::abs(x) >= std::numeric_limits<float>::min() &&
-                                   std::abs(x) <= std::numeric_limits<float>::max());
-    if (!normal || as_float(x) != x) return false;
-  }
-  return true;
-}
-
-bool is_everyday(const Pair& p) {
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    for (const double x : {c->radius, c->height, c->rounding})
-      if (x != 0 && (x < 0.1 || x > 10)) return false;
-    if (c->center.cwiseAbs().maxCoeff() > 100 || std::abs(c->axis.norm() - 1) > 1e-6) return false;
-  }
-  return true;
-}
-
-/// Uses the names of vectors/v1/flags.json, which explains each flag and lists who met it.
-std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature> feature, double margin) {
-  std::string flags;
-  const auto flag = [&](bool has, std::string_view name) {
-    if (has) flags += fmt::format("{}\"{}\"", flags.empty() ? "" : ",", name);
-  };
-  const auto either = [&](auto has) { return has(p.a) || has(p.b); };
-  const Vector3 delta = p.b.center - p.a.center;
-  const double size = size_of(p), of_a = p.a.radius + p.a.height + p.a.rounding, of_b = size - of_a;
-  const AngleClass angle = angle_class(p);
-  const bool has_axes = !either([](const Cylinder& c) { return c.radius + c.height == 0; });
-  const double off = delta.cross(p.a.axis.stableNormalized()).norm();
-  flag(has_axes && angle == AngleClass::parallel, "ParallelAxes");
-  flag(has_axes && angle > AngleClass::parallel && angle < AngleClass::generic, "NearlyParallelAxes");
-  flag(has_axes && angle == AngleClass::right, "SquareAxes");
-  flag(has_axes && angle == AngleClass::near_right, "NearlySquareAxes");
-  flag(has_axes && angle == AngleClass::parallel && off <= 1e-12 * size, "Coaxial");
-  flag(delta.isZero(0), "Concentric");
-  flag(feature == ContactFeature::containment, "Contained");
-  flag(feature == ContactFeature::cap_cap, "FaceOnFace");
-  flag(feature == ContactFeature::rim_rim, "RimOnRim");
-  flag(feature == ContactFeature::side_rim || feature == ContactFeature::cap_rim, "RimOnFace");
-  flag(result == Verdict::touching, "Touching");
-  flag(result != Verdict::touching && margin < 1e-6, "NearlyTouching");
-  flag(either([](const Cylinder& c) { return c.rounding == 0 && c.radius * c.height == 0; }), "Flat");
-  flag(either([](const Cylinder& c) { return c.height > 0 && c.radius > 0 && c.radius < 0.01 * c.height; }),
-       "Needle");
-  flag(either([](const Cylinder& c) { return c.radius > 0 && c.height > 0 && c.height < 0.01 * c.radius; }),
-       "Coin");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::sphere; }), "Sphere");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::capsule; }), "Capsule");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::rounded; }), "RoundedEdges");
-  flag(size < 1e-3 || size > 1e3, "UnusualSize");
-  flag(std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) > 1000 * size, "FarAway");
-  flag(std::min(of_a, of_b) > 0 && std::max(of_a, of_b) > 1000 * std::min(of_a, of_b), "MixedSizes");
-  flag(either([](const Cylinder& c) { return std::abs(c.axis.stableNorm() - 1) > 1e-6; }), "AxisOfAnyLength");
-  return flags;
-}
-
-// ---- other forms ---------------------------------------------------------------------------------------
-
-struct Turn {
-  double w, x, y, z;
-  long double off;  ///< the most that a point of the solid is off its place by the axis
-};
-
-/// Returns the rotation that takes z to the axis, as a quaternion of length 1 within rounding.
-Turn turn_of(const Cylinder& c, bool in_floats) {
-  Long3 axis = wide(c.axis).normalized();
-  if (axis[2] < 0) axis = -axis;
-  const long double w = std::sqrt((1 + axis[2]) / 2);
-  const auto rounded = [&](long double x) {
-    return in_floats ? as_float(static_cast<double>(x)) : static_cast<double>(x);
-  };
-  Turn q{rounded(w), rounded(-axis[1] / (2 * w)), rounded(axis[0] / (2 * w)), 0, 0};
-  const long double W = q.w, X = q.x, Y = q.y;
-  const Long3 got(2 * W * Y, -2 * W * X, W * W - X * X - Y * Y);
-  long double sine = got.normalized().cross(axis).norm();
-  const bool same = got.cwiseAbs().maxCoeff() == got.cwiseAbs().sum() && axis.cwiseAbs().sum() == 1;
-  q.off = same ? 0 : (2 * sine + 0x1p-58L) * (c.radius + c.height / 2.0L);
-  return q;
-}
-
-/// Returns the corners of an n-sided prism inside or around the core.
-std::string prism(const Cylinder& c, int sides, bool around) {
-  const Vector3 w = c.axis.normalized(), u = w.unitOrthogonal(), v = w.cross(u);
-  const double more = around ? 1 + 0x1p-20 : 1 - 0x1p-20;
-  const double r = c.radius * more / (around ? std::cos(std::numbers::pi / sides) : 1);
+std::string corners_text(const std::vector<Vector3>& corners) {
   std::string text;
-  for (const double end : {-0.5, 0.5})
-    for (int i = 0; i < sides; ++i) {
-      const double t = 2 * std::numbers::pi * i / sides;
-      const Vector3 x = c.center + end * more * c.height * w + r * (std::cos(t) * u + std::sin(t) * v);
-      text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", format_double(x[0]), format_double(x[1]),
-                          format_double(x[2]));
-    }
+  for (const Vector3& x : corners)
+    text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", format_double(x[0]), format_double(x[1]),
+                        format_double(x[2]));
   return '[' + text + ']';
 }
 
@@ -302,8 +156,6 @@ std::string numbers_in_c(const Cylinder& c) {
     text += fmt::format("{}{}", text.empty() ? "{" : ",", format_double(x));
   return text + '}';
 }
-
-// ---- vectors -------------------------------------------------------------------------------------------
 
 std::optional<Vector> invalid_vector(const Pair& pair) {
   const Defect defect = std::max(find_defect(pair.a), find_defect(pair.b));
@@ -332,10 +184,10 @@ std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
   const double size = size_of(pair), margin = size > 0 ? least / size : least > 0 ? 1 : 0;
   const bool floats = is_float(pair);
   const auto feature = contact_feature(pair, truth);
-  const Turn of_a = turn_of(pair.a, floats), of_b = turn_of(pair.b, floats);
+  const AxisTurn of_a = turn_of(pair.a, floats), of_b = turn_of(pair.b, floats);
   const long double off = (of_a.off + of_b.off) * (1 + 0x1p-30L);
   const bool turns = off == 0 || off < least / 2;
-  const auto turned = [&](const Turn& q) {
+  const auto turned = [&](const AxisTurn& q) {
     return turns ? fmt::format(",\"quaternion\":[{},{},{},{}]", format_double(q.w), format_double(q.x),
                                format_double(q.y), format_double(q.z))
                  : "";
@@ -349,7 +201,7 @@ std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
       : extra.change.empty() ? "pair"
                              : "changed",
       floats ? "float32" : "float64", is_everyday(pair) ? "ordinary" : "extreme",
-      flags_of(pair, truth.verdict, feature, margin), solid(pair.a, turned(of_a)),
+      flags_of(pair, truth.verdict, feature, angle_class(pair), margin), solid(pair.a, turned(of_a)),
       solid(pair.b, turned(of_b)), to_string(truth.verdict), format_double(lo), format_double(hi),
       format_double(margin), format_double(most));
   if (feature) v.line += fmt::format(",\"feature\":\"{}\"", to_string(*feature));
@@ -362,9 +214,10 @@ std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
   if (extra.prism_sides) {
     if (truth.verdict == Verdict::touching || least < 1e-5 * size) return {};
     const bool around = truth.verdict == Verdict::intersecting;
-    v.line += fmt::format(R"(,"prisms":{{"sides":{},"lie":"{}","a":{},"b":{}}})", extra.prism_sides,
-                          around ? "around" : "inside", prism(pair.a, extra.prism_sides, around),
-                          prism(pair.b, extra.prism_sides, around));
+    v.line +=
+        fmt::format(R"(,"prisms":{{"sides":{},"lie":"{}","a":{},"b":{}}})", extra.prism_sides,
+                    around ? "around" : "inside", corners_text(prism(pair.a, extra.prism_sides, around)),
+                    corners_text(prism(pair.b, extra.prism_sides, around)));
   }
   v.line += ",\"certificate\":{" + proved->certificate + "}}";
   v.c = fmt::format("{{\"{}\", {}, {}, {}, {}, {}, {}}}", v.id, numbers_in_c(pair.a), numbers_in_c(pair.b),
@@ -373,50 +226,6 @@ std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
                                                              : 0,
                     format_double(lo), format_double(hi), format_double(most));
   return v;
-}
-
-struct Change {
-  const char* name;
-  Pair (*of)(Pair);
-};
-
-Pair cycled(Pair p) {
-  for (Cylinder* c : {&p.a, &p.b})
-    for (Vector3* v : {&c->center, &c->axis}) *v = Vector3((*v)[2], (*v)[0], (*v)[1]);
-  return p;
-}
-
-Pair mirrored(Pair p) {
-  for (Cylinder* c : {&p.a, &p.b})
-    for (Vector3* v : {&c->center, &c->axis}) (*v)[0] = 0 - (*v)[0];
-  return p;
-}
-
-/// Changes that round no number. Scaling a pair also scales its distance.
-constexpr Change changes[] = {
-    {"exchanged",
-     [](Pair p) {
-       return Pair{p.b, p.a};
-     }},
-    {"axis of a reversed",
-     [](Pair p) {
-       p.a.axis = Vector3(0, 0, 0) - p.a.axis;
-       return p;
-     }},
-    {"coordinates cycled", cycled},
-    {"mirrored in x", mirrored},
-    {"scaled by 8", [](Pair p) { return scaled(p, 3); }},
-    {"axis of b doubled",
-     [](Pair p) {
-       p.b.axis *= 2;
-       return p;
-     }},
-};
-
-Pair in_floats(const Pair& p) {
-  auto numbers = numbers_of(p);
-  for (double& x : numbers) x = as_float(x);
-  return pair_of(numbers.data(), cylinder_number_count);
 }
 
 /// Draws vectors in turn from sources of every kind. The same seed gives the same vectors.
@@ -488,7 +297,7 @@ class Source {
     std::vector<Vector> group = one(vector_of(pair));
     if (group.empty()) return group;
     const std::string like = group[0].id;
-    for (const Change& change : changes)
+    for (const ExactChange& change : exact_changes())
       if (auto v = vector_of(change.of(pair), {.like = like, .change = change.name}))
         group.push_back(std::move(*v));
     return group;
@@ -575,13 +384,12 @@ void add_vectors(Program& program) {
   command.option("--tier NAME", options->tier, "smoke (200 vectors), standard (2,000) or full (200,000)");
   command.number("--seed N", options->seed, "seed; the same seed gives the same pairs on every machine");
   command.number("--count N", options->count, "number of vectors; 0 for as many as the tier has");
-  command.section("Output");
-  command.flag("--header", options->header, "write a C header with the legal pairs instead of JSON");
-  command.section("Pairs");
   command
       .option("--cases DIR", options->cases,
               "folder with reported.jsonl, the pairs of public reports; '' for none")
       .default_text("corpus/cases/");
+  command.section("Output");
+  command.flag("--header", options->header, "write a C header with the legal pairs instead of JSON");
   command.examples(
       "  daylight vectors --tier full --seed 7 > full.json\n"
       "  daylight vectors --tier smoke --header > smoke.h",

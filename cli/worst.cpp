@@ -201,15 +201,13 @@ void add_worst(Program& program) {
   command.section("Question");
   command.option("--feature NAME", arguments->feature, "contact feature, such as side-rim")
       .default_text("each in turn");
-  command.section("Limits");
-  command.option("--for DURATION", arguments->budget, "wall time for all searches together, such as 60s")
-      .default_text("60s");
-  command.section("Question");
   command.option("--search GOAL", arguments->search, "quantity to maximize: margin, error or time")
       .one_of({enum_words<Objective>.begin(), enum_words<Objective>.end()});
   command.option("--from RUN|FILE", arguments->from, "start from the findings of a run, or from a case file")
       .default_text("corpus/cases/ and drawn pairs");
   command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time for all searches together, such as 60s")
+      .default_text("60s");
   command.number("--seed N", arguments->seed,
                  "seed; with --evaluations, the same seed gives the same result");
   command.number("--evaluations N", arguments->evaluations,

@@ -44,7 +44,6 @@ ELSEWHERE = {
     '--pairs 1000000000': 'docs/results.md',
     'runs/readme/run': 'compared, see check_numbers',
     'near --generate': 'scene_command_test',
-    '--stop-at': 'campaign_replay_test',
     'daylight COMMAND': 'no command but a pattern',
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }
@@ -181,7 +180,7 @@ def shortened(words, number):
     if words[0] == 'triage' and '--for' not in words:
         words += ['--for', '1s']
     if words[0] == 'scene' and '--configurations' not in words:
-        words += ['--configurations', '10', '--boxes', '1000']
+        words += ['--configurations', '10']
     if words[0] == 'campaign' and not {'--out', '--resume', '--list'} & set(words):
         words += ['--out', f'runs/{number}']
     if words[0] == 'campaign' and not {'--methods', '--list'} & set(words):

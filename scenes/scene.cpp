@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,11 +26,12 @@ std::vector<LinkPair> sorted(std::vector<LinkPair> pairs) {
   return pairs;
 }
 
-std::vector<std::size_t> rigid_bodies(const Scene& scene, bool each_link) {
+/// Returns the first link of the rigid body of each link, or the link itself unless fixed joints join.
+std::vector<std::size_t> rigid_bodies(const Scene& scene, bool fixed_joins = true) {
   std::vector<std::size_t> first(scene.links.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     const Link& link = scene.links[i];
-    const bool joined = !each_link && link.parent && link.motion == Motion::fixed && !link.held;
+    const bool joined = fixed_joins && link.parent && link.motion == Motion::fixed && !link.held;
     first[i] = joined ? first[*link.parent] : i;
   }
   return first;
@@ -61,17 +64,15 @@ Pose motion_of(const Link& link, double value) {
 
 }  // namespace
 
-PairRule::PairRule(const Scene& scene, bool all, bool each_link)
-    : all_(all),
-      rigid_(rigid_bodies(scene, each_link)),
-      group_(rigid_bodies(scene, each_link || !scene.welds)),
+PairRule::PairRule(const Scene& scene)
+    : rigid_(rigid_bodies(scene)),
+      group_(rigid_bodies(scene, scene.welds)),
       adjacent_(adjacent_links(scene, group_)),
       disabled_(sorted(scene.disabled)) {}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
   if (std::ranges::find(a.paired, b.name) != a.paired.end()) return Reason::checked;
   if (rigid_[a.link] == rigid_[b.link]) return Reason::same_body;
-  if (all_) return Reason::checked;
   if (!may_collide(a, b)) return Reason::disabled;
   if (std::binary_search(adjacent_.begin(), adjacent_.end(), ordered(group_[a.link], group_[b.link])))
     return Reason::adjacent;
@@ -181,6 +182,9 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
         std::find_if(scene.links.begin(), scene.links.end(),
                      [&, &joint = name](const Link& l) { return l.joint == joint && is_free(l); });
     if (found == scene.links.end()) throw UsageError("'" + name + "' is not a joint that moves by itself");
+    if (!found->endless && !(value >= found->low && value <= found->high))
+      throw UsageError(
+          fmt::format("'{}' moves from {} to {}, but not to {}", name, found->low, found->high, value));
     joints[static_cast<std::size_t>(found - scene.links.begin())] = value;
   }
   let_follow(scene, joints);

@@ -98,12 +98,10 @@ struct Scene {
 class PairRule {
  public:
   enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
-  /// With `all` only the bodies of one rigid body are left out; with `each_link` every link is one by itself.
-  PairRule(const Scene& scene, bool all, bool each_link = false);
+  explicit PairRule(const Scene& scene);
   Reason reason(const Body& a, const Body& b) const;
 
  private:
-  bool all_;
   std::vector<std::size_t> rigid_;  ///< by link: the first link of its rigid body
   std::vector<std::size_t> group_;  ///< by link: the first link with the same neighbours
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
@@ -126,7 +124,7 @@ bool drawn_in_full(const Scene& scene, std::size_t link);
 /// follow.
 std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uint64_t index);
 /// Returns the joints at 0, or at the limit nearest to it; those named at the values given. Throws UsageError
-/// on a name that no free joint has.
+/// on a name that no free joint has, and on a value beyond the limits of its joint.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
 /// Sets the joints that mimic others. Throws std::runtime_error if they mimic in a circle.

@@ -57,33 +57,30 @@ TEST(Joints, StayWithinLimitsAndMimic) {
   EXPECT_EQ(of(joints_at(scene), "travel"), 0.1);  // 0 is outside its limits
   const std::vector<std::pair<std::string, double>> mimic{{"balance", 0.8}};
   EXPECT_THROW(joints_at(scene, mimic), std::invalid_argument);
+  const std::vector<std::pair<std::string, double>> beyond{{"travel", 9}}, round{{"slew", 9}};
+  EXPECT_THROW(joints_at(scene, beyond), std::invalid_argument);
+  EXPECT_EQ(of(joints_at(scene, round), "slew"), 9) << "a continuous joint has no limits";
 }
 
 TEST(Pairs, ThoseThatMoveItLeavesOut) {
   const Scene scene = read_scene(folder + "crane.urdf");
-  const PairRule rule(scene, false), all(scene, true);
+  const PairRule rule(scene);
   using Reason = PairRule::Reason;
-  const auto why = [&](const PairRule& r, const char* a, const char* b) {
-    EXPECT_EQ(r.reason(body(scene, a), body(scene, b)), r.reason(body(scene, b), body(scene, a)));
-    return r.reason(body(scene, a), body(scene, b));
+  const auto why = [&](const char* a, const char* b) {
+    EXPECT_EQ(rule.reason(body(scene, a), body(scene, b)), rule.reason(body(scene, b), body(scene, a)));
+    return rule.reason(body(scene, a), body(scene, b));
   };
-  EXPECT_EQ(why(rule, "counterweight/weight", "counterweight/shackle"), Reason::same_body);
-  EXPECT_EQ(why(rule, "ground/post", "tower"), Reason::adjacent);
-  EXPECT_EQ(why(rule, "tower", "boom/beam"), Reason::adjacent);  // through the hinge, which has no shape
-  EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
-  EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
-  EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
+  EXPECT_EQ(why("counterweight/weight", "counterweight/shackle"), Reason::same_body);
+  EXPECT_EQ(why("ground/post", "tower"), Reason::adjacent);
+  EXPECT_EQ(why("tower", "boom/beam"), Reason::adjacent);  // through the hinge, which has no shape
+  EXPECT_EQ(why("trolley", "counterweight/weight"), Reason::checked);
+  EXPECT_EQ(why("hook", "counterweight/shackle"), Reason::disabled);
+  EXPECT_EQ(why("ground/post", "boom/beam"), Reason::checked);
   // The hook is fixed to the trolley, so they are one body. But only the trolley is next to the boom.
-  const PairRule each(scene, false, true);
-  EXPECT_EQ(why(rule, "trolley", "hook"), Reason::same_body);
-  EXPECT_EQ(why(all, "trolley", "hook"), Reason::same_body);
-  EXPECT_EQ(why(each, "trolley", "hook"), Reason::adjacent);
-  EXPECT_EQ(why(rule, "boom/beam", "hook"), Reason::checked);
-  EXPECT_EQ(why(each, "boom/beam", "hook"), Reason::checked);
-  EXPECT_EQ(why(all, "tower", "boom/beam"), Reason::checked);
-  EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_body);
+  EXPECT_EQ(why("trolley", "hook"), Reason::same_body);
+  EXPECT_EQ(why("boom/beam", "hook"), Reason::checked);
   const Scene mjcf = read_scene(folder + "crane.xml");
-  const PairRule mujoco(mjcf, false);
+  const PairRule mujoco(mjcf);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
@@ -93,7 +90,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
 // A link that is welded to the world is the world. A link that floats on it is not a part.
 TEST(Pairs, OfWeldedAndFloatingBodies) {
   const Scene scene = read_scene(folder + "walker.xml");
-  const PairRule rule(scene, false);
+  const PairRule rule(scene);
   using Reason = PairRule::Reason;
   const auto why = [&](const char* a, const char* b) { return rule.reason(body(scene, a), body(scene, b)); };
   EXPECT_EQ(why("shin/tibia", "foot/sole"), Reason::same_body);

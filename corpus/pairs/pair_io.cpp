@@ -12,6 +12,7 @@
 
 #include "base/enum_words.hpp"
 #include "base/json.hpp"
+#include "base/spelling.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 
 namespace cyl {
@@ -47,15 +48,6 @@ std::string shorten(std::string_view text) {
   std::size_t end = shown_cap;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole UTF-8 characters
   return std::string(text.substr(0, end)) + "...";
-}
-
-// Removes the common beginning and end of two different words. Returns whether at most one letter of each
-// remains (one changed, added or lost), or two letters swapped.
-bool one_edit_apart(std::string_view x, std::string_view y) {
-  while (!x.empty() && !y.empty() && x.front() == y.front()) x.remove_prefix(1), y.remove_prefix(1);
-  while (!x.empty() && !y.empty() && x.back() == y.back()) x.remove_suffix(1), y.remove_suffix(1);
-  if (x.size() <= 1 && y.size() <= 1) return true;
-  return x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
 }
 
 /// Hands out one byte at a time and leaves behind how many were taken.
@@ -114,7 +106,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     if (skipped_ > 0) return true;
     if (depth_ == in_cylinder) return field_key(x);
     for (std::string_view known : guarded_keys)
-      if (x != known && one_edit_apart(x, known))
+      if (x.size() <= known.size() + 1 && known.size() <= x.size() + 1 && typing_errors(x, known) == 1)
         return fail(shorten(x) + " is not a known key; did you mean " + std::string(known) + "?");
     key_ = x;
     return keys_seen_.insert(std::move(x)).second || fail(shorten(key_) + " is given twice");

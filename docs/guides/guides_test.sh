@@ -23,10 +23,10 @@ for word; do
   words+=("$word") last=$word
 done
 case "$*" in
-  gate*--keep* | gate*--json* | gate*--against*) words+=(--cases '') ;;
-  gate*) words+=(--cases '' --first-failure) ;; # only its exit code is wanted
+  gate*--pairs* | gate*--for* | gate*--against*) words+=(--cases '') ;;
+  gate*) words+=(--cases '' --pairs 400) ;;
   scene*--configurations*) ;;
-  scene*) words+=(--configurations 50 --boxes 2000) ;;
+  scene*) words+=(--configurations 50) ;;
 esac
 exec "$real_daylight" "${words[@]}"
 END

@@ -72,7 +72,6 @@ Config identity(const CampaignOptions& options, const Workload& workload) {
           {"case_count", std::to_string(workload.cases.size())},
           {"case_fingerprint", fingerprint(workload.cases)},
           {corpus_key, fingerprint(workload.corpus)},
-          {"weights", format_weights(workload.weights)},
           {"shard", format_shard({options.shard, options.shards, batch_size_for(workload)})}};
 }
 
@@ -85,9 +84,7 @@ Config limits(const CampaignOptions& options, milliseconds spent) {
   // A resumed run may have less than nothing left, but it had a budget. So it gets at least 1 ms.
   const milliseconds all = std::max(spent + options.budget, milliseconds(1));
   const milliseconds budget = options.budget.count() == 0 ? options.budget : all;
-  return {{"pairs", std::to_string(options.pairs)},
-          {"budget_milliseconds", std::to_string(budget.count())},
-          {"stop_at", options.stop_at}};
+  return {{"pairs", std::to_string(options.pairs)}, {"budget_milliseconds", std::to_string(budget.count())}};
 }
 
 RunStore open_run(const CampaignOptions& options, const Workload& workload) {
@@ -377,8 +374,6 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
   if (!idle && workload.families.empty() && workload.corpus.empty())
     throw std::runtime_error("a campaign needs a family");
   if (options.shard >= options.shards) throw std::runtime_error("a campaign has no such shard");
-  if (!workload.weights.empty() && workload.weights.size() != workload.families.size())
-    throw std::runtime_error("a campaign needs a weight for each family");
   RunStore store = open_run(options, workload);
   if (options.create_only) return {};
   const nanoseconds start = cpu_time_so_far();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A campaign: draws pairs from the case files and the families, asks every method, lets the referee judge,
-// and stores what it finds. A pure function of (seed, pairs, families with their weights, methods); times and
+// and stores what it finds. A pure function of (seed, pairs, families, methods); times and
 // kind `hang` excepted.
 #pragma once
 
@@ -27,7 +27,6 @@ struct CampaignOptions {
   std::string cases;                    ///< folder of workload.cases, for --resume
   std::chrono::milliseconds fuzz{0};    ///< wall time of a fuzzer before the first pair, for --resume
   std::string fuzz_targets, fuzzing;    ///< what it fuzzes; what came of it, for the summary
-  std::string stop_at;                  ///< time at which the budget ends, for --resume; may be empty
   std::string guests;                   ///< the guests, for commands that ask them again
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings

@@ -158,28 +158,6 @@ TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
   EXPECT_EQ(content(store("killed")), content(store("whole")));
 }
 
-TEST_F(Campaign, WeightsShareThePairsOutAndAreKept) {
-  const unsigned weights[] = {3, 1};
-  Workload weighted = workload();
-  weighted.weights = weights;
-  run_campaign(options("run", 400), weighted);
-  EXPECT_EQ(value_of(store("run").config(), "weights"), "3 1");
-  std::map<std::string, std::uint64_t> asked;
-  for (const TallyRecord& t : store("run").tallies()) {
-    if (t.method == "good") asked[t.family] = t.counts.asked;
-  }
-  EXPECT_EQ(asked["wide"], 300u);
-  EXPECT_EQ(asked["narrow"], 100u);
-  CampaignOptions on = options("run", 500);
-  on.resume = true;
-  EXPECT_THROW(run_campaign(on, workload()), std::runtime_error);
-  const unsigned equal[] = {1, 1};
-  weighted.weights = equal;
-  run_campaign(options("equal", 400), weighted);
-  run_campaign(options("none", 400), workload());
-  EXPECT_EQ(content(store("equal")), content(store("none")));
-}
-
 TEST_F(Campaign, ItsStoreSaysHowItEnded) {
   const auto status = [&] { return value_of(store("run").config(), "status"); };
   CampaignOptions o = options("run", 200);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The settings that determine the findings, and the methods that made them.
-constexpr const char* agreed[] = {"seed", "families", "weights", "case_count", "case_fingerprint", "build"};
+constexpr const char* agreed[] = {"seed", "families", "case_count", "case_fingerprint", "build"};
 
 struct Part {
   std::string folder;

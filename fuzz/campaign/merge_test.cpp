@@ -128,10 +128,6 @@ TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
   o = shard_options(1, 2, 100);
   o.build = "another";
   refuses(o, workload());
-  const unsigned weights[] = {2, 1};
-  Workload weighted = workload();
-  weighted.weights = weights;
-  refuses(shard_options(1, 2, 100), weighted);
   cases.resize(1);
   refuses(shard_options(1, 2, 100), workload());
   cases.clear();

@@ -5,17 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "corpus/pairs/families.hpp"
-
 namespace cyl {
-
-/// The most turns in a round, compared with a family without findings. Every family keeps its turns, and
-/// fruitful families take most of a campaign.
-inline constexpr unsigned weight_cap = 8;
 
 class Schedule {
  public:
@@ -39,15 +31,5 @@ class Schedule {
   std::vector<unsigned> weights_;
   std::vector<Slot> round_;
 };
-
-/// Weights from 1 to weight_cap, in proportion to the number of different findings (method and kind) beyond a
-/// claim that an earlier run has in the family. `folder` is that run, or a folder of runs, which count
-/// together. Throws UsageError if it is neither.
-std::vector<unsigned> weights_from(const std::string& folder, std::span<const Family> families);
-
-/// Weights as a run's configuration keeps them, "3 1 1"; empty for equal ones, which need no record.
-std::string format_weights(std::span<const unsigned> weights);
-/// Returns what format_weights was given. Throws std::runtime_error on anything else.
-std::vector<unsigned> parse_weights(const std::string& text);
 
 }  // namespace cyl

@@ -11,14 +11,13 @@
 namespace cyl {
 namespace {
 
-/// Turns of the corpus in a round. A night then asks all of it: it is as fruitful as the best families.
-constexpr unsigned corpus_weight = weight_cap;
+/// Turns of the corpus in a round, in which a family has one. A night then asks all of it.
+constexpr unsigned corpus_weight = 8;
 
 }  // namespace
 
 Schedule schedule_of(const Workload& workload) {
-  std::vector<unsigned> weights(workload.weights.begin(), workload.weights.end());
-  if (weights.empty()) weights.assign(workload.families.size(), 1);
+  std::vector<unsigned> weights(workload.families.size(), 1);
   if (!workload.corpus.empty()) weights.push_back(corpus_weight);
   return Schedule(std::move(weights));
 }

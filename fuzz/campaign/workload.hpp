@@ -21,7 +21,6 @@ struct Workload {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
   std::span<const Case> cases;
-  std::span<const unsigned> weights = {};  ///< of the families; if empty, all are equal
   std::span<const Pair> corpus = {};
   /// After all pairs of the corpus, further ones are changes of them by a seed. Not null if there is a
   /// corpus.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # create.sh SHARDS OUT OPTION.. : makes the run folders OUT/shard-0 .. of a campaign with these options, all at one
-# time, so that they agree in seed, weights and build whenever their turn comes. A campaign that is there stays.
+# time, so that they agree in seed and build whenever their turn comes. A campaign that is there stays.
 set -euo pipefail
 
 shards=$1 out=$2

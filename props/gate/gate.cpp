@@ -107,8 +107,7 @@ class Gate {
       in_phase(GatePhase::rounded_sample,
                [&] { sample(draw_rounded_solids, amount_.rounded_rounds, distance_share); });
     }
-    if (!options_.first_failure && !options_.as_found &&
-        std::any_of(report_.failures.begin(), report_.failures.end(), is_error))
+    if (!options_.as_found && std::any_of(report_.failures.begin(), report_.failures.end(), is_error))
       in_phase(GatePhase::simplify, [&] { simplify_failures(); });
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
@@ -139,19 +138,12 @@ class Gate {
     report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
-  /// Whether the gate is to stop at the first failure, and has found one.
-  bool has_failed() const {
-    return options_.first_failure &&
-           std::any_of(report_.failures.begin(), report_.failures.end(),
-                       [&](const auto& f) { return is_error(f) && !options_.known(f); });
-  }
-
   bool out_of_time() const { return cyl::out_of_time(options_); }
 
   /// Returns whether a phase that has `done` of its rounds or cases goes on. If the time is over, the rest
   /// is not asked, and the report states it.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
-    if (done >= due || has_failed()) return false;
+    if (done >= due) return false;
     const bool is_first = done == 0 && report_.phases.size() == 1;  // the first cases are always asked
     if (is_first || !out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, {}", to_string(report_.phases.back().phase),

@@ -50,10 +50,6 @@ struct GateOptions {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< the start of `cap`
   /// Asked again and again. Once it returns true, the gate asks no further questions and reports.
   std::function<bool()> stopped = [] { return false; };
-  /// Stops after the round with the first failure beyond a claim, and neither reruns nor simplifies it.
-  bool first_failure = false;
-  /// Returns whether a failure is known. A known failure is not the first.
-  std::function<bool(const GateFailure&)> known = [](const GateFailure&) { return false; };
   bool as_found = false;  ///< the gate neither reruns nor simplifies failures at its end
   Caps caps = gate_caps;  ///< the numbers of hangs and crashes are those in one batch
 };

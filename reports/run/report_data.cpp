@@ -54,14 +54,14 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Returns the command that repeats this run on a machine with the same build and guests. Empty if earlier
-/// runs, which may be gone, gave the weights of its families, and if all pairs come from a corpus.
+/// Returns the command that repeats this run on a machine with the same build and guests. Empty if all pairs come
+/// from a corpus.
 std::string command_of(const RunData& run) {
   const Config& config = run.config;
   const std::vector<std::string> families = lines_of(value_of(config, "families"));
   const std::string cases = value_of(config, "cases"), corpus = run.folder + "/corpus";
   const bool has_corpus = std::filesystem::is_directory(corpus);
-  if (!value_of(config, "weights").empty() || (has_corpus && families.empty())) return "";
+  if (has_corpus && families.empty()) return "";
   std::vector<std::string> asked, all, all_families;
   for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());

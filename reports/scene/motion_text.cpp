@@ -22,6 +22,21 @@ Counts count_verdicts(const Proofs& proofs) {
   return counts;
 }
 
+/// Returns why pairs are open: " (2 after 100,000 boxes, 1 with a joint that is held)".
+std::string why_open(const std::vector<MotionProof>& proofs) {
+  std::size_t bounded = 0, held = 0, left = 0, boxes = 0;
+  for (const MotionProof& proof : proofs) {
+    if (proof.verdict != MotionVerdict::open || proof.contradicted) continue;
+    ++(proof.bounded ? bounded : proof.held ? held : left);
+    if (!proof.bounded && !proof.held) boxes = std::max(boxes, proof.boxes);
+  }
+  std::vector<std::string> reasons;
+  if (left > 0) reasons.push_back(fmt::format("{} after up to {}", left, counted(boxes, "box")));
+  if (bounded > 0) reasons.push_back(fmt::format("{} near a bounding solid of a box or mesh", bounded));
+  if (held > 0) reasons.push_back(fmt::format("{} with a joint that is held", held));
+  return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, ", "));
+}
+
 /// Rounds down to three digits, so that the text does not claim more than is proved.
 std::string rounded_down(double x) {
   if (!(x > 0)) return fmt::format("{:.3g}", x);
@@ -103,14 +118,13 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   };
   const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
   std::string text = fmt::format(
-      "over all motions, {}: {} proved never within {}, {} refuted by a configuration, {}{} open after {} "
-      "boxes",
+      "over all motions, {}: {} proved never within {}, {} refuted by a configuration, {}{} open{}",
       counted(s.pairs.size(), "pair"), of(pairs, MotionVerdict::never), q.clearance,
       of(pairs, MotionVerdict::refuted),
       q.clearance > 0
           ? fmt::format("{} within the clearance without a contact, ", of(pairs, MotionVerdict::within))
           : "",
-      of(pairs, MotionVerdict::open), q.motion_boxes);
+      of(pairs, MotionVerdict::open), why_open(s.motions->pairs));
   if (!s.motions->exemptions.empty())
     text += fmt::format(". \"Never\" in the SRDF, {}: {} proved, {} REFUTED, {} open",
                         counted(s.motions->exemptions.size(), "link pair"),
@@ -124,12 +138,10 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
     text += fmt::format(
         ". NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
         s.motions->contradicted);
-  else if (s.motions->against > 0)
-    text += fmt::format(". In {} other configurations no pair is nearer than proved", s.motions->against);
   return text;
 }
 
-std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pair) {
+std::string motions_text(const Scene& scene, const SceneStudy& s) {
   if (!s.motions) return "";
   std::string text;
   for (const ExemptionProof& e : s.motions->exemptions) {
@@ -142,7 +154,7 @@ std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pai
   std::ranges::stable_sort(sorted, {}, [](const MotionProof* proof) { return risk_of(*proof); });
   std::size_t left_out = 0;
   for (const MotionProof* proof : sorted) {
-    if (!every_pair && proof->verdict == MotionVerdict::never) {
+    if (proof->verdict == MotionVerdict::never) {
       ++left_out;
       continue;
     }
@@ -150,7 +162,7 @@ std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pai
                         scene.bodies[proof->b].name, proof_text(scene, *proof));
   }
   if (left_out > 0)
-    text += fmt::format("  {:<8} {} more, which --table lists\n", to_string(MotionVerdict::never),
+    text += fmt::format("  {:<8} {} more, which --json lists\n", to_string(MotionVerdict::never),
                         counted(left_out, "pair"));
   return text;
 }

@@ -25,6 +25,6 @@ std::string rate_text(std::size_t draws);
 std::string motions_words(const SceneOptions& question, const SceneStudy& study);
 /// Returns a line for each link pair that the SRDF calls "Never", and one for each pair, worst first. Without
 /// `every_pair`, one line counts the pairs that are proved to stay clear.
-std::string motions_text(const Scene& scene, const SceneStudy& study, bool every_pair);
+std::string motions_text(const Scene& scene, const SceneStudy& study);
 
 }  // namespace cyl

@@ -64,8 +64,8 @@ json pair_json(const Scene& scene, const SceneOptions& q, const PairStudy& pair)
           {"recommended_wrong", pair.cascade_wrong}};
 }
 
-json model_json(const SceneOptions& q, const SceneStudy& s, Level level) {
-  const Total t = total_of(s, level, q.tolerated);
+json model_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s, Level level) {
+  const Total t = total_of(scene, s, level, q.tolerated);
   return {{"model", to_string(level)}, {"decides", t.decided},         {"suffices", t.suffices},
           {"wrong", t.wrong},          {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
           {"missed", t.missed}};
@@ -119,7 +119,7 @@ void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
   all["motions"] = std::move(motions);
   all["exemptions"] = std::move(exemptions);
   all["motions_cpu_ms"] = study.ms;
-  all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.contradicted}};
+  all["motions_wrong"] = study.contradicted;
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
   for (const Level level : enum_values<Level>) {
     alone[to_string(level)] = s.alone_ns[index_of(level)];
-    models.push_back(model_json(q, s, level));
+    models.push_back(model_json(scene, q, s, level));
   }
   for (const Body& body : scene.bodies) bodies.push_back(body_json(scene, body));
   json all{{"file", q.file},
@@ -163,9 +163,9 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
                            {"configuration", s.closest->configuration},
                            {"distance", s.closest->distance},
                            {"size", s.closest->size}};
-  if (const auto& v = s.verification)
-    all["verification"] = {
-        {"asked", v->asked}, {"wrong", v->wrong}, {"tolerated", v->tolerated}, {"undecided", v->undecided}};
+  const Verification& v = s.verification;
+  all["verification"] = {
+      {"asked", v.asked}, {"wrong", v.wrong}, {"tolerated", v.tolerated}, {"undecided", v.undecided}};
   if (s.motions) add_motions(all, scene, *s.motions);
   if (!scene.srdf.empty()) all["srdf"] = scene.srdf;
   return layout(all);

@@ -16,7 +16,6 @@ SceneOptions question(const char* file) {
   SceneOptions q;
   q.file = file;
   q.configurations = 20;
-  q.verify = true;
   return q;
 }
 

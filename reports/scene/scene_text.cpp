@@ -82,7 +82,7 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
           ? ""
           : fmt::format(" ({} disables {})", scene.srdf, counted(scene.exemptions.size(), "link pair")));
   if (s.pairs.empty() && by_bits > 0)
-    text += fmt::format(". contype and conaffinity let {} collide: --all-pairs checks them",
+    text += fmt::format(". contype and conaffinity let {} collide",
                         by_bits == all ? "no two shapes" : fmt::format("{} not", counted(by_bits, "pair")));
   return text;
 }
@@ -104,13 +104,13 @@ std::string configurations_words(const Scene& scene, const SceneOptions& q, cons
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
 std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
 
-std::string models_table(const SceneOptions& q, const SceneStudy& s) {
+std::string models_table(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
   std::string text = "\n";
   text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
                       "false alarm", "missed");
   for (const Level level : enum_values<Level>) {
-    const Total t = total_of(s, level, q.tolerated);
+    const Total t = total_of(scene, s, level, q.tolerated);
     text += fmt::format(fmt::runtime(row), to_string(level), count_text(t.decided),
                         fmt::format("{:.0f}", s.alone_ns[index_of(level)]), t.suffices, count_text(t.wrong),
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
@@ -155,19 +155,14 @@ std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStu
   return text;
 }
 
-/// Returns how rare errors are that no sample showed. The pair with the fewest samples sets the bound.
-std::string surely(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  std::size_t least = 0;
-  for (const PairStudy& pair : s.pairs)
-    if (is_known(scene, pair) && is_statistical(pair) && (least == 0 || pair.samples < least))
-      least = pair.samples;
-  if (least == 0) return "";
-  const bool wide = error_rate_bound(least, 0) > q.rate;
-  return fmt::format(" (each wrong in less than {} of all configurations, at 95 % confidence{})",
-                     rate_text(least),
-                     wide ? fmt::format(", more than the wanted {}, because --most was reached",
-                                        fmt::format("{:.3g} %", 100 * q.rate))
-                          : "");
+/// Returns how rare errors are that no configuration showed.
+std::string surely(const Scene& scene, const SceneStudy& s) {
+  const auto rests_on_draws = [&](const PairStudy& pair) {
+    return is_known(scene, pair) && is_statistical(pair);
+  };
+  if (std::ranges::none_of(s.pairs, rests_on_draws)) return "";
+  return fmt::format(" (each wrong in less than {} of all configurations, at 95 % confidence)",
+                     rate_text(s.configurations));
 }
 
 std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
@@ -179,9 +174,10 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
     balls += ball;
     capsules += ball || suffices(pair, Level::outer, q.tolerated);
   }
+  if (all == 0) return "";
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  counted(all, "pair"), capsules);
-  if (s.drawn && capsules > 0) text += surely(scene, q, s);
+  if (s.drawn && capsules > 0) text += surely(scene, s);
   if (capsules == all) return text;
   return text + (all - capsules == 1 ? ". This one needs more"
                                      : fmt::format(". These {} need more", all - capsules));
@@ -281,8 +277,7 @@ std::string closest_words(const Scene& scene, const SceneOptions& q, const Scene
 }
 
 std::string verified_words(const SceneStudy& s) {
-  if (!s.verification) return "";
-  const Verification& v = *s.verification;
+  const Verification& v = s.verification;
   return fmt::format("referee: {} judged, {} wrong, {} tolerated, {} not proved",
                      counted(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
 }
@@ -293,20 +288,20 @@ std::string line(const std::string& words, const char* before = "") {
 
 }  // namespace
 
-std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool every_pair) {
+std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::string text = fmt::format("seed {}\n", q.seed) + line(counts_words(scene));
   for (const std::string& shapes : left_out_words(scene)) text += line(shapes, "  not tested: ");
   for (const std::string& note : scene.notes) text += line(note, "  ");
   text += line(pairs_words(scene, s));
   if (s.pairs.empty()) return text + "nothing to check\n";
-  text += line(configurations_words(scene, q, s)) + models_table(q, s);
+  text += line(configurations_words(scene, q, s)) + models_table(scene, q, s);
   const std::string more = needs_more(scene, q, s);
-  text += "\n" + enough_words(scene, q, s) + (more.empty() ? "\n" : ":\n" + more);
+  text += "\n" + line(enough_words(scene, q, s) + (more.empty() ? "" : ":")) + more;
   text += line(recommended_words(scene, s), "recommended: ");
   for (const std::string& remark : remark_words(scene, s)) text += line(remark, "  ");
   text += line(cost_words(s), "  ") + line(forgiven_words(q, s), "  ");
   return text + line(closest_words(scene, q, s)) + line(verified_words(s)) + line(motions_words(q, s)) +
-         motions_text(scene, s, every_pair);
+         motions_text(scene, s);
 }
 
 }  // namespace cyl

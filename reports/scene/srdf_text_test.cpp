@@ -71,7 +71,6 @@ TEST(SrdfText, NothingIsNeverThatWasOnlyDrawn) {
   for (const auto& [links, reason] : read_back(scene, text_of(scene, q)))
     EXPECT_EQ(reason, "Adjacent") << links.first << " - " << links.second;
   q = question();
-  q.motion_boxes = 20;
   const SceneStudy few = study_scene(scene, q);
   const auto reasons = read_back(scene, srdf_text(scene, q, few));
   std::size_t open = 0;

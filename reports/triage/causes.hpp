@@ -16,10 +16,10 @@
 #include "base/enum_words.hpp"
 #include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "reports/triage/recurrence.hpp"
+#include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {

@@ -4,16 +4,85 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
+#include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
+
+constexpr std::array<std::pair<const char*, std::string Suppression::*>, 5> suppression_fields{{
+    {"bucket", &Suppression::cause},
+    {"reason", &Suppression::reason},
+    {"link", &Suppression::link},
+    {"owner", &Suppression::owner},
+    {"expires", &Suppression::expires},
+}};
+
+[[noreturn]] void refuse_line(std::size_t line, std::size_t at, const std::string& why) {
+  throw std::invalid_argument("line " + std::to_string(line) + ", column " + std::to_string(at + 1) + ": " +
+                              why);
+}
+
+/// Returns the place in the text of a key's value, or of the key itself, or 0.
+std::size_t column_of(const std::string& text, const std::string& key) {
+  const std::size_t at = text.find(nlohmann::json(key).dump());
+  if (at == text.npos) return 0;
+  const std::size_t value = text.find_first_not_of(" \t:", at + nlohmann::json(key).dump().size());
+  return value == text.npos ? at : value;
+}
+
+bool is_date(const std::string& text) {
+  constexpr std::string_view form = "dddd-dd-dd";
+  if (text.size() != form.size()) return false;
+  for (std::size_t i = 0; i < form.size(); ++i)
+    if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i]) return false;
+  const auto number = [&](std::size_t from, std::size_t count) {
+    return static_cast<unsigned>(std::stoul(text.substr(from, count)));
+  };
+  return (std::chrono::year(static_cast<int>(number(0, 4))) / std::chrono::month(number(5, 2)) /
+          std::chrono::day(number(8, 2)))
+      .ok();
+}
+
+Suppression parse_suppression(const std::string& text, std::size_t line) {
+  nlohmann::json object;
+  try {
+    object = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    refuse_line(line, error.byte > 0 ? error.byte - 1 : 0, "no JSON");
+  }
+  if (!object.is_object()) refuse_line(line, 0, "no object");
+  Suppression s;
+  s.line = line;
+  for (const auto& item : object.items()) {
+    const std::string& key = item.key();
+    const nlohmann::json& value = item.value();
+    const auto field = std::find_if(suppression_fields.begin(), suppression_fields.end(),
+                                    [&](const auto& f) { return f.first == key; });
+    if (field == suppression_fields.end())
+      refuse_line(line, text.find(nlohmann::json(key).dump()), "'" + key + "' is not a field");
+    if (!value.is_string()) refuse_line(line, column_of(text, key), key + " is not a text");
+    if (value.get<std::string>().empty())
+      refuse_line(line, column_of(text, key), key + " is empty: fill it in");
+    s.*field->second = value.get<std::string>();
+  }
+  for (const auto& [key, member] : suppression_fields)
+    if ((s.*member).empty()) refuse_line(line, 0, std::string(key) + " is missing");
+  if (!is_date(s.expires)) refuse_line(line, column_of(text, "expires"), "expires is not a day YYYY-MM-DD");
+  return s;
+}
 
 constexpr std::size_t cases_at_once = 32;
 constexpr Caps caps = attended_caps(1);
@@ -75,6 +144,57 @@ std::vector<WrongAnswer> wrong_answers(const JudgedFailure& f,
 }
 
 }  // namespace
+
+std::vector<Suppression> read_suppressions(std::istream& in) {
+  std::vector<Suppression> all;
+  std::string text;
+  for (std::size_t line = 1; std::getline(in, text); ++line) {
+    if (text.find_first_not_of(" \t\r") == text.npos) continue;
+    Suppression s = parse_suppression(text, line);
+    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.cause == s.cause; });
+    if (same != all.end())
+      refuse_line(line, column_of(text, "bucket"),
+                  "the cause has line " + std::to_string(same->line) + " already");
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+std::vector<Suppression> read_suppressions(const std::optional<std::string>& given,
+                                           const std::string& usual) {
+  const std::string file = given.value_or(usual);
+  if (file.empty()) return {};
+  if (!std::filesystem::exists(file)) {
+    if (given) throw UsageError(file + ": is not a file; '' means no suppressions");
+    return {};
+  }
+  std::ifstream in(file);
+  try {
+    std::vector<Suppression> all = read_suppressions(in);
+    if (in.bad() || !in.eof()) throw std::invalid_argument("cannot be read");
+    return all;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(file + ": " + error.what());
+  }
+}
+
+std::string line_of(const Suppression& s) {
+  nlohmann::ordered_json line;
+  for (const auto& [key, member] : suppression_fields) line[key] = s.*member;
+  return line.dump();
+}
+
+// Days in this form have the order of their texts.
+bool is_expired(const Suppression& suppression, std::string_view today) {
+  return std::string_view(suppression.expires) < today;
+}
+
+const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view cause,
+                                    std::string_view today) {
+  for (const Suppression& s : suppressions)
+    if (s.cause == cause && !is_expired(s, today)) return &s;
+  return nullptr;
+}
 
 std::set<std::string> causes_of(const GroupedMethods& of, std::span<const Case> cases,
                                 const std::vector<Suppression>& suppressions) {

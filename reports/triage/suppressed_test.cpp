@@ -7,15 +7,80 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/exit_code.hpp"
+#include "base/usage_error.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "props/laws/laws_test.hpp"
 
 namespace cyl {
 namespace {
+
+const std::string good_line =
+    R"({"bucket":"fcl-libccd/hang","reason":"reported","link":"https://example.org/1",)"
+    R"("owner":"ada","expires":"2027-02-28"})";
+
+std::vector<Suppression> read(const std::string& text) {
+  std::istringstream in(text);
+  return read_suppressions(in);
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// Returns good_line with the first `from` replaced.
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = good_line;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Suppressions, ReadsEveryField) {
+  const auto all = read("\n" + good_line + "\r\n");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].cause, "fcl-libccd/hang");
+  EXPECT_EQ(all[0].reason, "reported");
+  EXPECT_EQ(all[0].link, "https://example.org/1");
+  EXPECT_EQ(all[0].owner, "ada");
+  EXPECT_EQ(all[0].expires, "2027-02-28");
+  EXPECT_EQ(all[0].line, 2u);
+}
+
+TEST(Suppressions, NamesLineAndColumnOfWhatIsWrong) {
+  EXPECT_EQ(error_of(good_line + "\n{\"bucket\":]"), "line 2, column 11: no JSON");
+  EXPECT_EQ(error_of("[]"), "line 1, column 1: no object");
+  EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 80: 'boss' is not a field");
+  EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 88: owner is not a text");
+  EXPECT_EQ(error_of(with(",\"owner\":\"ada\"", "")), "line 1, column 1: owner is missing");
+  EXPECT_EQ(error_of(with("2027-02-28", "2027-02-29")),
+            "line 1, column 104: expires is not a day YYYY-MM-DD");
+  EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 104: expires is not a day YYYY-MM-DD");
+  EXPECT_EQ(error_of(good_line + "\n" + good_line), "line 2, column 11: the cause has line 1 already");
+}
+
+TEST(Suppressions, HoldToTheEndOfTheirLastDay) {
+  const auto all = read(good_line);
+  EXPECT_FALSE(is_expired(all[0], "2027-02-28"));
+  EXPECT_TRUE(is_expired(all[0], "2027-03-01"));
+  EXPECT_EQ(find_suppression(all, "fcl-libccd/hang", "2026-12-31"), &all[0]);
+  EXPECT_EQ(find_suppression(all, "fcl-libccd/hang", "2027-03-01"), nullptr);
+  EXPECT_EQ(find_suppression(all, "fcl-libccd", "2026-12-31"), nullptr);
+}
+
+TEST(Suppressions, OfAFileThatIsNotThereAreNone) {
+  EXPECT_TRUE(read_suppressions(std::nullopt, "no-such-file.jsonl").empty());
+  EXPECT_TRUE(read_suppressions("", "no-such-file.jsonl").empty());
+  EXPECT_THROW(read_suppressions("no-such-file.jsonl", ""), UsageError);
+}
 
 TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
   std::vector<std::unique_ptr<Method>> methods;

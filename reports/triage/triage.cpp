@@ -20,7 +20,6 @@
 #include "reports/triage/changed_guests.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
-#include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_context.hpp"
 
 namespace cyl {

@@ -16,9 +16,9 @@
 
 #include "base/json.hpp"
 #include "corpus/store/case_files.hpp"
-#include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
 #include "reports/triage/causes.hpp"
+#include "reports/triage/suppressed.hpp"
 
 namespace cyl {
 

@@ -188,27 +188,34 @@ std::array<Vector3, 8> corners_of(const Vector3& size) {
   return corners;
 }
 
-Cylinder bounding_solid(Points points, const Pose& pose) {
+Bound bound_of(Points points) {
   if (points.empty()) throw std::runtime_error("no points");
   if (!std::ranges::all_of(points, [](const Vector3& p) { return p.allFinite(); }))
     throw std::runtime_error("a point is not finite");
   const Ball ball = smallest_ball(points);
-  Cylinder solid = around_axis(points, along_the_best_axis(shell_of(points)).axis);
+  Bound bound{around_axis(points, along_the_best_axis(shell_of(points)).axis), 0, 0, points[0], points[0]};
+  Cylinder& solid = bound.solid;
   if (ball.radius == 0 || 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3) < volume_of(solid))
     solid = {ball.center, {0, 0, 1}, 0, 0, ball.radius};
-  // The solid grows by how far points are computed to be outside, and by the errors of moving and computing.
-  double out = 0, reach = 0;
   for (const Vector3& p : points) {
     const Vector3 way = p - solid.center;
     const double along = std::fabs(way.dot(solid.axis)),
                  across = (way - way.dot(solid.axis) * solid.axis).norm();
     const double beyond = std::max(0.0, along - solid.height / 2);
-    out = std::max(out, solid.rounding > 0 ? std::hypot(across, beyond) - solid.rounding
-                                           : std::max(across - solid.radius, beyond));
-    reach = std::max(reach, p.norm());
+    bound.outside = std::max(bound.outside, solid.rounding > 0 ? std::hypot(across, beyond) - solid.rounding
+                                                               : std::max(across - solid.radius, beyond));
+    bound.reach = std::max(bound.reach, p.norm());
+    bound.low = bound.low.cwiseMin(p);
+    bound.high = bound.high.cwiseMax(p);
   }
-  const double lengths = pose.translation().norm() + solid.center.norm() + reach;
-  grow(solid, out + bound_error * lengths + bound_underflow_error);
+  return bound;
+}
+
+// The solid grows by how far points are computed to be outside, and by the errors of moving and computing.
+Cylinder moved(const Bound& bound, const Pose& pose) {
+  Cylinder solid = bound.solid;
+  const double lengths = pose.translation().norm() + solid.center.norm() + bound.reach;
+  grow(solid, bound.outside + bound_error * lengths + bound_underflow_error);
   solid.center = pose * solid.center;
   solid.axis = pose.linear() * solid.axis;
   if (const Defect defect = find_defect(solid); defect != Defect::none)
@@ -216,14 +223,11 @@ Cylinder bounding_solid(Points points, const Pose& pose) {
   return solid;
 }
 
-Body bounded_body(std::string name, std::size_t link, std::string shape, Points points, const Pose& pose) {
-  Body body{std::move(name), link, bounding_solid(points, pose), 1, 1, std::nullopt};
-  Vector3 low = points[0], high = points[0];
-  for (const Vector3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  body.box = BoxShape{std::move(shape), pose * Eigen::Translation3d(low + (high - low) / 2), high - low};
+Body bounded_body(std::string name, std::size_t link, std::string shape, const Bound& bound,
+                  const Pose& pose) {
+  Body body{std::move(name), link, moved(bound, pose), 1, 1, std::nullopt};
+  const Vector3 size = bound.high - bound.low;
+  body.box = BoxShape{std::move(shape), pose * Eigen::Translation3d(bound.low + size / 2), size};
   return body;
 }
 

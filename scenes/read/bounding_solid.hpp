@@ -18,10 +18,18 @@ inline constexpr double bound_error = 0x1p-46;
 /// A length: what is lost of lengths whose squares underflow, below 2^-511.
 inline constexpr double bound_underflow_error = 0x1p-500;
 
-/// Returns the smallest in volume of a ball, a capsule and a cylinder that it finds around points, moved by a
-/// pose. Every moved point is in it. The search for axes begins with the 13 of a cube, so it may miss a
-/// better one. Throws std::runtime_error if there are no points, or if doubles cannot bound them.
-Cylinder bounding_solid(std::span<const Vector3> points, const Pose& pose);
+/// A bound of points before a pose moves them.
+struct Bound {
+  Cylinder solid;                 ///< around them, but for rounding
+  double outside = 0, reach = 0;  ///< how far one lies outside of it, and from the origin, at most
+  Vector3 low{0, 0, 0}, high{0, 0, 0};
+};
+/// Finds the smallest in volume of a ball, a capsule and a cylinder around points. The search for axes begins
+/// with the 13 of a cube, so it may miss a better one. Throws std::runtime_error if there are no points.
+Bound bound_of(std::span<const Vector3> points);
+/// Returns the solid moved by a pose, grown so that every moved point is in it. Throws std::runtime_error if
+/// doubles cannot bound them.
+Cylinder moved(const Bound& bound, const Pose& pose);
 
 /// Returns the corners of a box around its origin.
 std::array<Vector3, 8> corners_of(const Vector3& size);
@@ -30,7 +38,7 @@ std::array<Vector3, 8> corners_of(const Vector3& size);
 double volume_of(const Cylinder& solid) noexcept;
 
 /// Returns a body that stands in for such points, with their box.
-Body bounded_body(std::string name, std::size_t link, std::string shape, std::span<const Vector3> points,
+Body bounded_body(std::string name, std::size_t link, std::string shape, const Bound& bound,
                   const Pose& pose);
 
 }  // namespace cyl

@@ -46,7 +46,7 @@ TEST(BoundingSolid, HoldsEveryPoint) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     RandomStream stream("cloud", 20261124, i);
     const std::vector<Vector3> points = cloud(stream, i % 5);
-    const Cylinder solid = bounding_solid(points, Pose::Identity());
+    const Cylinder solid = moved(bound_of(points), Pose::Identity());
     ++kinds[static_cast<std::size_t>(kind_of(solid))];
     for (const Vector3& p : points) EXPECT_TRUE(holds(solid, p)) << i;
   }
@@ -69,7 +69,7 @@ TEST(BoundingSolid, HoldsTheCornersOfBoxesWhereverTheyAre) {
     Pose pose(Eigen::Translation3d(away) * Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized());
     const Eigen::Matrix<long double, 3, 3> turn =
         Eigen::Quaternion<long double>(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix();
-    const Cylinder solid = bounding_solid(corners_of(size), pose);
+    const Cylinder solid = moved(bound_of(corners_of(size)), pose);
     for (const Vector3& corner : corners_of(size)) {
       const Wide moved = turn * corner.cast<long double>() + away.cast<long double>();
       EXPECT_TRUE(holds(solid, moved.cast<double>())) << i;
@@ -83,7 +83,7 @@ TEST(BoundingSolid, HoldsTheCornersOfBoxesWhereverTheyAre) {
 }
 
 double relative(const std::vector<Vector3>& points, double volume) {
-  return volume_of(bounding_solid(points, Pose::Identity())) / volume;
+  return volume_of(moved(bound_of(points), Pose::Identity())) / volume;
 }
 
 TEST(BoundingSolid, IsHardlyMoreThanWhatItHolds) {
@@ -103,21 +103,21 @@ TEST(BoundingSolid, IsHardlyMoreThanWhatItHolds) {
 }
 
 TEST(BoundingSolid, OfFewPoints) {
-  const Cylinder point = bounding_solid(std::vector<Vector3>{{1, 2, 3}}, Pose::Identity());
+  const Cylinder point = moved(bound_of(std::vector<Vector3>{{1, 2, 3}}), Pose::Identity());
   EXPECT_LT(point.radius + point.rounding + point.height, 1e-12);
   EXPECT_TRUE(holds(point, {1, 2, 3}));
   const std::vector<Vector3> same(5, Vector3(1, 2, 3));
-  EXPECT_TRUE(holds(bounding_solid(same, Pose::Identity()), {1, 2, 3}));
+  EXPECT_TRUE(holds(moved(bound_of(same), Pose::Identity()), {1, 2, 3}));
   const std::vector<Vector3> tiny{{1e-170, 0, 0}, {0, 1e-160, 0}, {0, 0, -1e-300}};
-  for (const Vector3& p : tiny) EXPECT_TRUE(holds(bounding_solid(tiny, Pose::Identity()), p));
-  EXPECT_THROW(bounding_solid({}, Pose::Identity()), std::runtime_error);
-  EXPECT_THROW(bounding_solid(std::vector<Vector3>{{1e308, 0, 0}, {-1e308, 0, 0}}, Pose::Identity()),
+  for (const Vector3& p : tiny) EXPECT_TRUE(holds(moved(bound_of(tiny), Pose::Identity()), p));
+  EXPECT_THROW(bound_of({}), std::runtime_error);
+  EXPECT_THROW(moved(bound_of(std::vector<Vector3>{{1e308, 0, 0}, {-1e308, 0, 0}}), Pose::Identity()),
                std::runtime_error);
 }
 
 TEST(BoundingSolid, KeepsTheBox) {
   const std::vector<Vector3> points{{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {0, 0, 6}};
-  const Body body = bounded_body("b", 3, "mesh", points, Pose(Eigen::Translation3d(10, 0, 0)));
+  const Body body = bounded_body("b", 3, "mesh", bound_of(points), Pose(Eigen::Translation3d(10, 0, 0)));
   ASSERT_TRUE(body.box);
   EXPECT_EQ(body.link, 3u);
   EXPECT_EQ(body.box->size, Vector3(2, 4, 6));

@@ -270,8 +270,8 @@ class MjcfBuilder {
   }
 
   static Body box_of(const std::vector<double>& half, const Pose& pose, const Body& body) {
-    const auto corners = corners_of(2 * Vector3(half[0], half[1], half[2]));
-    return with_bits(bounded_body(body.name, body.link, "box", corners, pose), body);
+    const Bound bound = bound_of(corners_of(2 * Vector3(half[0], half[1], half[2])));
+    return with_bits(bounded_body(body.name, body.link, "box", bound, pose), body);
   }
 
   /// An ellipsoid with half axes a >= b >= c is in the capsule of radius b and length 2a. Its point (a cos
@@ -289,8 +289,9 @@ class MjcfBuilder {
   std::optional<Body> mesh_of(const MjcfElement& geom, const Pose& pose, const Body& body) {
     const std::string name = geom.text("mesh");
     try {
-      const std::vector<Vector3> points = mesh_points(name);
-      return with_bits(bounded_body(body.name, body.link, "mesh", points, pose), body);
+      auto bound = bounds_.find(name);
+      if (bound == bounds_.end()) bound = bounds_.emplace(name, bound_of(mesh_points(name))).first;
+      return with_bits(bounded_body(body.name, body.link, "mesh", bound->second, pose), body);
     } catch (const std::runtime_error& error) {
       scene_.notes.push_back(fmt::format("A mesh of {} cannot be read: {}: {}.", scene_.links[body.link].name,
                                          name, error.what()));
@@ -380,6 +381,7 @@ class MjcfBuilder {
   std::map<std::string, std::size_t> link_of_;
   std::map<std::string, Moved> moved_;
   std::map<std::string, MjcfElement> meshes_;  ///< the first of each name; filled when a mesh is needed
+  std::map<std::string, Bound> bounds_;        ///< by mesh
 };
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
     EXPECT_EQ(scene.links[static_cast<std::size_t>(link)].held, held);
   }
   EXPECT_EQ(scene.bodies.back().link, 4u);
-  EXPECT_EQ(PairRule(scene, false).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
+  EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
 }
 
 // Two joints of a body both belong to it. If three bodies form a chain, the first does not carry the last.

@@ -123,7 +123,7 @@ void expect_pairs_like_mujoco(const std::string& file) {
   for (const mjContact& contact : std::span(data->contact, static_cast<std::size_t>(data->ncon)))
     if (model->geom_type[contact.geom1] != mjGEOM_PLANE && model->geom_type[contact.geom2] != mjGEOM_PLANE)
       theirs.insert(std::minmax(name_of(contact.geom1), name_of(contact.geom2)));
-  const PairRule rule(scene, false);
+  const PairRule rule(scene);
   const auto last = [](const Body& body) { return body.name.substr(body.name.find('/') + 1); };
   for (const Body& a : scene.bodies)
     for (const Body& b : scene.bodies)

@@ -127,5 +127,20 @@ TEST_F(NamedFilesTest, AChainOfLinksIsAsLongAsTheCap) {
   EXPECT_THROW(read_scene(write("chain.urdf", chain(link_cap + 1))), std::runtime_error);
 }
 
+// Eighteen copies of this mesh would be more than all files of a scene may be.
+TEST(NamedFiles, AMeshIsReadOnceForAllThatNameIt) {
+  const Scratch scratch;
+  scratch.write("wide.obj", "v 0 0 0\nv 1 1 1\n" + std::string(std::size_t{60} << 20, '#'));
+  std::string urdf = "<robot name='r'><link name='l'>",
+              mjcf = "<mujoco><asset><mesh name='m' file='wide.obj'/></asset><worldbody>";
+  for (int i = 0; i < 18; ++i) {
+    urdf += "<collision><geometry><mesh filename='wide.obj'/></geometry></collision>";
+    mjcf += "<geom type='mesh' mesh='m'/>";
+  }
+  for (const std::string& file : {scratch.write("many.urdf", urdf + "</link></robot>"),
+                                  scratch.write("many.xml", mjcf + "</worldbody></mujoco>")})
+    EXPECT_EQ(read_scene(file).bodies.size(), 18u) << file;
+}
+
 }  // namespace
 }  // namespace cyl

@@ -52,6 +52,7 @@ void remove_all(pugi::xml_node parent, std::initializer_list<std::string_view> n
 /// cannot read it, it gets a sphere or cylinder instead.
 struct KeptShape {
   std::string kind, numbers, file;  ///< numbers: the size of a box, the scale of a mesh
+  auto operator<=>(const KeptShape&) const = default;
 };
 using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
 
@@ -226,52 +227,6 @@ std::vector<Vector3> points_of(const KeptShape& shape, NamedFiles& files) {
   return points;
 }
 
-/// Returns a shape as a body, with its bound if it is a box or mesh. If it fails, a note states the reason.
-std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const KeptShape& shape,
-                            NamedFiles& files, Body body) {
-  const Pose pose = urdf_pose(collision.origin);
-  if (shape.kind != "box" && shape.kind != "mesh") {
-    body.solid = solid_of(*collision.geometry, pose, shape.kind == "capsule");
-    return body;
-  }
-  try {
-    return bounded_body(body.name, body.link, shape.kind, points_of(shape, files), pose);
-  } catch (const std::runtime_error& error) {
-    const std::string& link = scene.links[body.link].name;
-    scene.left_out.push_back({shape.kind, link});
-    scene.notes.push_back(fmt::format("A {} of {} cannot be read: {}.", shape.kind, link, error.what()));
-    return std::nullopt;
-  }
-}
-
-void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes,
-                NamedFiles& files) {
-  const std::size_t first = scene.bodies.size();
-  if (first + shapes.size() > link_cap)
-    throw std::runtime_error(fmt::format("it has more than {} shapes", link_cap));
-  if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped a shape, and it is unknown which
-    for (const KeptShape& shape : shapes) scene.left_out.push_back({shape.kind, link.name});
-    return;
-  }
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const auto& collision = link.collision_array[i];
-    std::string name = link.name;
-    if (!collision->name.empty())
-      name += "/" + collision->name;
-    else if (shapes.size() > 1)
-      name += "/" + std::to_string(i + 1);
-    const std::optional<Body> body = body_of(scene, *collision, shapes[i], files, {name, index, {}, 1, 1});
-    if (!body) continue;
-    if (const Defect defect = find_defect(body->solid); defect != Defect::none)
-      throw std::runtime_error("shape " + name + ": " + to_string(defect));
-    scene.bodies.push_back(*body);
-  }
-  fold_capsules(scene, first);
-  const bool alone = scene.bodies.size() == first + 1;
-  if (alone && std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
-    scene.bodies[first].name = link.name;
-}
-
 class UrdfBuilder {
  public:
   UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const KeptShapes& kept,
@@ -327,14 +282,61 @@ class UrdfBuilder {
     is_world_.push_back(!parent || (own.motion == Motion::fixed && !own.held && is_world_[*parent]));
     scene_.links.push_back(std::move(own));
     const auto kept = kept_.find(link.name);
-    add_bodies(scene_, index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second, files_);
+    add_bodies(index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second);
+  }
+
+  /// Returns a shape as a body, with its bound if it is a box or mesh. If it fails, a note states the reason.
+  std::optional<Body> body_of(const urdf::Collision& collision, const KeptShape& shape, Body body) {
+    const Pose pose = urdf_pose(collision.origin);
+    if (shape.kind != "box" && shape.kind != "mesh") {
+      body.solid = solid_of(*collision.geometry, pose, shape.kind == "capsule");
+      return body;
+    }
+    try {
+      auto bound = bounds_.find(shape);
+      if (bound == bounds_.end()) bound = bounds_.emplace(shape, bound_of(points_of(shape, files_))).first;
+      return bounded_body(body.name, body.link, shape.kind, bound->second, pose);
+    } catch (const std::runtime_error& error) {
+      const std::string& link = scene_.links[body.link].name;
+      scene_.left_out.push_back({shape.kind, link});
+      scene_.notes.push_back(fmt::format("A {} of {} cannot be read: {}.", shape.kind, link, error.what()));
+      return std::nullopt;
+    }
+  }
+
+  void add_bodies(std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes) {
+    const std::size_t first = scene_.bodies.size();
+    if (first + shapes.size() > link_cap)
+      throw std::runtime_error(fmt::format("it has more than {} shapes", link_cap));
+    if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped a shape, and it is unknown which
+      for (const KeptShape& shape : shapes) scene_.left_out.push_back({shape.kind, link.name});
+      return;
+    }
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto& collision = link.collision_array[i];
+      std::string name = link.name;
+      if (!collision->name.empty())
+        name += "/" + collision->name;
+      else if (shapes.size() > 1)
+        name += "/" + std::to_string(i + 1);
+      const std::optional<Body> body = body_of(*collision, shapes[i], {name, index, {}, 1, 1});
+      if (!body) continue;
+      if (const Defect defect = find_defect(body->solid); defect != Defect::none)
+        throw std::runtime_error("shape " + name + ": " + to_string(defect));
+      scene_.bodies.push_back(*body);
+    }
+    fold_capsules(scene_, first);
+    const bool alone = scene_.bodies.size() == first + 1;
+    if (alone && std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
+      scene_.bodies[first].name = link.name;
   }
 
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
   const KeptShapes& kept_;
   NamedFiles& files_;
-  std::vector<bool> is_world_;  ///< by link: whether it is the root, or fixed to it
+  std::map<KeptShape, Bound> bounds_;  ///< of boxes and meshes, each found once
+  std::vector<bool> is_world_;         ///< by link: whether it is the root, or fixed to it
   std::map<std::string, std::size_t> joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };

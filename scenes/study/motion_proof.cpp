@@ -309,16 +309,13 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
     if (!exempt.contains({pair.a, pair.b}))
       study.others.push_back(prove_motion(scene, pair.a, pair.b, question));
   study.ms = 1e-6 * (processor_ns() - began);
-  study.against = question.against;
-  std::vector<MotionProof*> all;
-  const auto add = [&](std::vector<MotionProof>& proofs) {
-    for (MotionProof& proof : proofs) all.push_back(&proof);
+  const auto count = [&](const std::vector<MotionProof>& proofs) {
+    study.contradicted +=
+        static_cast<std::size_t>(std::ranges::count(proofs, true, &MotionProof::contradicted));
   };
-  add(study.pairs);
-  add(study.others);
-  for (ExemptionProof& e : study.exemptions) add(e.bodies);
-  gainsay(scene, all, question.seed + 1, question.against);
-  study.contradicted = static_cast<std::size_t>(std::ranges::count(all, true, &MotionProof::contradicted));
+  count(study.pairs);
+  count(study.others);
+  for (const ExemptionProof& e : study.exemptions) count(e.bodies);
   std::ranges::for_each(study.exemptions, conclude);
   return study;
 }
@@ -329,18 +326,6 @@ void gainsay(MotionProof& proof, double seen) {
   proof.bound = 0;
   proof.open_share = 1;
   proof.contradicted = true;
-}
-
-void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,
-             std::size_t configurations) {
-  std::vector<Cylinder> placed;
-  std::vector<Prepared> prepared(scene.bodies.size());
-  for (std::size_t k = 0; k < configurations; ++k) {
-    place(scene, pose_links(scene, draw_joints(scene, seed, k)), placed);
-    std::ranges::transform(placed, prepared.begin(), prepare);
-    for (MotionProof* proof : proofs)
-      if (proof->bound > 0) gainsay(*proof, distance(prepared[proof->a], prepared[proof->b]).value);
-  }
 }
 
 }  // namespace cyl

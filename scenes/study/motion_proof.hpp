@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -32,8 +31,7 @@ inline constexpr std::size_t motion_box_cap = 100'000;
 struct MotionQuestion {
   double clearance = 0;
   std::size_t box_cap = motion_box_cap;
-  std::uint64_t seed = 1;   ///< of the configurations from which a near one is looked for
-  std::size_t against = 0;  ///< configurations drawn to check what is proved; from the next seed
+  std::uint64_t seed = 1;  ///< of the configurations from which a near one is looked for
 };
 
 /// The result for two bodies over all configurations.
@@ -71,8 +69,7 @@ struct MotionStudy {
   std::vector<MotionProof> pairs;
   std::vector<ExemptionProof> exemptions;  ///< those whose reason is "Never"
   std::vector<MotionProof> others;         ///< of pairs that are not checked
-  double ms = 0;                           ///< of CPU time, without the check
-  std::size_t against = 0;                 ///< configurations drawn for it
+  double ms = 0;                           ///< of CPU time
   std::size_t contradicted = 0;            ///< pairs of bodies with a proof that was withdrawn
 };
 
@@ -87,9 +84,6 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
 
 /// Takes back what was proved of two bodies if they are seen nearer.
 void gainsay(MotionProof& proof, double seen);
-/// Does it in so many configurations drawn.
-void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,
-             std::size_t configurations);
 
 /// Returns whether a link has shapes that were not looked at.
 bool has_unknown_shapes(const Scene& scene, std::size_t link);

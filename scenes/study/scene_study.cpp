@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "base/usage_error.hpp"
 #include "oracles/referee/referee.hpp"
@@ -25,7 +24,7 @@ class Study {
     result_.bodies = scene.bodies.size();
     result_.drawn = moves(scene) && q_.at.empty();
     result_.configurations = result_.drawn ? q_.configurations : 1;
-    const PairRule rule(scene, q_.all_pairs, q_.each_link);
+    const PairRule rule(scene);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
@@ -42,9 +41,8 @@ class Study {
   SceneStudy run() {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
-    if (result_.drawn) go_on();
     for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
-    if (q_.verify) verify();
+    verify();
     if (q_.prove) prove();
     measure();
     return std::move(result_);
@@ -57,23 +55,6 @@ class Study {
     placed_ = place(scene_, joints(configuration));
     models_ = models_of(placed_);
     for (PairStudy& pair : result_.pairs) observe(pair, configuration);
-  }
-
-  // A pair whose model fails after all gets the next model, which is asked again.
-  void go_on() {
-    const auto unsure = [&](const PairStudy& pair) {
-      return is_statistical(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
-    };
-    for (std::size_t k = result_.configurations; k < q_.most; ++k) {
-      if (std::ranges::none_of(result_.pairs, unsure)) return;
-      placed_ = place(scene_, joints(k));
-      models_ = models_of(placed_);
-      for (PairStudy& pair : result_.pairs) {
-        if (!unsure(pair)) continue;
-        observe(pair, k);
-        if (!suffices(pair, pair.cascade.last, q_.tolerated)) pair.cascade = recommend(pair, q_.tolerated);
-      }
-    }
   }
 
   void observe(PairStudy& pair, std::size_t configuration) {
@@ -106,7 +87,7 @@ class Study {
     if (!result_.closest || miss(d) < miss(result_.closest->distance))
       result_.closest =
           ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
-    if (configuration < result_.configurations) truths_.push_back(is_within);
+    truths_.push_back(is_within);
   }
 
   void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
@@ -128,7 +109,7 @@ class Study {
 
   // Asks the referee about everything anew, without the truths found above.
   void verify() {
-    Verification& v = result_.verification.emplace();
+    Verification& v = result_.verification;
     const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
     const std::size_t stride = std::max<std::size_t>(1, (all + verified_cap - 1) / verified_cap);
     for (std::size_t k = 0; k < result_.configurations; ++k) {
@@ -146,8 +127,7 @@ class Study {
   void prove() {
     BodyPairs pairs, others;
     for (const PairStudy& pair : result_.pairs) {
-      pairs.push_back({pair.a, pair.b});
-      if (q_.at.empty()) pairs.back().seen = pair.least;  // else it may be outside the limits of the joints
+      pairs.push_back({pair.a, pair.b, pair.least});
     }
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
@@ -157,8 +137,7 @@ class Study {
           others.push_back({a, b});
       }
     }
-    result_.motions =
-        prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed, q_.against}, others);
+    result_.motions = prove_motions(scene_, pairs, {.clearance = q_.clearance, .seed = q_.seed}, others);
   }
 
   void measure() {
@@ -246,12 +225,12 @@ std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, 
   return joints_at(scene, question.at);
 }
 
-Total total_of(const SceneStudy& study, Level level, double tolerated) {
+Total total_of(const Scene& scene, const SceneStudy& study, Level level, double tolerated) {
   Total t;
   for (const PairStudy& pair : study.pairs) {
     const Score& score = pair.alone[index_of(level)];
     t.decided += pair.decided[index_of(level)];
-    t.suffices += suffices(pair, level, tolerated);
+    t.suffices += is_known(scene, pair) && suffices(pair, level, tolerated);
     t.wrong += score.wrong;
     t.wrong_pairs += score.wrong > 0;
     t.alarm = std::max(t.alarm, score.alarm.length);

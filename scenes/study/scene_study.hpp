@@ -23,23 +23,14 @@ struct SceneOptions {
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
   double tolerated = 0;  ///< false alarms of pairs at most this much beyond the clearance are harmless
   std::size_t configurations = 1000;  ///< drawn; one if nothing moves or `at` is not empty
-  /// If the cheapest model was never wrong for a pair, more configurations are drawn. They end when, at 95 %,
-  /// it is wrong in at most this share of all, or at the limit.
-  double rate = 1;
-  std::size_t most = 100'000;
   std::uint64_t seed = 1;
-  bool all_pairs = false;
-  bool each_link = false;     ///< each link is a rigid body of its own, even if fixed joints join it
-  bool verify = false;        ///< puts every recommended answer before the referee, up to verified_cap
   bool prove = false;         ///< over all motions, whether the pairs come within the clearance
   bool prove_others = false;  ///< also pairs that are not checked and not adjacent, for an SRDF
-  std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
-  std::size_t against = 0;                         ///< configurations in which the proofs are checked
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
-/// The most answers that --verify puts before the referee, evenly spread: about 10 s.
-inline constexpr std::size_t verified_cap = 100'000;
+/// The most recommended answers that the referee judges, evenly spread: about 0.03 s.
+inline constexpr std::size_t verified_cap = 10'000;
 
 /// The sample that an accepted model is most wrong about.
 struct Extreme {
@@ -56,7 +47,7 @@ struct Score {
 /// One pair over all configurations.
 struct PairStudy {
   std::size_t a = 0, b = 0;        ///< bodies
-  std::size_t samples = 0;         ///< the study's configurations, and what was drawn beyond them
+  std::size_t samples = 0;         ///< the study's configurations
   std::size_t within = 0;          ///< samples that are within the clearance
   double least = 0, greatest = 0;  ///< distance
   std::array<Score, level_count> alone{};
@@ -84,7 +75,7 @@ struct SceneStudy {
   // For one configuration, in ns.
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
-  std::optional<Verification> verification;
+  Verification verification;
   std::optional<MotionStudy> motions;  ///< its pairs are those above
 };
 
@@ -104,12 +95,12 @@ std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy
 /// nothing is known.
 std::vector<std::string> joints_held_between(const Scene& scene, const SceneStudy& study);
 
-/// A model over all pairs.
+/// A model over all pairs. It suffices only for a pair that is known.
 struct Total {
   std::size_t decided = 0, suffices = 0, wrong = 0, wrong_pairs = 0;
   double alarm = 0, missed = 0;
 };
-Total total_of(const SceneStudy& study, Level level, double tolerated);
+Total total_of(const Scene& scene, const SceneStudy& study, Level level, double tolerated);
 
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);

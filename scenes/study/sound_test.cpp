@@ -36,7 +36,7 @@ MotionProof proof_of(const Scene& scene, double clearance = 0) {
   return prove_motion(scene, body_of(scene, "arm"), body_of(scene, "post"), question);
 }
 PairRule::Reason reason_of(const Scene& scene, const std::string& a, const std::string& b) {
-  const PairRule rule(scene, false);
+  const PairRule rule(scene);
   return rule.reason(scene.bodies[body_of(scene, a)], scene.bodies[body_of(scene, b)]);
 }
 
