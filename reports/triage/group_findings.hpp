@@ -69,9 +69,8 @@ struct CauseCount {
 
   std::uint64_t most() const;  ///< the largest count of a method: a number of pairs, with one finding a pair
 };
-/// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup. The
-/// causes share that count in proportion to their kept findings. The larger parts get the
-/// remainder first.
+/// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup, and the
+/// causes share that count: ExaminedFindings::shares().
 std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records);
 
 }  // namespace cyl
