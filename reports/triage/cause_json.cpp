@@ -118,7 +118,8 @@ std::string format_cause(const Cause& b) {
   if (b.share && b.share->wrong > 0 && b.count > 0)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
                         b.share->asked);
-  return text + fmt::format("\n    {}: {}\n", some_of(b.methods), pair_to_json(b.simplest.pair).dump());
+  return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
+                            pair_to_json(b.simplest.pair).dump());
 }
 
 }  // namespace

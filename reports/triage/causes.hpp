@@ -156,6 +156,11 @@ bool is_of_new_families(const Cause& cause);
 /// many of the new causes earlier runs could not have.
 std::string what_changed(const std::vector<Cause>& causes);
 
+/// Returns how the pair is called that a cause shows: "the simplest pair" if it was simplified.
+inline std::string shown_in_words(const Cause& cause) {
+  return cause.simplified ? "the simplest pair" : "a pair (not simplified)";
+}
+
 /// A line a cause: findings, margins, what is wrong and the simplest pair.
 std::string format_causes(const std::vector<Cause>& causes);
 

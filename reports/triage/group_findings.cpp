@@ -82,11 +82,13 @@ std::map<std::string, std::uint64_t> ExaminedFindings::shares() const {
   return shares;
 }
 
-std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records) {
+std::map<std::string, CauseCount> count_by_cause(const std::vector<GroupRecord>& groups,
+                                                 const std::vector<FindingRecord>& findings,
+                                                 const std::vector<CauseRecord>& causes) {
   std::vector<FindingHead> heads;
-  for (const FindingRecord& f : records.findings) heads.push_back({f, f.id});
+  for (const FindingRecord& f : findings) heads.push_back({f, f.id});
   std::map<std::string, CauseCount> counts;
-  for (const auto& [group, examined] : examined_groups(records.groups, heads, records.causes))
+  for (const auto& [group, examined] : examined_groups(groups, heads, causes))
     for (const auto& [cause, n] : examined.shares()) {
       counts[cause].findings += n;
       counts[cause].by_method[group.method] += n;

@@ -112,7 +112,8 @@ struct TriageContext {
 void classify_findings(const TriageContext& context, double part);
 /// Simplifies findings in the same way. A cut result is continued later. `known` are causes of earlier runs.
 void simplify_findings(const TriageContext& context, const std::set<std::string>& known, double part);
-/// Returns the findings to simplify: one of each cause after the other, new causes before known ones.
+/// Returns the findings to simplify: one of each cause after the other, new causes before known ones, then
+/// those beyond a claim, then the largest.
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known);
 /// Searches a worse pair for each cause, likewise.

@@ -512,7 +512,8 @@ TEST(Causes, GiveAGroupsCountAsItsKeptOnesAre) {
   }
   records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "f"}, 100});
   records.groups.push_back({{"m", FindingKind::wrong_disjoint, Severity::contract, "not kept"}, 7});
-  const std::map<std::string, CauseCount> counts = count_by_cause(records);
+  const std::map<std::string, CauseCount> counts =
+      count_by_cause(records.groups, records.findings, records.causes);
   EXPECT_EQ(counts.at("often").findings, 67u);
   EXPECT_EQ(counts.at("rare").most(), 33u);
 }
