@@ -54,9 +54,9 @@ struct TriageContext {
   const TriageOptions& options;
   const std::function<void(const TriageProgress&)>& on_progress;
   const std::span<const std::unique_ptr<Method>> methods;
-  const std::string asked_by;             ///< as askers() gives it
-  const std::vector<std::size_t> groups;  ///< as algorithm_groups() gives them
+  const std::string asked_by;  ///< as askers() gives it
   const Clock::time_point start = Clock::now();
+  std::vector<std::size_t> groups;               ///< algorithm_groups(), of the libraries with findings
   std::string began;                             ///< the run
   std::vector<FindingRecord> findings;           ///< by id
   std::vector<GroupRecord> finding_groups;       ///< all findings, counted
