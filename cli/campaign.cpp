@@ -62,8 +62,9 @@ void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
   for (const auto& method : with_guests(guests).methods) {
     const Claim claim = method->claim();
-    fmt::print("  {:<26} {}; claims right answers above a margin of {} size + {} ({})\n", method->name(),
-               method->version(), format_double(claim.relative), format_double(claim.absolute), claim.source);
+    fmt::print("  {:<26} {}; {} right answers above a margin of {} size + {} ({})\n", method->name(),
+               method->version(), claim.assumed ? "assumed to give" : "claims", format_double(claim.relative),
+               format_double(claim.absolute), claim.source);
   }
   fmt::print("families:\n");
   for (const Family& family : campaign_families()) fmt::print("  {:<26} {}\n", family.name, family.summary);

@@ -123,6 +123,8 @@ done
 holds 'more of a known fault' out '^1 new cause'
 holds 'more of a known fault' out 'is wrong beyond its claim on [1-9][0-9]+ of the [0-9]+ pairs of newer that were asked again'
 expect 0 'its pair' "$daylight" export nights/newer balls/wrong_disjoint --out newer
+expect 0 'the same cause' "$daylight" explain nights/newer balls/wrong_disjoint
+grep -qxFf newer/case.jsonl out || failed 'explain and export take another pair of one cause'
 expect 0 'the version before' "$daylight" replay newer/case.jsonl --methods balls --plugin balls=./libballs.so
 # A suppression of a guest's cause holds while a stored case shows the cause.
 sed 's/  more\[0\] = /  if (a[0] == b[0] \&\& a[1] == b[1] \&\& a[2] == b[2]) return DAYLIGHT_DISJOINT;\n&/' balls.c >centred.c

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -49,14 +50,14 @@ Pair pair_in(const nlohmann::json& shown) {
   return parse_case(shown.at("pair").dump(), 1).value.value().pair;
 }
 
-/// Returns the first stored failure of a method with the cause.
+/// Returns the first stored failure with the cause that fits.
 std::optional<OneFailure> stored_failure(const std::string& run, const nlohmann::json& cause,
-                                         const std::string& method) {
+                                         const std::function<bool(const OneFailure&)>& fits) {
   const auto ids = cause.at("findings").get<std::set<std::int64_t>>();
   for (const FindingRecord& f : RunStore::open(run).findings())
-    if (ids.contains(f.id) && f.method == method)
+    if (ids.contains(f.id))
       if (const CaseLine line = parse_case(f.pair, 1); line.value)
-        return OneFailure{f.method, f.kind, line.value->pair};
+        if (OneFailure found{f.method, f.kind, line.value->pair}; fits(found)) return found;
   return {};
 }
 
@@ -72,7 +73,9 @@ OneFailure failure_with_cause(const FailureOptions& options,
     failure.method = options.method;
     const auto asked = position_of(methods, options.method);
     if (asked && !try_method(methods[*asked], failure.pair).fails(failure.kind))
-      failure = stored_failure(run, cause, options.method).value_or(failure);
+      failure = stored_failure(run, cause, [&](const OneFailure& f) {
+                  return f.method == options.method;
+                }).value_or(failure);
   } else if (names.size() > 1) {
     fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
                fmt::join(names, ", "), failure.method);
@@ -80,7 +83,17 @@ OneFailure failure_with_cause(const FailureOptions& options,
   const auto method = position_of(methods, failure.method);
   if (const auto worst = cause.find("worst"); method && worst != cause.end() && worst->is_object())
     failure.pair = pair_to_send(methods[*method], failure.kind, failure.pair, pair_in(*worst));
-  return failure;
+  const auto can_be_sent = [&](const OneFailure& f) {
+    const auto m = position_of(methods, f.method);
+    return m && refusal(f.method, f.kind, f.pair, methods[*m]->guest()).empty();
+  };
+  if (can_be_sent(failure)) return failure;
+  return stored_failure(run, cause,
+                        [&](const OneFailure& f) {
+                          return (options.method.empty() || f.method == options.method) && can_be_sent(f) &&
+                                 try_method(find_method(methods, f.method), f.pair).fails(f.kind);
+                        })
+      .value_or(failure);
 }
 
 }  // namespace

@@ -26,9 +26,10 @@ struct FailureOptions {
 void add_failure_options(Command& command, FailureOptions& options);
 
 /// Returns the failure that the command line names. A cause stands for the failure of its shown method on
-/// pair_to_send(), or for one of --method. Missing parts come from the stored finding, else from a new
-/// answer. Throws UsageError if the command line names neither exactly one pair nor a cause, or if the method
-/// is right on the pair.
+/// pair_to_send(), or for one of --method. If export refuses that pair, it stands for the first stored
+/// failure that export takes. Missing parts come from the stored finding, else from a new answer. Throws
+/// UsageError if the command line names neither exactly one pair nor a cause, or if the method is right on
+/// the pair.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 }  // namespace cyl

@@ -67,14 +67,16 @@ int triage(const TriageArguments& arguments) {
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
   const auto others = result.causes.size() - static_cast<std::size_t>(here);
-  const std::string changed = what_changed(result.causes);
+  const bool had_time = result.progress.classified > 0 || result.progress.findings == result.progress.absent;
+  const std::string changed =
+      had_time ? what_changed(result.causes) : "the time was over before a finding was looked at";
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
   write_page(read_run(arguments.run, campaign_families(), std::move(result.findings)));
   const TriageProgress& p = result.progress;
   const auto here_to_see = p.findings - p.absent;
   const std::string seen =
-      p.classified < here_to_see
+      had_time && p.classified < here_to_see
           ? fmt::format(", in the {} % of the findings that were looked at", 100 * p.classified / here_to_see)
           : "";
   fmt::print("{}{}\n\n", changed,
@@ -85,7 +87,8 @@ int triage(const TriageArguments& arguments) {
   fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
              counted(result.progress.simplified, "pair"), counted(result.progress.searched, "cause"));
   if (p.classified + p.absent < p.findings)
-    fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);
+    fmt::print("the time was over, and {} findings remain: run triage again to continue\n",
+               p.findings - p.classified - p.absent);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   fmt::print("page: {}/report.html\n", arguments.run);
@@ -120,8 +123,11 @@ void add_triage(Program& program) {
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/buckets/ has a simple pair of each cause. It has a worst pair (.worst.jsonl) if a search found\n"
-      "one worse than the findings. Guests are those of the run, or those of --plugin and --command.\n"
+      "RUN/buckets/ has a pair of each cause, the simplest if there was time. It has a worst pair
+      "
+      "(.worst.jsonl) if a search found one worse than the findings.
+      "
+      "Guests are those of the run, or those of --plugin and --command.\n"
       "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "
       "findings\n"
       "remain to be examined.");

@@ -312,7 +312,7 @@ std::string_view in_words(Mechanism m) noexcept {
       "small lengths, or products of them, underflow: right at a larger size",
       "large lengths, or products of them, overflow: right at a smaller size",
       "a fixed length in it, such as an absolute tolerance: right at another scale",
-      "rounding of its numbers: right at no size that was tried",
+      "rounding of its numbers: right at no size that was tried between 2^-64 and 2^64",
       "its setting: right with another",
       "no probe changed the answer",
       "its model: right about cylinders with the rounded edges that it gives them"};

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
+
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/mechanism.hpp"
 
 namespace cyl {
@@ -18,7 +22,10 @@ constexpr unsigned several = 3;
 
 /// Describes the answer that was found beyond an end.
 std::string beyond_in_words(const RegionEnd& end) {
-  if (!end.beyond) return "as far as tried";
+  if (!end.beyond)
+    return end.failing_samples >= several ? "as far as tried"
+           : end.failing_samples > 0      ? counted(end.failing_samples, "sample") + " tried"
+                                          : "nothing was tried";
   const Trial& p = *end.beyond;
   if (p.finding())
     return p.fails(end.failing.finding()->kind) && p.finding()->severity == Severity::resolution
@@ -96,14 +103,22 @@ std::vector<std::string> indifferent(const std::vector<FailingRegion>& regions) 
   return found;
 }
 
+/// Names the cause as triage does. The table states at which scales the method is right.
 std::string cause_in_words(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
-                           const Trial& asked) {
-  const Classification found = classify_closely(methods, failing, probe_caps);
-  if (found.mechanism == Mechanism::unclassified)
-    return "No cause was found: no scale that was tried, and no other setting, makes it right.";
-  std::string text = fmt::format("Cause: {}", in_words(found.mechanism));
-  if (const std::string scale = scale_in_words(found, asked); !scale.empty()) text += " (" + scale + ')';
+                           const Trial& asked, const std::vector<FailingRegion>& regions) {
+  const Method& own = *methods[failing.method];
+  const Classification found = classify(methods, {&failing, 1}, probe_caps)[0];
+  const auto groups = algorithm_groups(
+      methods, [&](const Method& m) { return m.library() == own.library() && m.guest() == own.guest(); });
+  const std::string key = cause_key({methods, groups}, failing, asked.finding()->severity, found.mechanism,
+                                    asked.answer().reason);
+  std::string text = "Triage calls the cause " + key;
+  if (found.mechanism != Mechanism::unclassified) text += fmt::format(" ({})", in_words(found.mechanism));
   if (found.right_sibling) text += fmt::format("; {} is right", methods[*found.right_sibling]->name());
+  const FailingRegion& scale = regions[static_cast<std::size_t>(Parameter::scale)];
+  const auto is_right = [](const RegionEnd& end) { return end.beyond && end.beyond->right(); };
+  if (found.mechanism == Mechanism::unclassified && !is_right(scale.low) && !is_right(scale.high))
+    text += "; no scale that was tried, and no other setting, makes it right";
   return text + '.';
 }
 
@@ -153,13 +168,16 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
       "{} answers {} for solids {}: {} ({})\n{}\n", name, one_line(format_method_answer(asked.answer())),
       distance_in_words(asked), to_string(kind), in_words(asked.finding()->severity), format_pair(pair));
   if (kind == FindingKind::hang)
-    return text + "Each hang takes a second, so no similar pair was asked about.\n";
+    return text + fmt::format("Each hang takes {} s of CPU time, so no similar pair was asked about.\n",
+                              std::chrono::duration<double>(cpu_cap_of(*method)).count());
   const std::vector<FailingRegion> regions = failing_regions(method, asked);
   const auto index = static_cast<std::size_t>(&method - methods.data());
   std::string sentences = fmt::format("{} {}. {}", name, failure_in_words(asked, regions),
-                                      cause_in_words(methods, {index, kind, pair}, asked));
+                                      cause_in_words(methods, {index, kind, pair}, asked, regions));
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
+  if (regions[0].at != 0)
+    sentences += " If angle, radii or heights change, b moves so that the distance stays the same.";
   if (const auto few = hardly_sampled(regions); !few.empty())
     sentences += fmt::format(" The table shows an end along {}, but few samples.", fmt::join(few, " and "));
   if (const auto rest = indifferent(regions); !rest.empty())

@@ -19,9 +19,9 @@ namespace cyl {
 std::vector<std::string> supported_ranges(const std::vector<FailingRegion>& regions);
 
 /// Returns a table of the ranges and a text with the cause that triage finds. Asks the method, contained,
-/// about some 1,000 pairs. This takes a second, more for a slow method. A hang costs a second a question, so
-/// a hang has neither. The same arguments give the same text. Throws UsageError if no method has that name,
-/// or if it does not fail in this way on this pair now.
+/// about some 1,000 pairs. This takes a second, more for a slow method. A hang costs its limit of CPU time a
+/// question, so a hang has neither. The same arguments give the same text. Throws UsageError if no method has
+/// that name, or if it does not fail in this way on this pair now.
 std::string explain(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                     FindingKind kind, const Pair& pair);
 

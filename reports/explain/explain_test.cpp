@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "oracles/methods/fake_method_test.hpp"
+#include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "solver/distance.hpp"
 
@@ -127,6 +128,15 @@ TEST(FailingRegion, TellsWhatMatters) {
   EXPECT_TRUE(offset.low.beyond->right());
 }
 
+// Steps from an infinite distance, and steps below the least double, would not end.
+TEST(FailingRegion, EndsAtTheEndsOfTheDoubles) {
+  const auto method = fake_method("all", [](const Pair&) { return answered(Verdict::intersecting); });
+  for (const auto& [at, size] : {std::pair(1.5e308, 1e306), std::pair(1e-310, 1e-313)}) {
+    const Pair pair{{{at, 0, 0}, {0, 0, 1}, size, size}, {{-at, 0, 0}, {0, 0, 1}, size, size}};
+    EXPECT_EQ(failing_regions(method, try_method(method, pair)).size(), 8u);
+  }
+}
+
 TEST(FailingRegion, EndsWhereItBreaksForAnotherReason) {
   const auto method = fake_method("breaks", [](const Pair& pair) {
     return failed_answer(Failure::reported, pair.a.radius < 1.5 ? "status 4: thin" : "status 9: no way");
@@ -146,13 +156,14 @@ TEST(Explain, SumsUp) {
   const std::string text = explain(methods, "blurred-way", kind, stacked());
   EXPECT_TRUE(says(text, "\nblurred-way calls solids up to 0.0"));
   EXPECT_TRUE(says(text, "blurred-way-fine is right"));
-  EXPECT_TRUE(says(text, "right once scaled up to a size of 96 ("));
+  EXPECT_TRUE(says(text, "If angle, radii or heights change, b moves so that the distance stays the same."));
   EXPECT_TRUE(says(text, "Samples do not show that it depends on angle or "));
   EXPECT_TRUE(says(text, "within the claim"));
   EXPECT_FALSE(says(text, "right (0 samples)"));
-  const Failing failing{0, kind, stacked()};
-  const Mechanism triaged = classify(methods, {&failing, 1}, {})[0].mechanism;
-  EXPECT_TRUE(says(text, std::string(in_words(triaged))));
+  const auto groups = algorithm_groups(methods);
+  Asker asker(methods, {});
+  const std::string key = find_cause({methods, groups}, {0, kind, stacked()}, Severity::contract, "", asker);
+  EXPECT_TRUE(says(text, "Triage calls the cause " + key + " (a fixed length in it"));
   EXPECT_EQ(text, explain(methods, "blurred-way", kind, stacked()));
 }
 
@@ -212,6 +223,19 @@ TEST(Explain, WhatFailsAtOneValueOnlyHasNoRange) {
       explain(blind([](double angle) { return angle >= right_angle; }), "blind", kind, square());
   EXPECT_FALSE(says(text, "it fails only with angle"));
   EXPECT_TRUE(says(text, "The table shows an end along angle, but few samples."));
+}
+
+// A point has nowhere to go but away.
+TEST(Explain, AsFarAsTriedNeedsSamples) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("all", [](const Pair&) { return answered(Verdict::intersecting); }));
+  const std::string text = explain(methods, "all", kind, point_and_disc());
+  const auto row = [&](const std::string& name) {
+    const std::size_t at = text.find(name);
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_TRUE(says(row("radius of b"), "as far as tried"));
+  EXPECT_TRUE(says(row("radius of a"), "nothing was tried  "));
 }
 
 TEST(Explain, WhatOnlyTouchesDoesNotOverlap) {

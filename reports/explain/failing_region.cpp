@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -34,6 +35,7 @@ double largest_coordinate(const Pair& p) {
   return std::max(p.a.center.cwiseAbs().maxCoeff(), p.b.center.cwiseAbs().maxCoeff());
 }
 
+/// The signed distance, which is finite.
 struct Located {
   double distance;
   Vector3 direction;
@@ -44,6 +46,7 @@ std::optional<Located> locate(const Pair& pair, double relative_width) {
   if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
   const AttainedDistance d = attain_distance(pair, truth, relative_width);
   const double distance = truth.verdict == Verdict::touching ? 0 : middle(d.distance);
+  if (!std::isfinite(distance)) return {};
   return Located{distance, {d.direction[0], d.direction[1], d.direction[2]}};
 }
 
@@ -162,6 +165,7 @@ class SearchPath {
   /// Steps away from touching by factors. Steps towards it also by factors, and then beyond it.
   std::vector<double> distances(bool up) const {
     const double sign = distance_ < 0 ? -1 : 1;
+    const double least = std::max(least_distance * size_, std::numeric_limits<double>::denorm_min());
     std::vector<double> steps;
     if (distance_ != 0 && up == (sign > 0)) {
       steps = growing(std::abs(distance_), 0, long_steps_cap, sign > 0 ? 1e3 * size_ : size_);
@@ -169,12 +173,11 @@ class SearchPath {
       return steps;
     }
     if (distance_ != 0) {
-      for (double x = std::abs(distance_) / region_step; x > least_distance * size_; x /= region_step)
+      for (double x = std::abs(distance_) / region_step; x > least; x /= region_step)
         steps.push_back(sign * x);
     }
     const double beyond = distance_ != 0 ? -sign : up ? 1 : -1;
-    for (double x = least_distance * size_; x < 0.01 * size_; x *= region_step * region_step)
-      steps.push_back(beyond * x);
+    for (double x = least; x < 0.01 * size_; x *= region_step * region_step) steps.push_back(beyond * x);
     return steps;
   }
 

@@ -164,6 +164,7 @@ std::string hull_in_words(const LibraryCall& call, const Trial& p) {
 
 /// Answers the first question of a reader: is this not within the tolerance?
 std::string tolerance_in_words(const Trial& p, const Claim& claim) {
+  const char* const stated = claim.assumed ? "assumed" : "stated";
   if (p.answer().status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
   const bool within = within_claim(p), length_only = claim.relative == 0;
   const std::string tolerance =
@@ -171,13 +172,13 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
                   : fmt::format("{} of the size plus a length of {}", format_double(claim.relative),
                                 format_double(claim.absolute));
   if (p.finding()->kind == FindingKind::distance_outside)
-    return fmt::format("\nThe stated tolerance of a distance is {} ({}). The error of this one is {} it.\n",
-                       tolerance, one_line(claim.source), within ? "within" : "beyond");
+    return fmt::format("\nThe {} tolerance of a distance is {} ({}). The error of this one is {} it.\n",
+                       stated, tolerance, one_line(claim.source), within ? "within" : "beyond");
   if (length_only)
-    return fmt::format("\nThe stated tolerance is {} ({}). This pair is {} it.\n", tolerance,
+    return fmt::format("\nThe {} tolerance is {} ({}). This pair is {} it.\n", stated, tolerance,
                        one_line(claim.source), within ? "within" : "beyond");
-  return fmt::format("\nThe claim: answers are right above a margin of {} ({}). This pair is {} it.\n",
-                     tolerance, one_line(claim.source), within ? "below" : "above");
+  return fmt::format("\nThe {} claim: answers are right above a margin of {} ({}). This pair is {} it.\n",
+                     stated, tolerance, one_line(claim.source), within ? "below" : "above");
 }
 
 /// Writes a note if the library asks our support function.
@@ -344,6 +345,7 @@ std::string command_for(const std::string& daylight, const std::string& file, co
 Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
                   const Pair& worst) {
   const auto is_clear = [&](const Pair& pair) {
+    if (!refusal(method->name(), kind, pair, method->guest()).empty()) return false;
     const Trial asked = try_method(method, pair);
     return asked.fails(kind) && asked.decided() && asked.finding()->margin &&
            !at_edge(asked, method->claim());
@@ -351,18 +353,23 @@ Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const
   return !is_clear(simplest) && is_clear(worst) ? worst : simplest;
 }
 
+std::string refusal(std::string_view name, FindingKind kind, const Pair& pair, bool is_guest) {
+  if (find_library_call(name) == nullptr && !is_guest)
+    return fmt::format("export knows guests and FCL, Bullet, libccd, ODE and MuJoCo, but not '{}'", name);
+  if (!(is_guest ? one_call_shows(kind) : program_shows(kind)))
+    return fmt::format("one call cannot show a finding of kind {}", to_string(kind));
+  if (is_guest || !is_rounded(pair)) return {};
+  return fmt::format(
+      "programs for packaged libraries do not support roundings: daylight check --method {} asks about the "
+      "pair",
+      name);
+}
+
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
                    const Pair& pair, const Guest* guest) {
   const auto& method = find_method(methods, name);
   const LibraryCall* call = find_library_call(name);
-  if (call == nullptr && guest == nullptr)
-    throw UsageError(
-        fmt::format("export knows guests and FCL, Bullet, libccd, ODE and MuJoCo, but not '{}'", name));
-  if (!(guest ? one_call_shows(kind) : program_shows(kind)))
-    throw UsageError(fmt::format("one call cannot show a finding of kind {}", to_string(kind)));
-  if (!guest && is_rounded(pair))
-    throw UsageError("programs for packaged libraries do not support roundings: daylight check --method " +
-                     std::string(name) + " asks about the pair");
+  if (std::string why = refusal(name, kind, pair, guest != nullptr); !why.empty()) throw UsageError(why);
   Trial asked = try_method(method, pair);
   if (!asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair now: it answers {}", name, to_string(kind),

@@ -29,8 +29,11 @@ std::string command_for(const std::string& daylight, const std::string& file, co
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                    FindingKind kind, const Pair& pair, const Guest* guest = nullptr);
 
-/// Returns the pair that stands for a cause: the simplest, or the worst if only the simplest is at the edge
-/// of the claim.
+/// Returns why make_export() refuses the pair without asking the method, or an empty text.
+std::string refusal(std::string_view method, FindingKind kind, const Pair& pair, bool is_guest);
+
+/// Returns the pair that stands for a cause: the simplest, or the worst if only the simplest is refused or at
+/// the edge of the claim.
 Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
                   const Pair& worst);
 

@@ -156,9 +156,10 @@ TEST(Export, ACrashIsOnlyCalled) {
 TEST(Export, TheIssueSaysWhatAReaderNeeds) {
   const std::string issue =
       export_of("ode", FindingKind::wrong_disjoint, pair_of(nearly_parallel)).at("issue.md");
-  for (const char* part : {"# dCollide misses two cylinders that overlap by 0.00", "`dCollide` of ODE 0.",
-                           "one contact", "| b | (0, 1.01, 0) | (0, 0.03, 1) | 1 | 1 |", "No collision.",
-                           "lies in both", "This pair is beyond it", "exact.py", "build.sh", "libode-dev"})
+  for (const char* part :
+       {"# dCollide misses two cylinders that overlap by 0.00", "`dCollide` of ODE 0.", "one contact",
+        "| b | (0, 1.01, 0) | (0, 0.03, 1) | 1 | 1 |", "No collision.", "lies in both",
+        "The assumed tolerance is", "This pair is beyond it", "exact.py", "build.sh", "libode-dev"})
     EXPECT_TRUE(has(issue, part)) << part << " is not in\n" << issue;
 }
 
@@ -212,6 +213,18 @@ TEST(Export, RefusesWhatCannotBeSent) {
   EXPECT_THROW(export_of("ode", FindingKind::wrong_disjoint, pair_of(stacked)), std::invalid_argument);
   EXPECT_THROW(export_of("fcl-indep", FindingKind::wrong_disjoint, pair_of(stacked)), std::invalid_argument);
   EXPECT_THROW(export_of("fcl-indep", FindingKind::nondeterminism, pair_of(stacked)), std::invalid_argument);
+}
+
+TEST(Export, APairWithoutRoundingsIsSentOfALibrary) {
+  const auto ode = ode_methods();
+  const Pair sharp = pair_of(nearly_parallel);
+  Pair rounded = sharp;
+  rounded.a.rounding = 0.001;
+  const FindingKind kind = FindingKind::wrong_disjoint;
+  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, rounded, sharp)));
+  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, sharp, rounded)));
+  EXPECT_TRUE(has(refusal("ode", kind, rounded, false), "do not support roundings"));
+  EXPECT_EQ(refusal("ode", kind, rounded, true), "");
 }
 
 // For an axis (0, 3, 4) the library gets (0, 0.6, 0.8), and the doubles of this point elsewhere.

@@ -19,8 +19,10 @@ RunData read_run(const std::string& folder, std::span<const Family> families,
   run.tallies = store.tallies();
   run.groups = store.groups();
   run.findings = findings.empty() ? store.findings() : std::move(findings);
-  for (const FindingRecord& finding : run.findings)
-    run.pairs.push_back({parse_case(finding.pair, 1).value, proved_verdict(finding)});
+  for (const FindingRecord& finding : run.findings)  // those of one pair follow each other
+    run.pairs.push_back(!run.pairs.empty() && (&finding)[-1].index == finding.index
+                            ? run.pairs.back()
+                            : FoundPair{parse_case(finding.pair, 1).value, proved_verdict(finding)});
   run.cells = store.cells();
   run.charts = read_charts(folder);
   return run;

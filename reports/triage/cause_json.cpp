@@ -70,11 +70,11 @@ Json share_json(const std::optional<Cause::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
 }
 
-/// Returns the rate per million pairs, with bounds at 95 %.
+/// Returns the rate per million pairs, with bounds at 95 % from what was examined.
 Json observation_json(const Cause::RunObservation& night) {
   constexpr double million = 1e6;
-  const Observation& s = night.sight;
-  const RateBounds bounds = rate_bounds(s.asked, s.count);
+  const Observation& s = night.all;
+  const RateBounds bounds = rate_bounds(night.examined.asked, night.examined.count);
   const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
   return {{"run", night.run},
           {"started", night.started},
@@ -104,7 +104,8 @@ std::string format_cause(const Cause& b) {
                                  b.status ? std::string(", ") + to_string(*b.status) : "",
                                  b.chance && *b.chance < chance_margin
                                      ? fmt::format(" (probability of mere chance: {:.1g})", *b.chance)
-                                     : "",
+                                 : is_of_new_families(b) ? ", no earlier run drew its families for its method"
+                                                         : "",
                                  b.suppressed ? ", suppressed" : "", b.description);
   text += b.count == 0
               ? "    found in earlier runs only"
@@ -117,7 +118,8 @@ std::string format_cause(const Cause& b) {
   if (b.share && b.share->wrong > 0 && b.count > 0)
     text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
                         b.share->asked);
-  return text + fmt::format("\n    {}: {}\n", some_of(b.methods), pair_to_json(b.simplest.pair).dump());
+  return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
+                            pair_to_json(b.simplest.pair).dump());
 }
 
 }  // namespace
@@ -131,6 +133,7 @@ Json to_json(const Cause& b) {
          {"share", share_json(b.share)},
          {"standing", nullptr},
          {"chance", nullptr},
+         {"asked_before", b.asked_before},
          {"nights", Json::array()},
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["standing"] = to_string(*b.status);
@@ -161,8 +164,6 @@ Cause cause_from_json(const Json& j) {
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null()) b.status = word_of<Recurrence>(status);
-  for (const Json& night : j.at("nights"))
-    b.history.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
   return b;
 }
 

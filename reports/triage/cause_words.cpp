@@ -70,9 +70,9 @@ std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, c
                                : "not asked again: no time was left for {}, which hangs"),
         b.method));
   if (hangs_on_our_sums(b.method, b.kind, group.simplest->pair).value_or(false))
-    labels.push_back(
-        "the simplest pair depends on the last bit of our support function: the method is right if its sums "
-        "change their order");
+    labels.push_back(shown_in_words(b) +
+                     " depends on the last bit of our support function: the method is right if its sums "
+                     "change their order");
   std::string elsewhere;
   if (own)
     for (const std::size_t sharer : methods_sharing_algorithm(of, *own))
@@ -91,7 +91,8 @@ std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, c
     if (const auto& wrong = simplest_now.trial.findings[m];
         methods[m]->name() != b.method && wrong && wrong->kind == b.kind)
       shared += (shared.empty() ? "" : ", ") + std::string(methods[m]->name());
-  if (!shared.empty()) labels.push_back("wrong in the same way on the simplest pair: " + shared);
+  if (!shared.empty())
+    labels.push_back(fmt::format("wrong in the same way on {}: {}", shown_in_words(b), shared));
   return labels;
 }
 

@@ -42,12 +42,13 @@ constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
-/// Puts candidates of that kind first, then simplified ones before candidates as found, and then the
-/// simplest.
+/// Puts candidates of that kind first, then those of the least shown_rank(), then simplified ones before
+/// candidates as found, and then the simplest.
 auto shown_first(FindingKind kind) {
   return [kind](const ShownCandidate& x, const ShownCandidate& y) {
     if ((x.of->kind == kind) != (y.of->kind == kind)) return x.of->kind == kind;
-    return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
+    const auto rank = [](const ShownCandidate& c) { return std::tuple(shown_rank(c.pair), c.as_found); };
+    return rank(x) != rank(y) ? rank(x) < rank(y) : x.complexity < y.complexity;
   };
 }
 
@@ -220,11 +221,11 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   if (!m) return;
   if (b.kind == FindingKind::bad_witness)
     if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
-      b.description += "; on the simplest pair " + miss;
+      b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
   if (drawn && b.seen_again && is_of_scale(group.mechanism())) {
     const Failing failing{*m, b.kind, pair};
     const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
-    if (!scale.empty()) b.description += "; the simplest pair is " + scale;
+    if (!scale.empty()) b.description += fmt::format("; {} is {}", shown_in_words(b), scale);
   }
   // If the method hangs, each question would cost a second or two.
   const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
@@ -302,7 +303,8 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);
-  const std::map<std::string, CauseCount> counts = count_by_cause(records);
+  const std::map<std::string, CauseCount> counts =
+      count_by_cause(records.groups, records.findings, records.causes);
   PairShower shower(of.methods, out_of_time);
   std::vector<Cause> causes;
   for (auto& [key, group] : groups) {

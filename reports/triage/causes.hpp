@@ -39,11 +39,11 @@ struct Cause {
   struct Share {
     std::uint64_t wrong = 0, asked = 0;
   };
-  /// The findings of one method that a run examined, and the number of pairs that they stand for: that part
-  /// of the method's pairs in the families.
+  /// The pairs of one method in the families of the cause, and those that show it.
   struct RunObservation {
     std::string run, started;
-    Observation sight;
+    Observation all = {};  ///< also findings that were not kept or not examined: they count in proportion
+    Observation examined = {};  ///< the part that was looked at: all that chance may be judged by
   };
 
   std::string key;
@@ -67,6 +67,7 @@ struct Cause {
   std::optional<Share> share;
   std::optional<Recurrence> status;  ///< empty if there is no earlier run
   std::optional<double> chance;      ///< probability that chance explains the status, if it was computed
+  bool asked_before = false;         ///< an earlier run asked its method about its families
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
   std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
@@ -78,6 +79,9 @@ struct Cause {
 struct ExaminedFindings {
   std::uint64_t found = 0, looked_at = 0;
   std::map<std::string, std::uint64_t> by_cause;
+
+  /// Shares `found` among the causes in proportion. The larger parts get the remainder first.
+  std::map<std::string, std::uint64_t> shares() const;
 };
 using ExaminedGroups = std::map<FindingGroup, ExaminedFindings>;
 
@@ -98,8 +102,8 @@ struct TriagedRun {
 /// In the form of the page's Cause, in which it is stored too.
 nlohmann::json to_json(const Cause& cause);
 nlohmann::json to_json(const std::vector<Cause>& causes);
-/// Reads the output of to_json(), except for the suppression and the chance. Throws nlohmann::json::exception
-/// if the value has another form.
+/// Reads the output of to_json(), except for the suppression, the chance and the runs. Throws
+/// nlohmann::json::exception if the value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, those beyond claims first, then by count. Status, first and last seen are not set. The
@@ -147,8 +151,16 @@ void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppre
 /// names.
 std::string file_name_of(std::string_view key);
 
-/// Returns "1 new cause, 34 known, 1 gone", without zeros, or "35 causes" without an earlier run.
+/// Whether the cause is new, but of pairs that no earlier run drew for its method.
+bool is_of_new_families(const Cause& cause);
+/// Returns "1 new cause, 34 known, 1 gone", without zeros, or "35 causes" without an earlier run. States how
+/// many of the new causes earlier runs could not have.
 std::string what_changed(const std::vector<Cause>& causes);
+
+/// Returns how the pair is called that a cause shows: "the simplest pair" if it was simplified.
+inline std::string shown_in_words(const Cause& cause) {
+  return cause.simplified ? "the simplest pair" : "a pair (not simplified)";
+}
 
 /// A line a cause: findings, margins, what is wrong and the simplest pair.
 std::string format_causes(const std::vector<Cause>& causes);

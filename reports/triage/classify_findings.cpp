@@ -59,11 +59,10 @@ std::string mechanism_labels(const Classification& found, std::span<const std::u
 }
 
 CauseRecord cause_of(const Subject& s, const GroupedMethods& methods, Asker& asker) {
-  Classification c;
-  if (s.can_be_classified()) {
-    const Failing failing = s.failing();
-    c = classify(methods.methods, {&failing, 1}, asker)[0];
-  }
+  constexpr Mechanism none = Mechanism::unclassified;
+  if (!s.can_be_classified()) return {s.record->id, key_of(s, methods, none), none, ""};
+  const Failing failing = s.failing();
+  const Classification c = classify(methods.methods, {&failing, 1}, asker)[0];
   return {s.record->id, key_of(s, methods, c.mechanism), c.mechanism, mechanism_labels(c, methods.methods)};
 }
 

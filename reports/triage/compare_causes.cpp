@@ -45,8 +45,7 @@ Places places_of(const std::vector<Seen>& seen) {
   std::map<std::string, std::uint64_t> by_method;
   for (const auto& [run, key] : seen)
     for (const auto& [group, examined] : run->examined)
-      if (const auto n = examined.by_cause.find(key); n != examined.by_cause.end())
-        by_method[group.method] += n->second;
+      if (examined.by_cause.contains(key)) by_method[group.method] += examined.shares().at(key);
   Places places;
   std::uint64_t most = 0;
   for (const auto& [method, n] : by_method)
@@ -59,28 +58,31 @@ Places places_of(const std::vector<Seen>& seen) {
 
 /// A run that examined a part of a group's findings counts as if it had asked only that part of the pairs. A
 /// run that asked but examined nothing counts as one pair.
-Observation observation_of(const Seen& seen, const Places& places) {
-  Observation sight;
-  double asked = 0;
-  bool was_asked = false;
+Cause::RunObservation observation_of(const Seen& seen, const Places& places) {
+  Cause::RunObservation sight{seen.run->id, seen.run->started};
+  double part_asked = 0;
   for (const ExaminedGroups::key_type& group : places.groups) {
     const std::string& family = group.family;
-    double pairs = 0;
+    std::uint64_t pairs = 0;
     for (const TallyRecord& t : seen.run->tallies)
       if (t.method == places.method && t.family == family)
-        pairs += static_cast<double>(t.counts.asked - std::min(t.counts.asked, t.counts.declined));
-    was_asked = was_asked || pairs > 0;
+        pairs += t.counts.asked - std::min(t.counts.asked, t.counts.declined);
+    sight.all.asked += pairs;
+    double part = 1;
     const auto examined = seen.run->examined.find(group);
     if (examined != seen.run->examined.end() && examined->second.found > 0) {
       const ExaminedFindings& e = examined->second;
-      const auto n = e.by_cause.find(seen.key);
-      if (n != e.by_cause.end()) sight.count += n->second;
-      pairs *= static_cast<double>(e.looked_at) / static_cast<double>(e.found);
+      if (const auto n = e.by_cause.find(seen.key); n != e.by_cause.end()) {
+        sight.examined.count += n->second;
+        sight.all.count += e.shares().at(seen.key);
+      }
+      part = static_cast<double>(e.looked_at) / static_cast<double>(e.found);
     }
-    asked += pairs;
+    part_asked += part * static_cast<double>(pairs);
   }
-  const std::uint64_t least = was_asked ? 1 : 0;
-  sight.asked = std::max({sight.count, least, static_cast<std::uint64_t>(asked)});
+  const std::uint64_t least = sight.all.asked > 0 ? 1 : 0;
+  sight.examined.asked = std::max({sight.examined.count, least, static_cast<std::uint64_t>(part_asked)});
+  sight.all.asked = std::max(sight.all.asked, sight.all.count);
   return sight;
 }
 
@@ -93,16 +95,17 @@ void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& ear
   const Places places = places_of(seen);
   std::vector<Observation> observations;
   for (const TriagedRun& past : earlier) {
-    observations.push_back(observation_of(seen[observations.size()], places));
-    if (observations.back().asked > 0) b.history.push_back({past.id, past.started, observations.back()});
+    Cause::RunObservation sight = observation_of(seen[observations.size()], places);
+    observations.push_back(sight.examined);
+    if (sight.examined.asked > 0) b.asked_before = true, b.history.push_back(std::move(sight));
     const Cause* const found = find(past, b);
     if (found == nullptr || b.first_seen != run.id) continue;
     b.first_seen = found->first_seen;
     b.first_version =
         found->first_version.empty() ? version_in(past.methods, b.method) : found->first_version;
   }
-  const Observation here = observation_of(seen.back(), places);
-  b.history.push_back({run.id, run.started, here});
+  b.history.push_back(observation_of(seen.back(), places));
+  const Observation here = b.history.back().examined;
   if (b.history.size() > nights_cap) b.history.erase(b.history.begin(), b.history.end() - nights_cap);
   if (earlier.empty()) return;
   const RecurrenceOf standing = recurrence_of(here, observations, compared);
@@ -188,6 +191,8 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
                    [](const Cause& x, const Cause& y) { return place_of(x) < place_of(y); });
 }
 
+bool is_of_new_families(const Cause& b) { return b.status == Recurrence::fresh && !b.asked_before; }
+
 std::string what_changed(const std::vector<Cause>& causes) {
   const auto is_compared = [](const Cause& b) { return b.status.has_value(); };
   if (std::none_of(causes.begin(), causes.end(), is_compared)) return counted(causes.size(), "cause");
@@ -201,6 +206,10 @@ std::string what_changed(const std::vector<Cause>& causes) {
     text += text.empty() ? counted(static_cast<std::uint64_t>(n), word + " cause")
                          : fmt::format(", {} {}", n, word);
   }
+  if (const auto n = std::ranges::count_if(causes, is_of_new_families); n > 0)
+    text +=
+        fmt::format(". Earlier runs did not draw the families of {} for their methods, so chance is unknown",
+                    counted(static_cast<std::uint64_t>(n), "new cause"));
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"
+#include "reports/triage/causes.hpp"
 
 namespace cyl {
 namespace {
@@ -66,32 +67,32 @@ std::uint64_t CauseCount::most() const {
   return most;
 }
 
-std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records) {
-  std::map<std::int64_t, std::string> cause_of;
-  for (const CauseRecord& c : records.causes) cause_of[c.finding] = c.cause;
-  std::map<FindingGroup, std::map<std::string, std::uint64_t>> kept;
-  for (const FindingRecord& f : records.findings)
-    if (cause_of.contains(f.id)) ++kept[f][cause_of[f.id]];
-  std::map<std::string, CauseCount> counts;
-  const auto add = [&](const std::string& cause, const GroupRecord& of, std::uint64_t n) {
-    counts[cause].findings += n;
-    counts[cause].by_method[of.method] += n;
-  };
-  for (const GroupRecord& g : records.groups) {
-    const auto found = kept.find(g);
-    if (found == kept.end()) continue;
-    std::uint64_t all = 0, given = 0;
-    for (const auto& [cause, n] : found->second) all += n;
-    std::vector<std::pair<std::uint64_t, std::string>> parts;
-    for (const auto& [cause, n] : found->second) {
-      const std::uint64_t part = g.count / all * n + g.count % all * n / all;
-      add(cause, g, part);
-      given += part;
-      parts.emplace_back(n, cause);
-    }
-    std::sort(parts.rbegin(), parts.rend());
-    for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g, 1);
+std::map<std::string, std::uint64_t> ExaminedFindings::shares() const {
+  std::uint64_t all = 0, given = 0;
+  for (const auto& [cause, n] : by_cause) all += n;
+  std::map<std::string, std::uint64_t> shares;
+  std::vector<std::pair<std::uint64_t, std::string>> parts;
+  for (const auto& [cause, n] : by_cause) {
+    given += shares[cause] = found / all * n + found % all * n / all;
+    parts.emplace_back(n, cause);
   }
+  std::sort(parts.rbegin(), parts.rend());
+  for (std::size_t i = 0; !parts.empty() && given < found; ++given, ++i)
+    ++shares[parts[i % parts.size()].second];
+  return shares;
+}
+
+std::map<std::string, CauseCount> count_by_cause(const std::vector<GroupRecord>& groups,
+                                                 const std::vector<FindingRecord>& findings,
+                                                 const std::vector<CauseRecord>& causes) {
+  std::vector<FindingHead> heads;
+  for (const FindingRecord& f : findings) heads.push_back({f, f.id});
+  std::map<std::string, CauseCount> counts;
+  for (const auto& [group, examined] : examined_groups(groups, heads, causes))
+    for (const auto& [cause, n] : examined.shares()) {
+      counts[cause].findings += n;
+      counts[cause].by_method[group.method] += n;
+    }
   return counts;
 }
 

@@ -7,8 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "props/shrink/simplify.hpp"
@@ -31,6 +33,10 @@ struct TriageRecords {
 bool is_worse(const FindingRecord& x, const FindingRecord& y);
 /// The proved margin of a finding, or -1 if there is none.
 double least_margin(const FindingRecord& finding);
+
+/// Pairs with the least rank are shown and simplified first: programs for maintainers have no roundings, and
+/// readers compare with the sizes of scenes.
+inline std::pair<bool, bool> shown_rank(const Pair& pair) { return {is_rounded(pair), !is_ordinary(pair)}; }
 
 /// A pair that may be shown as a cause's simplest.
 struct ShownCandidate {
@@ -69,9 +75,10 @@ struct CauseCount {
 
   std::uint64_t most() const;  ///< the largest count of a method: a number of pairs, with one finding a pair
 };
-/// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup. The
-/// causes share that count in proportion to their kept findings. The larger parts get the
-/// remainder first.
-std::map<std::string, CauseCount> count_by_cause(const TriageRecords& records);
+/// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup, and the
+/// causes share that count: ExaminedFindings::shares().
+std::map<std::string, CauseCount> count_by_cause(const std::vector<GroupRecord>& groups,
+                                                 const std::vector<FindingRecord>& findings,
+                                                 const std::vector<CauseRecord>& causes);
 
 }  // namespace cyl

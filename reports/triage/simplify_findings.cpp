@@ -10,6 +10,7 @@
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
+#include "reports/triage/group_findings.hpp"
 #include "reports/triage/triage_context.hpp"
 
 namespace cyl {
@@ -29,11 +30,14 @@ struct Waiting {
 };
 
 bool is_simpler(const Waiting& x, const Waiting& y) {
+  const auto rank = [](const Waiting& w) { return shown_rank(w.subject->pair); };
+  if (rank(x) != rank(y)) return rank(x) < rank(y);
   return x.complexity != y.complexity ? x.complexity < y.complexity
                                       : x.subject->record->id < y.subject->record->id;
 }
 
-/// Puts the simplest first, and other methods, kinds and families before repeated ones.
+/// Puts the least shown_rank() and the simplest first, and other methods, kinds and families before repeated
+/// ones.
 void put_in_order(std::vector<Waiting>& cause) {
   std::sort(cause.begin(), cause.end(), is_simpler);
   std::map<std::tuple<std::string, FindingKind, std::string>, std::size_t> seen;
@@ -108,12 +112,19 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
 
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known) {
-  std::map<std::pair<bool, std::string>, std::vector<Waiting>> causes;
-  for (const CauseRecord& c : context.causes()) {
+  const std::vector<CauseRecord> records = context.causes();
+  std::map<std::string, CauseCount> counts =
+      count_by_cause(context.finding_groups, context.findings, records);
+  using Rank =
+      std::tuple<bool, bool, std::uint64_t, std::string>;  // known, not beyond a claim, how many others
+  std::map<Rank, std::vector<Waiting>> causes;
+  for (const CauseRecord& c : records) {
     const auto found = context.by_id.find(c.finding);
     if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
     if (c.mechanism == Mechanism::gone) continue;
-    causes[{known.contains(c.cause), c.cause}].push_back({0, complexity(found->second->pair), found->second});
+    causes[{known.contains(c.cause), found->second->severity() != Severity::contract,
+            ~counts[c.cause].findings, c.cause}]
+        .push_back({0, complexity(found->second->pair), found->second});
   }
   std::size_t longest = 0;
   for (auto& [key, cause] : causes) {

@@ -14,6 +14,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/files.hpp"
+#include "base/safe_text.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
@@ -144,6 +145,14 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   write_pairs(options.folder, triage.causes);
   suppress(triage.causes, options.suppressions, options.today);
   context.store().set_summary(to_json(triage.causes).dump(), part);
+  if (!earlier.empty())
+    triage.remarks.push_back(fmt::format("compared with {}, the last of them {} of {}",
+                                         counted(earlier.size(), "run"), earlier.back().id,
+                                         earlier.back().started));
+  for (const TriagedRun& past : earlier)
+    if (past.started > context.began)
+      triage.remarks.push_back(
+          fmt::format("{} began after this run: a new cause may be one that was mended in between", past.id));
   for (const TriagedRun& past : earlier)
     if (past.part < 1)
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",

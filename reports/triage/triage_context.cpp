@@ -26,7 +26,10 @@ using std::chrono::milliseconds;
 /// How often this looks whether the processes have ended, and how often it shows their progress.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
-/// Estimates the time to write the page from a few pairs. The page encloses the distance of each pair.
+/// The page takes about so many times as long as reading the run, besides page_time().
+constexpr int page_in_readings = 3;
+
+/// Estimates the time for the distances on the page, which it encloses, from a few pairs.
 milliseconds page_time(std::span<const Subject> subjects) {
   constexpr std::size_t tried_cap = 32;
   using Milliseconds = std::chrono::duration<double, std::milli>;
@@ -58,13 +61,10 @@ std::string methods_line(const std::string& build, std::span<const std::unique_p
 
 TriageContext::TriageContext(const TriageOptions& how, std::span<const std::unique_ptr<Method>> all,
                              const std::function<void(const TriageProgress&)>& show)
-    : options(how),
-      on_progress(show),
-      methods(all),
-      asked_by(methods_line(how.build, all)),
-      groups(algorithm_groups(all)) {
+    : options(how), on_progress(show), methods(all), asked_by(methods_line(how.build, all)) {
   const RunStore run = RunStore::open(options.folder);
   std::set<std::string, std::less<>> absent_guests;
+  std::set<std::string_view> libraries;  // that have findings
   for (Guest& guest : parse_guests(value_of(run.config(), "guests")))
     if (!position_of(methods, guest.name)) absent_guests.insert(std::move(guest.name));
   began = value_of(run.config(), "started");
@@ -73,14 +73,22 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
   for (const MethodRecord& m : run.methods())
     if (!absent_guests.contains(m.name)) asked.push_back(m.name);
   for (const FindingRecord& f : findings) {
-    const CaseLine line = parse_case(f.pair, 1);
-    if (!line.value) throw InputError(fmt::format("finding {}: {}", f.id, line.error));
-    subjects.push_back(
-        {&f, position_of(methods, f.method), absent_guests.contains(f.method), line.value->pair});
-    if (subjects.back().absent) absent.insert(f.id);
+    Subject s{&f, position_of(methods, f.method), absent_guests.contains(f.method), {}};
+    if (!subjects.empty() && subjects.back().record->index == f.index) {
+      s.pair = subjects.back().pair;  // those of one pair follow each other
+    } else {
+      const CaseLine line = parse_case(f.pair, 1);
+      if (!line.value) throw InputError(fmt::format("finding {}: {}", f.id, line.error));
+      s.pair = line.value->pair;
+    }
+    if (s.absent) absent.insert(f.id);
+    if (s.method) libraries.insert(methods[*s.method]->library());
+    subjects.push_back(std::move(s));
   }
   for (const Subject& s : subjects) by_id[s.record->id] = &s;
-  budget = std::max(options.budget / 2, options.budget - page_time(subjects));
+  const milliseconds page = page_time(subjects) + page_in_readings * since(start);
+  budget = std::max(options.budget / 2, options.budget - page);
+  groups = algorithm_groups(methods, [&](const Method& m) { return libraries.contains(m.library()); });
 }
 
 milliseconds TriageContext::elapsed() const { return since(start); }

@@ -54,9 +54,9 @@ struct TriageContext {
   const TriageOptions& options;
   const std::function<void(const TriageProgress&)>& on_progress;
   const std::span<const std::unique_ptr<Method>> methods;
-  const std::string asked_by;             ///< as askers() gives it
-  const std::vector<std::size_t> groups;  ///< as algorithm_groups() gives them
+  const std::string asked_by;  ///< as askers() gives it
   const Clock::time_point start = Clock::now();
+  std::vector<std::size_t> groups;               ///< algorithm_groups(), of the libraries with findings
   std::string began;                             ///< the run
   std::vector<FindingRecord> findings;           ///< by id
   std::vector<GroupRecord> finding_groups;       ///< all findings, counted
@@ -112,7 +112,8 @@ struct TriageContext {
 void classify_findings(const TriageContext& context, double part);
 /// Simplifies findings in the same way. A cut result is continued later. `known` are causes of earlier runs.
 void simplify_findings(const TriageContext& context, const std::set<std::string>& known, double part);
-/// Returns the findings to simplify: one of each cause after the other, new causes before known ones.
+/// Returns the findings to simplify: one of each cause after the other, new causes before known ones, then
+/// those beyond a claim, then the largest.
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known);
 /// Searches a worse pair for each cause, until that part of the budget is used up.
