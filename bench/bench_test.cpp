@@ -121,7 +121,7 @@ TEST(Bench, CountsWhatIsWrong) {
   EXPECT_EQ(run(fake)[0].undecided, 1u);
 }
 
-TEST(Bench, WrongAtAMarginIsToldFromWrongBelowIt) {
+TEST(Bench, WrongAtAMarginIsReportedFromWrongBelowIt) {
   Fake fake;
   fake.say = [](const Pair&) { return Verdict::disjoint; };
   for (const auto& [family, at_margin] :

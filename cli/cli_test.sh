@@ -117,16 +117,16 @@ says 'another method, nonsense in' 65 '.*"disjoint".*'$'\n''.*"intersecting".*'$
 
 says 'no command' 64 ''
 # what is wrong, how the message ends, arguments
-told() {
+refused() {
   local what=$1 wanted=$2
   shift 2
   says "$what" 64 '' "$@"
   [[ $(<err) == "daylight: $wanted" ]] || failed "$what: the message is not '$wanted'"
 }
-told 'a misspelt command' $'no command \'chekc\'. Do you mean \'check\'?\n--help shows more' chekc
-told 'a misspelt option' $'check has no option --distances. Do you mean \'--distance\'?\n--help shows more' check --distances
-told 'a word too many' $'campaign does not take \'100\'\n--help shows more' campaign --pairs 100 100
-told 'an empty value' $'--methods= gives no value\n--help shows more' campaign --methods= --pairs 100
+refused 'a misspelt command' $'no command \'chekc\'. Do you mean \'check\'?\n--help shows more' chekc
+refused 'a misspelt option' $'check has no option --distances. Do you mean \'--distance\'?\n--help shows more' check --distances
+refused 'a word too many' $'campaign does not take \'100\'\n--help shows more' campaign --pairs 100 100
+refused 'an empty value' $'--methods= gives no value\n--help shows more' campaign --methods= --pairs 100
 says 'an unknown command' 64 '' nonsense
 [[ $(<err) == *"'nonsense'; there are check, "*', families'* ]] || failed 'an unknown command lists those there are'
 says 'an unknown option' 64 '' check --nonsense

@@ -103,7 +103,7 @@ bool fuzz_before_campaign(const CampaignOptions& options) {
   const std::string given = value_of(config, "fuzz_milliseconds");
   if (given.empty() || given == "0") return true;
   milliseconds left(number_of(config, "fuzz_milliseconds"));
-  std::string told = value_of(config, "fuzzing");
+  std::string fuzzing = value_of(config, "fuzzing");
   bool failed = false;
   const std::vector<FuzzTarget> targets = targets_of_run(config);
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -130,9 +130,9 @@ bool fuzz_before_campaign(const CampaignOptions& options) {
     if (!summary.harness_failure.empty())
       throw std::runtime_error("fuzzing " + targets[i].name + ": " + summary.harness_failure);
     left -= std::min(left, summary.progress.elapsed);
-    told += format_fuzzing(summary);
+    fuzzing += format_fuzzing(summary);
     failed = failed || !summary.failures.empty();
-    store.set("fuzzing", told);
+    store.set("fuzzing", fuzzing);
     if (failed) store.set(fuzz_failed_key, "1");
     store.set("fuzz_milliseconds", std::to_string(left.count()));
     if (summary.interrupted) return false;

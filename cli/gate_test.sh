@@ -88,7 +88,7 @@ gate 64 --command "$liar" --annotate src/none.sh:3
 gate 64 --command "$liar" --annotate other=src/liar.sh:3
 gate 64 --annotate src/liar.sh:3
 
-# Against a base all of its pairs are asked, and what has grown is told, or it is said what was not.
+# Against a base all of its pairs are asked, and what has grown is reported, or it is said what was not.
 gate 0 --method libccd-mpr --against mpr.json
 python3 - <<'END'
 import json

@@ -241,7 +241,7 @@ holds 'with the digits that matter' round/issue.md '^# round gives a distance of
 expect 0 'what it said is refuted' python3 round/exact.py
 holds 'what it said is refuted' out '^the distance said, 1.0000000000001, is too large by more than [0-9.e-]+: proved$'
 
-# One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.
+# One that was built anew is reported anew; one that hangs ends with the rest, one that is gone leaves its findings unreported.
 causes --plugin good.so
 holds 'triage' out '^\* bad/not-again'
 lacks 'the cause of another build is kept' out bad/wrong_disjoint
@@ -276,10 +276,10 @@ expect 0 'replay' "$daylight" replay runs/bad:1 --methods decide
 holds 'replay' err 'bad of runs/bad is not here'
 causes
 holds 'triage' err '^daylight: bad of runs/three is not here'
-[[ $(grep -c 'is not here' err) == 1 ]] || failed 'told more than once'
+[[ $(grep -c 'is not here' err) == 1 ]] || failed 'reported more than once'
 holds 'triage' out '^[1-9][0-9]* findings are of guests that this machine does not have$'
 holds 'triage' out '^\* plain/wrong_disjoint'
-lacks 'something is told of what is not here' out 'bad/'
+lacks 'something is reported of what is not here' out 'bad/'
 expect 2 'campaign' "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
 # Two that know balls, by nine numbers and by a field, and one that says it is asked about no rounding.
 cat >balls.cpp <<'END'

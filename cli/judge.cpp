@@ -96,8 +96,8 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
 }
 
 int judge_answers(const JudgeOptions& options) {
-  ErrorPrinter told;
-  const OnBadLine on_bad_line = std::ref(told);
+  ErrorPrinter printer;
+  const OnBadLine on_bad_line = std::ref(printer);
   std::optional<Questions> questions;
   if (!options.pairs.empty()) questions.emplace(options.pairs, on_bad_line);
   std::ifstream file;

@@ -36,7 +36,7 @@ launch() {
   out=$(<"$scratch/out") err=$(<"$scratch/err")
 }
 
-# Without the packages and without a terminal an ordinary user is told the command; nothing is built.
+# Without the packages and without a terminal an ordinary user reads the command; nothing is built.
 printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/dpkg-query"
 printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
 chmod +x "$scratch/no packages/"*
@@ -78,7 +78,7 @@ if script -qec true /dev/null >/dev/null 2>&1; then # a pseudo-terminal can be h
     exit "$code"
   } || code=$?
   equal 'a failed installation: exit code' 1 "$code"
-  equal 'a failed installation is told' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
+  equal 'a failed installation is reported' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
   equal 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
 else
   "$(dirname -- "$launcher")/.ci/skip" 'a terminal: apt-get install bsdutils' || [[ $? == 77 ]]
@@ -115,7 +115,7 @@ rm "$home/room/new.cpp"
 launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
 equal 'a removed file calls the build tool' 1 "$code"
 
-# Who has to wait for another build is told so.
+# Who has to wait for another build is informed.
 exec {held}>"$home/build/lock"
 flock "$held"
 (cd "$scratch/elsewhere" && exec {held}>&- && exec "$home/daylight") >"$scratch/out2" 2>"$scratch/err2" </dev/null &
@@ -129,7 +129,7 @@ mv "$home" "$scratch/moved"
 launch "$scratch/moved/daylight"
 equal 'a moved folder: exit code' 0 "$code"
 equal 'a moved folder: standard output' hello "$out"
-equal 'a moved folder is told' yes "$([[ $err == *'moved or copied'* ]] && echo yes)"
+equal 'a moved folder is reported' yes "$([[ $err == *'moved or copied'* ]] && echo yes)"
 mv "$scratch/moved" "$home"
 
 sed -i 's/hello/goodbye/' "$home/main.cpp"
@@ -153,7 +153,7 @@ equal 'fuzz: an unknown target is left to the command' 3 "$code"
 equal 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 
 # What tests need is installed for `test` alone: Node.js and npm only where there are none, what npm brings only once. Who
-# cannot install it is told how, and the tests that do without run.
+# cannot install it learns how, and the tests that do without run.
 few=$scratch/few # every program but these two
 mkdir "$few"
 ln -s /usr/sbin/* /usr/bin/* "$few" 2>/dev/null || true
@@ -178,8 +178,8 @@ mkdir -p "$home/reports/web"
 touch "$home/reports/web/package-lock.json"
 launch env PATH="$scratch/stubs:$few" "$home/daylight" test --install-only
 equal 'test --install-only: exit code' 0 "$code"
-equal 'test: what it lacks is told' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"
-equal 'test: that tests are skipped is told' yes "$([[ $err == *'will be skipped'* ]] && echo yes)"
+equal 'test: what it lacks is reported' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"
+equal 'test: that tests are skipped is reported' yes "$([[ $err == *'will be skipped'* ]] && echo yes)"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
 equal 'test: not where there are Node.js and npm' yes "$([[ $err == *"--no-install-recommends chromium'"* ]] && echo yes)"
 equal 'test: exit code' 0 "$code"

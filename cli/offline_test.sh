@@ -78,7 +78,7 @@ holds 'no id' err '^wrong.jsonl:60: no id'
 holds 'a missing one' err '^pairs.jsonl:11: no answer$'
 holds 'what it costs' err '^pairs.jsonl:40: no answer$'
 holds 'passed over' out '^3 lines do not answer a pair$'
-[[ $(wc -l <err) == 9 ]] || failed 'not 9 lines told'
+[[ $(wc -l <err) == 9 ]] || failed 'not 9 lines reported'
 sed 's/.*/&\n/; 5s/"radius":[^,]*/"radius":-1/; 6s/"id":"6"/"id":"7"/' pairs.jsonl >bad_pairs.jsonl
 expect 2 'wrong pairs' "$daylight" judge right.jsonl --pairs bad_pairs.jsonl --name right
 holds 'no pair' err '^bad_pairs.jsonl:9: column [0-9]+: a.radius is negative'

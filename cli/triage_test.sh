@@ -54,7 +54,7 @@ kill -KILL -- "-$triaging" || failed 'it ended before it was killed'
 triage killed --json again.json
 equal 'the same causes after a kill' "$keys" "$(grep '"key"' again.json | sort)"
 
-# Suppressed causes are shown and do not fail; one that nothing stored shows is told.
+# Suppressed causes are shown and do not fail; one that nothing stored shows is reported.
 for key in $(sed -n 's/^\* \([^, ]*\).*/\1/p' out) nobody/hang; do
   printf '{"bucket":"%s","reason":"known","link":"-","owner":"ada","expires":"2999-12-31"}\n' "$key"
 done >known.jsonl
@@ -75,7 +75,7 @@ triage night2
 holds 'nothing is new' out '^0 new causes, '
 lacks 'nothing is gone' out ', gone'
 expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json --suppressions ''
-holds 'what changed is still told' out '^0 new causes, [0-9]+ known'
+holds 'what changed is still reported' out '^0 new causes, [0-9]+ known'
 lacks 'no known cause is listed' out '^\* '
 equal 'none is written' '[]' "$(<new.json)"
 expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json --suppressions ''

@@ -66,8 +66,8 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
 [[gnu::noinline]] Verdict intersect_other(const Prepared& a, const Prepared& b) noexcept {
   if (a.ball & b.ball) {
     const Vector3 delta = b.center - a.center;
-    const double room = a.rounding + b.rounding;
-    return verdict_of(dot(delta, delta) <= room * room);
+    const double contact_distance = a.rounding + b.rounding;
+    return verdict_of(dot(delta, delta) <= contact_distance * contact_distance);
   }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, 0);

@@ -87,10 +87,10 @@ QuickVerdict classify_by_filter(const Scaled& p, double contact_distance) noexce
   const Products<double> q = products(couple);
   if (!(magnitude(q.cosine) <= steep_cosine)) return QuickVerdict::neither;
   const Sections<double> f = sections(couple, q);
-  const double room_s = f.s * contact_distance;
-  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > room_s) | (f.k0 - f.s * f.r1 > contact_distance) |
-                     (f.k1 - f.s * f.r0 > contact_distance) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > room_s) |
-                     (f.k3_s - f.s * (f.c * f.r0 + f.r1) > room_s);
+  const double contact_distance_s = f.s * contact_distance;
+  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > contact_distance_s) | (f.k0 - f.s * f.r1 > contact_distance) |
+                     (f.k1 - f.s * f.r0 > contact_distance) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > contact_distance_s) |
+                     (f.k3_s - f.s * (f.c * f.r0 + f.r1) > contact_distance_s);
   const auto filter = separating_axis_filter(f);
   const bool overlaps = filter.overlaps & !filter.apart & !apart;
   // Without a branch: QuickVerdict has its words in this order.
@@ -120,7 +120,7 @@ Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull
   return kept_along * w + part * across;
 }
 
-// Two points, one of each solid, no farther apart than the room beyond rounding. `on0`, `on1` from the first
+// Two points, one of each solid, no farther apart than the contact distance beyond rounding. `on0`, `on1` from the first
 // centre.
 bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distance, Answer& answer) noexcept {
   const double reach = reach_of(p) + contact_distance;
@@ -153,7 +153,7 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
   return true;
 }
 
-// f(D) + room |D| < 0 beyond rounding.
+// f(D) + R |D| < 0 beyond rounding.
 bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, Answer& answer) noexcept {
   // A direction has no unit: a way between points has.
   const double most = max_abs(d);
@@ -206,7 +206,7 @@ QuickVerdict alternate_projections(const Scaled& p, double contact_distance, Vec
   return QuickVerdict::neither;
 }
 
-constexpr int first_steps = 2;  // with much room they mostly do
+constexpr int first_steps = 2;  // with a great contact distance they mostly do
 constexpr int more_steps = 6;   // more of them cost more than distance_of_cores() does
 
 // For solids in their order (frame.hpp).
@@ -316,7 +316,7 @@ void hand_out_points(const Scaled& p, const Vector3& on0, const Vector3& on1, Hu
   answer.hull_b = hull1;
 }
 
-// Whether a way between the cores separates them by more than the room: `least` is -f along it, times its
+// Whether a way between the cores separates them by more than the contact distance: `least` is -f along it, times its
 // length.
 bool is_beyond(double least, double square_of_way, double contact_distance, double reach) noexcept {
   const double beyond = contact_distance + 2 * separation_error * reach;

@@ -251,17 +251,17 @@ class RoundedFamilies : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(RoundedFamilies, AllWaysSayTheSameAwayFromTouching) {
-  std::size_t told = 0;
+  std::size_t stated = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     const Pair p = pair(i);
     const Distance d = distance(p.a, p.b);
     const Answer proved = decide(p.a, p.b);
     if (!(std::fabs(d.value) > 1e-13 * size_of(p) + d.error)) continue;
-    ++told;
+    ++stated;
     ASSERT_EQ(intersect(p.a, p.b), d.verdict) << format_pair(p);
     ASSERT_EQ(proved.verdict, d.verdict) << format_pair(p);
   }
-  EXPECT_GT(told, count * 8 / 10);
+  EXPECT_GT(stated, count * 8 / 10);
 }
 
 TEST_P(RoundedFamilies, AnswersDoNotSeeTheSolidsOrder) {

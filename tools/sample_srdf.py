@@ -18,10 +18,10 @@ def numbers(text):
 
 
 def origin_of(element):
-    told = {} if element.find('origin') is None else element.find('origin').attrib
-    roll, pitch, yaw = numbers(told.get('rpy', '0 0 0'))
+    attributes = {} if element.find('origin') is None else element.find('origin').attrib
+    roll, pitch, yaw = numbers(attributes.get('rpy', '0 0 0'))
     turn = about([0, 0, 1], yaw) @ about([0, 1, 0], pitch) @ about([1, 0, 0], roll)
-    return turn, numbers(told.get('xyz', '0 0 0'))
+    return turn, numbers(attributes.get('xyz', '0 0 0'))
 
 
 def about(axis, angle):
@@ -126,14 +126,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('files', nargs=2, metavar='FILE', help='a URDF, its SRDF')
     parser.add_argument('--configurations', type=int, default=1_000_000)
-    told = parser.parse_args()
-    robot, rng = Robot(told.files[0]), np.random.default_rng(1)
+    arguments = parser.parse_args()
+    robot, rng = Robot(arguments.files[0]), np.random.default_rng(1)
     told_never = re.findall(r'link1="(.*?)" link2="(.*?)" reason="Never"/>(?:.*?at least ([-0-9.e]+))?',
-                            open(told.files[1], encoding='utf-8').read())
+                            open(arguments.files[1], encoding='utf-8').read())
     bounds = {(html.unescape(a), html.unescape(b)): float(bound or 0) for a, b, bound in told_never}
     least = dict.fromkeys(bounds, math.inf)
-    for begin in range(0, told.configurations, 100_000):
-        count = min(100_000, told.configurations - begin)
+    for begin in range(0, arguments.configurations, 100_000):
+        count = min(100_000, arguments.configurations - begin)
         poses = robot.place(robot.draw(rng, count), rng, count)
         for (a, b), before in least.items():
             seen = [least_distance(x, y, poses[a], poses[b], before) for x in robot.solids[a] for y in robot.solids[b]]
@@ -141,7 +141,7 @@ def main():
     wrong = [(a, b, seen, bounds[a, b]) for (a, b), seen in least.items() if seen <= bounds[a, b]]
     for a, b, seen, bound in wrong:
         print(f'WRONG: {a} - {b}: {seen:.6g} seen, more than {bound} proved')
-    print(f'{len(least)} pairs "Never", {len(wrong)} wrong in {told.configurations} configurations; one comes as near '
+    print(f'{len(least)} pairs "Never", {len(wrong)} wrong in {arguments.configurations} configurations; one comes as near '
           f'to its bound as {min((least[pair] - bounds[pair] for pair in least), default=math.inf):.3g}')
     raise SystemExit(bool(wrong) or not least)
 

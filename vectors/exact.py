@@ -75,7 +75,7 @@ def root(square, bits, above):
     return Fraction(isqrt((top << 2 * shift) // bottom) + above, 1 << shift)
 
 
-def room(pair):
+def contact_distance(pair):
     return sum(exact(pair[k].get('rounding', 0)) for k in 'ab')
 
 
@@ -91,7 +91,7 @@ def gap(pair, direction, bits, above=False):
         across = cross(d, w)
         width -= exact(solid['radius']) * root(dot(across, across) / dot(w, w), bits, not above)
         width -= exact(solid['height']) / 2 * root(dot(d, w)**2 / dot(w, w), bits, not above)
-    width -= room(pair) * root(dot(d, d), bits, not above)
+    width -= contact_distance(pair) * root(dot(d, d), bits, not above)
     return width / root(dot(d, d), bits, above == (width < 0))
 
 
@@ -146,7 +146,7 @@ def come_near(pair, points, hulls=SPACE, extra=0):
     """Whether a point lies in each core and the two are no farther apart than both roundings and the extra. Then the
     distance of the solids is at most the extra."""
     x, y = (nearest(vector(p), equations(pair[k], hull)) for k, p, hull in zip('ab', points, hulls))
-    between, reach = minus(x, y), room(pair) + exact(extra)
+    between, reach = minus(x, y), contact_distance(pair) + exact(extra)
     return in_core(pair['a'], x) and in_core(pair['b'], y) and reach >= 0 and dot(between, between) <= reach**2
 
 
@@ -180,8 +180,8 @@ def touch_at(pair, x, y):
     """Whether the solids, which meet, share no inner point. Either x and y, points of the cores, are nearest to each
     other and as far apart as both roundings. Or they are one point in which the cores have opposite normals."""
     between = minus(y, x)
-    if any(between) or room(pair) > 0:
-        return (dot(between, between) == room(pair)**2 and supports(pair['a'], x, between)
+    if any(between) or contact_distance(pair) > 0:
+        return (dot(between, between) == contact_distance(pair)**2 and supports(pair['a'], x, between)
                 and supports(pair['b'], y, minus(x, y)))
     (spans_a, plane_a), (spans_b, plane_b) = normals(pair['a'], x), normals(pair['b'], x)
     tried = spans_a + [[-c for c in n] for n in spans_b]
@@ -220,7 +220,7 @@ def is_number(value):
 
 
 def nearly_touch(pair, near):
-    slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + room(pair)) / 2**200
+    slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + contact_distance(pair)) / 2**200
 
     def resized(by):
         return {k: dict(pair[k], radius=max(Fraction(0), exact(pair[k]['radius']) + by),
@@ -229,7 +229,7 @@ def nearly_touch(pair, near):
             else in_both(resized(slack), near['point'])):
         return False
     shrunk = resized(-slack)
-    if room(pair) > 0:
+    if contact_distance(pair) > 0:
         side = 'a' if exact(pair['a'].get('rounding', 0)) > 0 else 'b'
         shrunk[side]['rounding'] = exact(pair[side]['rounding']) - slack
     return separates(shrunk, near['direction'])

@@ -91,8 +91,8 @@ class Lint(unittest.TestCase):
         document = copy.deepcopy(SMOKE)
         index, v = next((i, v) for i, v in enumerate(document['vectors']) if of(v))
         change(v)
-        told = [line for line in lint.lint(document, FLAGS) if line.startswith(v['id'])]
-        return told[0] if told else ''
+        stated = [line for line in lint.lint(document, FLAGS) if line.startswith(v['id'])]
+        return stated[0] if stated else ''
 
     def test_what_is_planted(self):
         def result(word):
@@ -133,8 +133,8 @@ class Lint(unittest.TestCase):
                  lambda v: 'prisms' in v and v['result'] == 'intersecting', 'both prisms'),
                 (put('like', 'v1-0'), lambda v: v['kind'] == 'changed', 'not like'),
                 (put('change', 'scaled by 8'), lambda v: v['kind'] == 'changed', 'another distance')):
-            told = self.planted(change, of)
-            self.assertTrue(told and why in told, (why, told))
+            stated = self.planted(change, of)
+            self.assertTrue(stated and why in stated, (why, stated))
         document = copy.deepcopy(SMOKE)
         document['vectors'][7] = document['vectors'][3]
         self.assertIn('twice', next(lint.lint(document, FLAGS)))

@@ -40,7 +40,7 @@ TEST(Child, EndsWithOneWhereItThrowsOrIsNoProgram) {
   EXPECT_NE(said.find("/nowhere/at/all"), said.npos) << said;
 }
 
-TEST(Child, ItsDeathIsToldWhoeverHoldsThePipe) {
+TEST(Child, ItsDeathIsReportedWhoeverHoldsThePipe) {
   Child child(
       []() -> std::string {
         if (fork_with_retry() == 0) pause(), _exit(0);

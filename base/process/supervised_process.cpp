@@ -235,12 +235,12 @@ void SupervisedProcess::kill_now() {
 
 const std::optional<SupervisedProcess::Ending>& SupervisedProcess::wait() {
   if (waited_) return ending_;
-  Ending told{};
+  Ending received{};
   ssize_t got = 0;
   // The socket first reports that an ended keeper did not read all. The bytes that it sent come after that.
-  while ((got = recv(socket_, &told, sizeof told, 0)) < 0 && (errno == EINTR || errno == ECONNRESET)) {
+  while ((got = recv(socket_, &received, sizeof received, 0)) < 0 && (errno == EINTR || errno == ECONNRESET)) {
   }
-  if (got == sizeof told) ending_ = told;
+  if (got == sizeof received) ending_ = received;
   reap(keeper_);
   waited_ = true;
   return ending_;

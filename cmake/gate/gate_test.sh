@@ -66,17 +66,17 @@ try fetched -DDAYLIGHT_PROGRAM="$scratch/bin/daylight"
 cp fetched/build/mine.gate.json base.json
 echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 PAIRS 9 SEED 9 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
 # No stored case needs the suppression, because this gate has no cases.
-printf '{"bucket":"told/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >told.jsonl
-printf '%s\n' 'echo "{\"name\":\"told\"}"' 'while read -r _; do echo "{\"verdict\":\"disjoint\"}"; done' >told.sh
+printf '{"bucket":"stated/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stated.jsonl
+printf '%s\n' 'echo "{\"name\":\"stated\"}"' 'while read -r _; do echo "{\"verdict\":\"disjoint\"}"; done' >stated.sh
 cat >>fetched/CMakeLists.txt <<END_OF_FILE
-daylight_add_gate(NAME told COMMAND "sh $scratch/told.sh" PAIRS 1200 FOR 100s SEED 5 SUPPRESSIONS $scratch/told.jsonl)
+daylight_add_gate(NAME stated COMMAND "sh $scratch/stated.sh" PAIRS 1200 FOR 100s SEED 5 SUPPRESSIONS $scratch/stated.jsonl)
 END_OF_FILE
 expect 0 'configured again' cmake -S fetched -B fetched/build
 expect 0 'nothing is new' ctest --test-dir fetched/build -R '^again'
-expect 0 'a command' ctest --test-dir fetched/build -R '^told.gate'
-expect 8 'a suppression that no case needs' ctest --test-dir fetched/build -R '^told.other' --output-on-failure
-holds 'a suppression that no case needs' out '^the suppression of told/wrong_disjoint \(line 1\) matches no stored case'
-expect 0 'its seed' grep -q '"seed": *5' fetched/build/told.gate.json
+expect 0 'a command' ctest --test-dir fetched/build -R '^stated.gate'
+expect 8 'a suppression that no case needs' ctest --test-dir fetched/build -R '^stated.other' --output-on-failure
+holds 'a suppression that no case needs' out '^the suppression of stated/wrong_disjoint \(line 1\) matches no stored case'
+expect 0 'its seed' grep -q '"seed": *5' fetched/build/stated.gate.json
 
 # As cmake --install lays it out; install_test looks whether it does.
 mkdir -p prefix/lib/x/cmake/daylight-gate prefix/share/daylight/oracles

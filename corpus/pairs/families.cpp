@@ -333,7 +333,9 @@ constexpr std::array entries{
     Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
     Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
           coins_edge_to_edge},
-    // From first_close_family on.
+};
+
+constexpr std::array close_entries{
     Entry{"close_contacts",
           "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
           close<CloseKind::by_decade>},
@@ -347,8 +349,6 @@ constexpr std::array entries{
           draw_range_end},
     Entry{"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
 };
-
-static_assert(std::string_view(entries[first_close_family].name) == "close_contacts");
 
 template <SolidKind a, SolidKind b>
 Pair rounded_pair(RandomStream& s, std::uint64_t index) {
@@ -386,17 +386,19 @@ constexpr std::array<Family, some.size()> make_families(std::index_sequence<i...
 
 // The families of a campaign: first those without rounding.
 constexpr auto drawn = [] {
-  std::array<Family, entries.size() + rounded_entries.size()> all;
-  const auto rounded =
-      std::ranges::copy(make_families<entries>(std::make_index_sequence<entries.size()>()), all.begin()).out;
-  std::ranges::copy(make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>()),
-                    rounded);
+  std::array<Family, entries.size() + close_entries.size() + rounded_entries.size()> all;
+  auto next = all.begin();
+  const auto add = [&](const auto& some) { next = std::ranges::copy(some, next).out; };
+  add(make_families<entries>(std::make_index_sequence<entries.size()>()));
+  add(make_families<close_entries>(std::make_index_sequence<close_entries.size()>()));
+  add(make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>()));
   return all;
 }();
 
 }  // namespace
 
-std::span<const Family> families() { return std::span(drawn).first<entries.size()>(); }
+std::span<const Family> families() { return std::span(drawn).first<entries.size() + close_entries.size()>(); }
+std::span<const Family> close_families() { return families().last<close_entries.size()>(); }
 std::span<const Family> rounded_families() { return std::span(drawn).last<rounded_entries.size()>(); }
 std::span<const Family> campaign_families() { return drawn; }
 

@@ -20,10 +20,10 @@ struct Family {
   Pair (*generate)(std::uint64_t seed, std::uint64_t index);
 };
 
-/// All families of cylinders without rounding, in a fixed order. The families from first_close_family on
-/// draw close contacts, for which the gate has phases of its own.
+/// All families of cylinders without rounding, in a fixed order. The last of them are close_families().
 std::span<const Family> families();
-inline constexpr std::size_t first_close_family = 30;
+/// The families of close contacts, for which the gate has phases of its own.
+std::span<const Family> close_families();
 /// The combinations of a sphere, a capsule, a cylinder and a rounded cylinder, without two cylinders.
 std::span<const Family> rounded_families();
 /// The families of a campaign: first families(), then rounded_families().

@@ -36,7 +36,7 @@ TEST(FuzzJudge, UndecidedIsAFindingBeyondRoundingOnly) {
     EXPECT_EQ(found(apart_by(margin), answered(Verdict::undecided)), 0u) << margin;
 }
 
-TEST(FuzzJudge, ADistanceIsHeldToTheErrorToldWithIt) {
+TEST(FuzzJudge, ADistanceIsHeldToTheErrorReportedWithIt) {
   for (const double margin : {1e-2, 1e-9, -1e-2}) {
     const Pair pair = apart_by(margin);
     MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));
@@ -46,7 +46,7 @@ TEST(FuzzJudge, ADistanceIsHeldToTheErrorToldWithIt) {
   }
 }
 
-TEST(FuzzJudge, OursShowTheirDistancesWithinTheErrorTold) {
+TEST(FuzzJudge, OursShowTheirDistancesWithinTheErrorReported) {
   for (const CloseContact& contact : draw_close_round(7, 0)) {
     const Distance d = distance(contact.pair.a, contact.pair.b);
     EXPECT_EQ(found(contact.pair, answer_of(contact.pair, d)), 0u);

@@ -131,9 +131,9 @@ TEST_F(Fuzzing, BeginsWithTheCorporaOfAllTargetsAndNamesThePlugIn) {
   fs::create_directories(fs::path(options_.out) / "corpus/other");
   fs::copy_file(folder / "record", fs::path(options_.out) / "corpus/other/pair");
   options_.plugin = "./libmine.so";
-  live("printf '%s\\n' \"${folders[@]##*/}\" $DAYLIGHT_FUZZ_PLUGIN >$here/told; live");
+  live("printf '%s\\n' \"${folders[@]##*/}\" $DAYLIGHT_FUZZ_PLUGIN >$here/stated; live");
   fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
-  EXPECT_EQ(text(folder / "told"), "fake\nother\n./libmine.so\n");
+  EXPECT_EQ(text(folder / "stated"), "fake\nother\n./libmine.so\n");
   EXPECT_TRUE(has("corpus/fake/pair"));
 }
 

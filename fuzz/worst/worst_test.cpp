@@ -222,18 +222,18 @@ Claim promising(double relative) {
   return claim;
 }
 
-/// Reports a distance that is too long by a part of the size, and an error that is `told` of that part.
-std::unique_ptr<Method> lying(double off, double told) {
+/// Reports a distance that is too long by a part of the size, and an error that is `stated` of that part.
+std::unique_ptr<Method> lying(double off, double stated) {
   const auto ask = [=](const Pair& pair) {
     MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));
     answer.distance += off * size_of(pair);
-    answer.error_bound = told * size_of(pair);
+    answer.error_bound = stated * size_of(pair);
     return answer;
   };
   return fake_method("lying", ask, {.claim = promising(1), .foreign = false});
 }
 
-TEST(Score, AnErrorBeyondTheOneToldIsFound) {
+TEST(Score, AnErrorBeyondTheOneReportedIsFound) {
   const Worst small = climb(lying(1e-6, 1e-7), 30);
   ASSERT_TRUE(small.scored);
   EXPECT_TRUE(small.scored->beyond && small.beyond_claim());

@@ -195,7 +195,7 @@ TEST(GuestCommand, ADeathInTheStreamIsThatOfThePairThatKills) {
     EXPECT_EQ(answers[i].failure, i == 39 ? Failure::crash : Failure::none) << i << answers[i].reason;
 }
 
-TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
+TEST(GuestCommand, DecliningAndErrorsAreDistinguished) {
   EXPECT_EQ(ask_with_trouble(say(R"({"declined":"no disks"})"))[1].status, Status::declined);
   const MethodAnswer error = ask_with_trouble(say(R"({"error":"no convergence"})"))[1];
   EXPECT_EQ(error.failure, Failure::reported);

@@ -220,8 +220,8 @@ Verdict verdict_of(int word) {
   return word >= 0 && word <= DAYLIGHT_UNDECIDED ? static_cast<Verdict>(word) : static_cast<Verdict>(255);
 }
 
-std::string words_or(const char* told, const char* otherwise) {
-  return told && *told ? text_of(told, sizeof MethodAnswer::reason) : otherwise;
+std::string words_or(const char* given, const char* otherwise) {
+  return given && *given ? text_of(given, sizeof MethodAnswer::reason) : otherwise;
 }
 
 /// Returns the part of all labels that is alike up to a '-': "mine" of "mine" and "mine-verdict".

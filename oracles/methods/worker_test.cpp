@@ -129,7 +129,7 @@ TEST(Worker, AGuestMayStartThreads) {
   EXPECT_EQ(answer.side_effect, SideEffect::none) << answer.reason;
 }
 
-TEST(Worker, AThreadThatIsLeftIsTold) {
+TEST(Worker, AThreadThatIsLeftIsReported) {
   const MethodAnswer answer = ask_guest([] { std::thread([] { pause(); }).detach(); });
   EXPECT_EQ(answer.status, Status::answered) << answer.reason;
   EXPECT_EQ(answer.side_effect, SideEffect::thread);
@@ -146,7 +146,7 @@ TEST(Worker, GarbageInItsDescriptorsHurtsNobody) {
   EXPECT_EQ(closed.status, Status::answered) << closed.reason;
 }
 
-TEST(Worker, AChangedRoundingModeIsToldAndPutBack) {
+TEST(Worker, AChangedRoundingModeIsReportedAndPutBack) {
   const MethodAnswer answer = ask_between_good_ones([] { std::fesetround(FE_UPWARD); });
   EXPECT_EQ(answer.status, Status::answered);
   EXPECT_EQ(answer.side_effect, SideEffect::rounding_mode);
@@ -160,14 +160,14 @@ TEST(Worker, AChangedRoundingModeIsToldAndPutBack) {
   EXPECT_STREQ(answers[1].answer.reason, "");
 }
 
-TEST(Worker, ALongSleepIsTold) {
+TEST(Worker, ALongSleepIsReported) {
   const MethodAnswer answer = ask_between_good_ones(
       [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
   EXPECT_EQ(answer.status, Status::answered) << answer.reason;
   EXPECT_EQ(answer.side_effect, SideEffect::slow);
 }
 
-TEST(Worker, WhichLimitBrokeIsTold) {
+TEST(Worker, WhichLimitBrokeIsReported) {
   const Caps caps{.call_cpu = short_cap, .call_wall = milliseconds(2000)};
   const auto endless = [] {
     volatile bool forever = true;

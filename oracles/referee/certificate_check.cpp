@@ -96,7 +96,7 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
   b_ = solid(b);
   delta_ = lift<I>(b_.center) - lift<I>(a_.center);
   if (is_rounded(pair))
-    room_ = I(scaled(a.rounding, -exponent_, exact)) + I(scaled(b.rounding, -exponent_, exact));
+    contact_distance_ = I(scaled(a.rounding, -exponent_, exact)) + I(scaled(b.rounding, -exponent_, exact));
   usable_ = exact;
 }
 
@@ -117,7 +117,7 @@ auto BasicFilter<R>::support_gap(const Vec3<I>& d) const -> I {
   if (!usable_) return I::everything();
   const I f = support_gap_of(d, a_.unit_axis, I(a_.radius), I(a_.height / 2), b_.unit_axis, I(b_.radius),
                              I(b_.height / 2), delta_);
-  return room_.hi > 0 ? f + room_ * length(d) : f;
+  return contact_distance_.hi > 0 ? f + contact_distance_ * length(d) : f;
 }
 
 template <class R>
@@ -187,7 +187,7 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
   };
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
   const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
-  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= room_.lo;
+  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= contact_distance_.lo;
 }
 
 // The points move by vectors that are known only as intervals. The exact unit axes give the point that is

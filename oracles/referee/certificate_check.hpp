@@ -72,7 +72,7 @@ class BasicFilter {
   int exponent_ = 0;
   Solid a_, b_;
   Vec3<I> delta_;
-  I room_;  // both roundings together
+  I contact_distance_;  // both roundings together
 };
 
 using Filter = BasicFilter<double>;

@@ -119,7 +119,7 @@ TEST(RefereeOfRounded, TiesCostWhatTheyDoWithoutRounding) {
 }
 
 // The nearest points are at a corner of the area that one face hides of the other.
-TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
+TEST(RefereeOfRounded, FacesAtATinyAngleAreReported) {
   const std::pair<const char*, const char*> faces[] = {
       {R"("center":[0,0,0],"axis":[-0.3919077812736112,0.90993462739085651,0.13574706203914061],
           "radius":1.9710960281861707,"height":1.8650528874609782,"rounding":0.29999999999999999)",
@@ -144,13 +144,13 @@ TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
 
 // A rim or a small coin lies over a face, parallel but for rounding. A segment crosses the rim of a face, at
 // rational points. The search for the nearest points does not depend on the unit either.
-TEST(RefereeOfRounded, FacesParallelButForRoundingAreToldInFewBits) {
-  struct Told {
+TEST(RefereeOfRounded, FacesParallelButForRoundingAreProvedInFewBits) {
+  struct Stated {
     const char *a, *b;
     Verdict verdict;
     CertificateKind kind;
   };
-  const Told all[] = {
+  const Stated all[] = {
       {R"("center":[-81.084618159597653,-56.245092624110562,15.737273997194123],
           "axis":[0.43643578047197901,0.87287156094397012,0.21821789023600183],
           "radius":61.312614230114775,"height":139.9148533899683,"rounding":7.6508029855704562e-11)",
@@ -172,15 +172,15 @@ TEST(RefereeOfRounded, FacesParallelButForRoundingAreToldInFewBits) {
       {R"("center":[-7,5.5,-11],"axis":[2,-2,1],"radius":6,"height":9)",
        R"("center":[0,0,0],"axis":[2,1,-2],"radius":6,"height":12,"rounding":1.5)", Verdict::touching,
        CertificateKind::points}};
-  for (const Told& told : all)
+  for (const Stated& stated : all)
     for (const int exponent : {0, -80, 80}) {
-      const auto pair = scaled_exactly(pair_from(told.a, told.b), exponent);
+      const auto pair = scaled_exactly(pair_from(stated.a, stated.b), exponent);
       ASSERT_TRUE(pair);
       const Truth truth = judge(*pair);
-      EXPECT_EQ(truth.verdict, told.verdict) << told.a << exponent;
-      EXPECT_EQ(truth.certificate.kind, told.kind) << told.a << exponent;
-      EXPECT_LE(truth.bits, 256) << told.a << exponent;
-      EXPECT_EQ(judge_verdict(*pair).verdict, told.verdict) << told.a << exponent;
+      EXPECT_EQ(truth.verdict, stated.verdict) << stated.a << exponent;
+      EXPECT_EQ(truth.certificate.kind, stated.kind) << stated.a << exponent;
+      EXPECT_LE(truth.bits, 256) << stated.a << exponent;
+      EXPECT_EQ(judge_verdict(*pair).verdict, stated.verdict) << stated.a << exponent;
     }
 }
 

@@ -48,11 +48,11 @@ TEST(AnswerJson, IsMadeOfEveryPair) {
     const Pair pair = wild_pair(stream);
     const Truth truth = judge(pair);
     const Enclosure distance = enclose_distance(pair, truth);
-    const auto told = parse_json(format_truth(truth, &distance));
-    ASSERT_EQ(told["verdict"], to_string(truth.verdict));
-    EXPECT_TRUE(is_end(told["distance"][0], distance.lo) && is_end(told["distance"][1], distance.hi))
+    const auto stated = parse_json(format_truth(truth, &distance));
+    ASSERT_EQ(stated["verdict"], to_string(truth.verdict));
+    EXPECT_TRUE(is_end(stated["distance"][0], distance.lo) && is_end(stated["distance"][1], distance.hi))
         << format_pair(pair);
-    beyond += told["distance"][0].is_string() + told["distance"][1].is_string();
+    beyond += stated["distance"][0].is_string() + stated["distance"][1].is_string();
     for (const auto& method : methods)
       EXPECT_NO_THROW(parse_json(format_method_answer(method->ask(pair)))) << format_pair(pair);
   }

@@ -19,7 +19,7 @@ Pair changed(void (*change)(Pair&)) {
   return p;
 }
 
-TEST(CoordinateOf, TellsWhatIsExtreme) {
+TEST(CoordinateOf, ShowsWhatIsExtreme) {
   EXPECT_EQ(coordinate_of(plain, 0.1), Coordinate::plain);
   EXPECT_EQ(coordinate_of(plain, 1e-3), Coordinate::plain);
   EXPECT_EQ(coordinate_of(plain, 0.99e-3), Coordinate::margin);

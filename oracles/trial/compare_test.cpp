@@ -259,17 +259,17 @@ TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
   }
 }
 
-TEST(Compare, WhoTellsAnErrorIsHeldToIt) {
+TEST(Compare, WhoShowsAnErrorIsHeldToIt) {
   const Claim claim{1e-3, 0, ""};
-  for (const double told : {1e-6, 1e-4}) {
+  for (const double stated : {1e-6, 1e-4}) {
     for (const double off : {1e-5, -1e-5}) {
       MethodAnswer apart = said_distance(Verdict::disjoint, 0.5 + off);
-      apart.error_bound = told;
-      EXPECT_EQ(judged(Verdict::disjoint, 0.5, claim, apart).has_value(), told < 1e-5);
+      apart.error_bound = stated;
+      EXPECT_EQ(judged(Verdict::disjoint, 0.5, claim, apart).has_value(), stated < 1e-5);
       // If they overlap, a smaller depth is not ruled out.
       MethodAnswer into = said_distance(Verdict::intersecting, -0.5 + off);
-      into.error_bound = told;
-      EXPECT_EQ(judged(Verdict::intersecting, -0.5, claim, into).has_value(), told < 1e-5 && off > 0);
+      into.error_bound = stated;
+      EXPECT_EQ(judged(Verdict::intersecting, -0.5, claim, into).has_value(), stated < 1e-5 && off > 0);
     }
   }
 }

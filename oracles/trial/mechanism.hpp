@@ -30,12 +30,12 @@ enum class Mechanism : unsigned char {
   absolute_length,  ///< right if both solids are made larger or smaller
   rounding,         ///< wrong below rounding_margin, at any size that was tried
   setting,          ///< another setting of the same algorithm is right
-  unclassified,     ///< none of these; "untold" in files
+  unclassified,     ///< none of these; "unclassified" in files
   model             ///< right about the solids that it models, whose edges it rounds on purpose
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
-                    "rounding", "setting", "untold",        "model"};
+                    "rounding", "setting", "unclassified",        "model"};
 }
 
 /// Relative to the size. Double computations of some steps leave errors up to this.

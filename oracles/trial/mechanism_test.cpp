@@ -61,18 +61,18 @@ TEST(Mechanism, IsUnclassifiedWhereEveryPairIsWrong) {
   EXPECT_EQ(classified([](const Pair&) { return true; }, crossing(1)).mechanism, Mechanism::unclassified);
 }
 
-TEST(Mechanism, TellsAnOffset) {
+TEST(Mechanism, ShowsAnOffset) {
   const auto far = [](const Pair& p) { return p.a.center.norm() > 1e5; };
   EXPECT_EQ(classified(far, crossing(1, 1e6)).mechanism, Mechanism::offset);
   EXPECT_EQ(classified(far, crossing(0, 1e6)).mechanism, Mechanism::offset) << "points";
 }
 
-TEST(Mechanism, TellsTheCapOnSteps) {
+TEST(Mechanism, ShowsTheCapOnSteps) {
   EXPECT_EQ(classified([](const Pair&) { return true; }, crossing(1), true).mechanism,
             Mechanism::iteration_cap);
 }
 
-TEST(Mechanism, TellsAFixedLength) {
+TEST(Mechanism, ShowsAFixedLength) {
   const Classification small = classified([](const Pair& p) { return size_of(p) < 1e-3; }, crossing(1e-4));
   EXPECT_EQ(small.mechanism, Mechanism::absolute_length);
   EXPECT_TRUE(small.larger);
@@ -82,7 +82,7 @@ TEST(Mechanism, TellsAFixedLength) {
   EXPECT_TRUE(large.smaller);
 }
 
-TEST(Mechanism, TellsWhatLeavesTheDoubles) {
+TEST(Mechanism, ShowsWhatLeavesTheDoubles) {
   EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 1e100; }, crossing(1e120)).mechanism,
             Mechanism::overflow);
   EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 1e-100; }, crossing(1e-120)).mechanism,
@@ -180,13 +180,13 @@ TEST(Mechanism, ADistanceThatIsOffAsMuchAtEverySizeIsNoFixedLength) {
   EXPECT_EQ(classify(methods, {&failing, 1}, {})[0].mechanism, Mechanism::unclassified);
 }
 
-TEST(Mechanism, TellsRounding) {
+TEST(Mechanism, ShowsRounding) {
   Pair p = crossing(1);
   p.b.center.x() = 0.5;  // the walls touch
   EXPECT_EQ(classified([](const Pair&) { return true; }, p).mechanism, Mechanism::rounding);
 }
 
-TEST(Mechanism, TellsASettingThatIsRight) {
+TEST(Mechanism, ShowsASettingThatIsRight) {
   Methods methods;
   methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
   methods.push_back(erring("lib-way-fine", [](const Pair&) { return false; }));

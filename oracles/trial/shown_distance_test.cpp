@@ -15,7 +15,7 @@ namespace {
 
 // Tests what solver/distance.hpp promises always and on every machine. It includes the smallest solids, for
 // which the reported values are a few of the smallest doubles.
-TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItTells) {
+TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItShows) {
   for (const Family& family : families()) {
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Pair pair = family.generate(11, i);

@@ -307,7 +307,7 @@ TEST(Gate, ReportsWhoWritesGarbage) {
   EXPECT_TRUE(reported(distance, 30, "non_finite"));
 }
 
-TEST(Gate, SimplifiesRunsAgainAndTellsBucketsApart) {
+TEST(Gate, SimplifiesRunsAgainAndDistinguishesCauses) {
   const GateReport report = run_on(wrong_of_wide_a, {.pairs = few_pairs});
   const auto wrong = std::find_if(report.failures.begin(), report.failures.end(), [](const GateFailure& f) {
     return f.law->number == 31 && f.severity == Severity::contract;

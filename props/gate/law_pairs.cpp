@@ -75,11 +75,11 @@ Kind close_cell(RandomStream& s) {
 Kind any_kind(RandomStream& s) {
   const std::size_t n = s.below(6);
   if (n == 0) return grid(s);
-  return n < 3 ? family(families().first(first_close_family), s, 1) : stratum(s);
+  return n < 3 ? family(families().first(families().size() - close_families().size()), s, 1) : stratum(s);
 }
 
 Kind close_kind(RandomStream& s) {
-  return s.below(4) == 0 ? family(families().subspan(first_close_family), s, turns) : close_cell(s);
+  return s.below(4) == 0 ? family(close_families(), s, turns) : close_cell(s);
 }
 
 Kind rounded_kind(RandomStream& s) { return family(rounded_families(), s, turns); }

@@ -170,9 +170,9 @@ std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& 
     asked.back().pair.b.center += (u.dot(delta) < 0 ? -length : length) * u;
   };
   if (first.distance > 0) {
-    const bool told = first.witness == CertificateKind::direction;
+    const bool offered = first.witness == CertificateKind::direction;
     for (const double depth : depths)
-      slide(told ? offered_direction(pair, first) : delta, -first.distance - depth * size_of(pair));
+      slide(offered ? offered_direction(pair, first) : delta, -first.distance - depth * size_of(pair));
   } else {
     const Vector3 w0 = prepare(pair.a).unit_axis, w1 = prepare(pair.b).unit_axis;
     for (const Vector3& way : {w0, w1, Vector3(w0.cross(w1)), delta}) slide(way, -first.distance);
@@ -250,9 +250,9 @@ std::optional<Violation> break_widening(const LawCase& c) {
     if (!is_decided(c.first) || !is_decided(second) || !second.has_distance) return {};
     const double by = (wider.a.rounding - c.pair.a.rounding) + (wider.b.rounding - c.pair.b.rounding);
     // A method that does not report the least depth may report several depths of an overlap.
-    const bool told = c.first.distance > 0 && second.distance > 0;
+    const bool apart = c.first.distance > 0 && second.distance > 0;
     const double off =
-        told ? std::fabs(c.first.distance - by - second.distance) : second.distance - c.first.distance;
+        apart ? std::fabs(c.first.distance - by - second.distance) : second.distance - c.first.distance;
     const double allowed = distance_allowance(c, c.pair, c.first.distance) +
                            distance_allowance(c, wider, second.distance) + sum_error * size_of(wider);
     if (!(off > allowed)) return {};

@@ -106,7 +106,7 @@ TEST_F(Misbehaving, BreaksLaw30AndNoOther) {
   EXPECT_EQ(violations, (std::vector<std::uint64_t>{pair_count, 2, pair_count, pair_count, 0}));
 }
 
-TEST_F(Misbehaving, IsTold) {
+TEST_F(Misbehaving, IsReported) {
   for (const LawViolation& b : examined.violations) {
     const std::string& what = b.violation.what;
     const bool reported = b.method == throws  ? what.ends_with("no support point")

@@ -104,7 +104,7 @@ TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
   }
 }
 
-TEST(FailingRegion, TellsWhatMatters) {
+TEST(FailingRegion, ShowsWhatMatters) {
   const auto methods = blurred_methods();
   const auto regions = failing_regions(methods[0], try_method(methods[0], stacked()));
   const FailingRegion& scale = region(regions, Parameter::scale);

@@ -59,7 +59,7 @@ class HistoryTest : public testing::Test {
   fs::path folder;
 };
 
-TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
+TEST_F(HistoryTest, ShowsNewKnownBackAndGone) {
   run("c", "2026-11-01", {{"x", {lost, held, old}}});
   run("b", "2026-11-02", {{"x", {held, late}}});
   run("a", "2026-11-03", {{"x", {held, lost, first, seldom}}, {"y", {other}}});

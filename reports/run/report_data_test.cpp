@@ -172,7 +172,7 @@ TEST_F(ReportData, TheCommandHasTheCasesAndTheCorpus) {
   EXPECT_EQ(command_with(in_source_tree("corpus/cases")).find("--cases"), std::string::npos);
 }
 
-TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
+TEST_F(ReportData, ShowsAPairOfManyFindingsOnceAndToTheLastBit) {
   RunStore store = RunStore::create(folder, {{"seed", "1"}});
   std::vector<FindingRecord> findings{finding(0, "fake", 0.25), finding(0, "other", 0.25),
                                       finding(1, "fake", 0.1)};

@@ -58,7 +58,7 @@ TEST(Study, ToleratedFalseAlarmsMakeItCheaper) {
 }
 
 // Two rods end to end, 1.5 apart. The round ends of their capsules overlap, the balls around them do not.
-TEST(Study, TellsHowWrongAModelAloneIs) {
+TEST(Study, ShowsHowWrongAModelAloneIs) {
   const Scene scene =
       still_scene({{"low", {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
   const SceneStudy s = study_scene(scene, question(0, 0, 7));
@@ -104,7 +104,7 @@ TEST(Study, NeedsTheSimplestThatSuffices) {
   EXPECT_GT(count[3], 0u);
 }
 
-TEST(Study, TellsWhereAModelIsWrongByMost) {
+TEST(Study, ShowsWhereAModelIsWrongByMost) {
   const Scene scene = read_scene(folder + "twenty.urdf");
   const SceneOptions q = question(0, 0, 100);
   const SceneStudy s = study_scene(scene, q);

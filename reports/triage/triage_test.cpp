@@ -120,7 +120,7 @@ std::set<std::string> keys_of(const std::vector<Cause>& causes) {
 
 Json page_of(const ShownCase& shown) { return Json::parse(shown.page); }
 
-TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
+TEST(Triage, ShowsCausesWhateverTheOrderAndTheNight) {
   const Folder history;
   const std::string first = history.make_run("one", "2026-11-20", three(), 5);
   const Triage one = triage(first);
@@ -377,12 +377,12 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_EQ(exit_code(none), 3);
   {
     TriageStore store(folder, methods_line("test", quick_methods()));
-    store.add(std::vector<CauseRecord>{{2, "told-before", Mechanism::unclassified, ""}});
+    store.add(std::vector<CauseRecord>{{2, "known-before", Mechanism::unclassified, ""}});
     store.add(SimpleRecord{1, "half done", 1, false});
     store.add(SimpleRecord{3, "done", 1, true});
   }
   const Triage all = triage(folder);
-  EXPECT_TRUE(keys_of(all.causes).contains("told-before"));
+  EXPECT_TRUE(keys_of(all.causes).contains("known-before"));
   EXPECT_EQ(all.progress.classified, 3u);
   EXPECT_EQ(all.progress.simplified, 3u);
   for (const SimpleRecord& simple : TriageStore(folder, methods_line("test", quick_methods())).simples()) {

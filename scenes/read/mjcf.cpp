@@ -169,12 +169,12 @@ class MjcfBuilder {
   void set_limits(const MjcfElement& joint, Link& link, double reference) {
     const bool turns = link.motion == Motion::turn;
     const std::vector<double> range = joint.numbers("range");
-    const std::string told = joint.text("limited", "auto");
+    const std::string limited = joint.text("limited", "auto");
     const bool ranged = range.size() == 2 && !(range[0] == 0 && range[1] == 0);
     if (ranged && range[0] > range[1])
       throw std::runtime_error("joint " + link.joint + ": its range is none");
-    const bool by_range = told == "auto" && d_.autolimits() && ranged && range[0] < range[1];
-    if (d_.limits() && ranged && (told == "true" || by_range)) {
+    const bool by_range = limited == "auto" && d_.autolimits() && ranged && range[0] < range[1];
+    if (d_.limits() && ranged && (limited == "true" || by_range)) {
       link.low = turns ? d_.angle(range[0]) : range[0];
       link.high = turns ? d_.angle(range[1]) : range[1];
     } else if (turns) {
@@ -345,8 +345,8 @@ class MjcfBuilder {
                       other = node.attribute("joint2").as_string();
     const auto moved = moved_.find(one), leader = moved_.find(other);
     std::vector<double> c{0, 1, 0, 0, 0};
-    const std::vector<double> told = element.numbers("polycoef");
-    std::copy_n(told.begin(), std::min(told.size(), c.size()), c.begin());
+    const std::vector<double> stated = element.numbers("polycoef");
+    std::copy_n(stated.begin(), std::min(stated.size(), c.size()), c.begin());
     if (moved == moved_.end() || leader == moved_.end() || c[2] != 0 || c[3] != 0 || c[4] != 0) {
       scene_.notes.push_back("Joint " + one + " follows none, or not in proportion: drawn by itself.");
       return;

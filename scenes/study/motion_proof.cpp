@@ -186,7 +186,7 @@ class Prover {
       return;
     }
     proof_.bound = cells_.top().bound;
-    gainsay(proof_, proof_.least);
+    contradict(proof_, proof_.least);
   }
 
   // Goes on from a place within the clearance, because the bodies may overlap nearby.
@@ -241,7 +241,7 @@ MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, Moti
   proof.bounded = false;
   proof.open_share = 0;
   proof.bound = contact.bound;
-  gainsay(proof, proof.least);
+  contradict(proof, proof.least);
   return proof;
 }
 
@@ -257,7 +257,7 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
         proof.bodies.push_back(prove_contact(scene, std::min(a, b), std::max(a, b), question));
   for (const BodyPair& pair : seen)
     for (MotionProof& bodies : proof.bodies)
-      if (bodies.a == pair.a && bodies.b == pair.b) gainsay(bodies, pair.seen);
+      if (bodies.a == pair.a && bodies.b == pair.b) contradict(bodies, pair.seen);
   return proof;
 }
 
@@ -297,7 +297,7 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
   MotionStudy study;
   for (const BodyPair& pair : pairs) {
     study.pairs.push_back(prove_motion(scene, pair.a, pair.b, question));
-    gainsay(study.pairs.back(), pair.seen);
+    contradict(study.pairs.back(), pair.seen);
   }
   std::set<std::pair<std::size_t, std::size_t>> exempt;
   for (std::size_t i = 0; i < scene.exemptions.size(); ++i) {
@@ -320,7 +320,7 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
   return study;
 }
 
-void gainsay(MotionProof& proof, double seen) {
+void contradict(MotionProof& proof, double seen) {
   if (!(proof.bound > 0 && seen < proof.bound)) return;
   proof.verdict = MotionVerdict::open;
   proof.bound = 0;

@@ -83,7 +83,7 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
                           const BodyPairs& others = {});
 
 /// Takes back what was proved of two bodies if they are seen nearer.
-void gainsay(MotionProof& proof, double seen);
+void contradict(MotionProof& proof, double seen);
 
 /// Returns whether a link has shapes that were not looked at.
 bool has_unknown_shapes(const Scene& scene, std::size_t link);

@@ -96,7 +96,7 @@ TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
 }
 
 // If a proof is incomplete, the part that is not proved has a share.
-TEST(MotionProof, TellsWhatIsLeftOpen) {
+TEST(MotionProof, ShowsWhatIsLeftOpen) {
   MotionQuestion q;
   q.clearance = 0.2 * (1 - 1e-12);
   q.box_cap = 40;
@@ -157,7 +157,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
 void gainsay_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
   for (std::size_t k = 0; k < 2000; ++k) {
     const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 7, k));
-    for (MotionProof& proof : proofs) gainsay(proof, distance(placed[proof.a], placed[proof.b]).value);
+    for (MotionProof& proof : proofs) contradict(proof, distance(placed[proof.a], placed[proof.b]).value);
   }
 }
 

@@ -166,8 +166,8 @@ function signOfF(a: Solid, b: Solid, d: Vector): Side {
       { what: `height ${name}: h/2 |D.w|`, q: mul(square(div(s.height, rational(2n))), div(square(along), ww)) },
     ];
   });
-  const room = add(a.rounding, b.rounding);
-  if (room.n !== 0n) terms.push({ what: "roundings: R |D|", q: mul(square(room), dot(d, d)) });
+  const contactDistance = add(a.rounding, b.rounding);
+  if (contactDistance.n !== 0n) terms.push({ what: "roundings: R |D|", q: mul(square(contactDistance), dot(d, d)) });
   const apart = abs(dot(d, minus(b.center, a.center)));
   // Roots far below 1 need their own digits: count from the size of the projection.
   const length = (x: bigint) => x.toString(16).length * 4;
@@ -361,10 +361,10 @@ function supports(s: Solid, x: Vector, n: Vector): boolean {
  *  far apart as both roundings. Or they are one point in which the cores have opposite normals. */
 function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
   const between = minus(y, x),
-    room = add(a.rounding, b.rounding);
-  if (!isZero(between) || room.n !== 0n)
+    contactDistance = add(a.rounding, b.rounding);
+  if (!isZero(between) || contactDistance.n !== 0n)
     return (
-      equal(dot(between, between), square(room)) && supports(a, x, between) && supports(b, y, turned(between))
+      equal(dot(between, between), square(contactDistance)) && supports(a, x, between) && supports(b, y, turned(between))
     );
   const of = [normals(a, x), normals(b, x)] as const,
     shared = of[0].plane && of[1].plane ? cross(of[0].plane, of[1].plane) : null,
