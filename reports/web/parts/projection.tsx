@@ -63,7 +63,7 @@ function outline(of: Solid, flat: Flatten, view: View, name: string) {
   return (
     <g class={name}>
       <path class="body" d={path(around)} />
-      {(of.rounding > 0 ? [around] : ends).map((points, i) => (
+      {(of.rounding > 0 || of.radius === 0 ? [around] : ends).map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
       ))}
     </g>

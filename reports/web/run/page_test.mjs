@@ -309,7 +309,7 @@ async function showsHostileTextAsText() {
   });
 }
 
-/** The drawings of two points next to each other, and of a certificate beyond doubles, are not errors. */
+/** The drawings of a segment, two points next to each other, and a certificate beyond doubles are right. */
 async function drawsTheExtreme() {
   const report = sample(),
     far = `1${"0".repeat(400)}`;
@@ -320,11 +320,18 @@ async function drawsTheExtreme() {
     second = report.findings.find((f) => f.case !== first.case);
   const dots = { pair: { a: point(0), b: point(5e-324) }, truth, nearest, direction: [0, 0, 1] };
   Object.assign(report.cases[first.case], dots);
+  const third = report.findings.find((f) => ![first.case, second.case].includes(f.case)),
+    segments = { a: { ...point(0), height: 1 }, b: { ...point(1), axis: [1, 0, 0], height: 1 } };
+  Object.assign(report.cases[third.case], { pair: segments, nearest: undefined, direction: [0, 0, 1] });
   Object.assign(report.cases[second.case], { truth: { ...truth, direction: [far, far, "0"] }, direction: undefined });
   await read(report, async (page) => {
-    for (const { id } of [first, second]) {
+    for (const { id } of [first, second, third]) {
       await go(page, `#/finding/${id}`);
       assert.match(await textOf(page, ".detail h2"), new RegExp(`^#${id} `));
+    }
+    for (const solid of ["a", "b"]) {
+      const { width, height } = await page.locator(`.stage .solid-${solid} .rim`).first().boundingBox();
+      assert.ok(Math.hypot(width, height) > 30, `segment ${solid} is seen`);
     }
   });
 }
