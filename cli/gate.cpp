@@ -82,7 +82,7 @@ std::string case_lines(const JudgedGate& gate) {
     if (!is_error(failure)) continue;
     Case c;
     c.pair = failure.simplest;
-    c.id = failure.bucket;
+    c.id = failure.cause;
     c.source = fmt::format("daylight gate, simplified from {}", failure.origin);
     c.note = fmt::format("{} breaks law {}, {}: {}", failure.method, failure.law->number, failure.law->name,
                          failure.what_of_simplest.empty() ? failure.what : failure.what_of_simplest);
@@ -168,7 +168,7 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
     if (!line.due(p.elapsed)) return;
     line.show(p.elapsed, p.share,
               fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
-                          counted(p.failures, "failing bucket")));
+                          counted(p.failures, "failing cause")));
   });
 }
 
@@ -254,7 +254,7 @@ void add_gate(Program& program) {
   command.section("Baseline");
   command
       .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs, and fails only on new buckets or more pairs of one")
+              "JSON of an earlier gate; reruns its pairs, and fails only on new causes or more pairs of one")
       .excludes("--pairs")
       .excludes("--seed");
   command

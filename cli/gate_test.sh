@@ -122,7 +122,7 @@ gate 3 --method intersect,decide --against ours.json --for 1ms
 gate 64 --against mpr.json --pairs 100
 gate 64 --against mpr.json --seed 2
 gate 64 --pairs 0
-printf '{"bucket":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
+printf '{"cause":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
 GITHUB_ACTIONS=true gate 2 --method intersect --pairs 100 --suppressions stale.jsonl --junit stale.xml --json stale.json
 holds 'a stale suppression' out 'nobody/hang \(line 1\) matches no stored case'
 holds 'a stale suppression' out '^::error title=daylight gate::'

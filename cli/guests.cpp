@@ -165,9 +165,9 @@ MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std
   std::string missing;
   for (const std::string& target : targets) {
     std::error_code none;  // if the name is empty
-    const auto of_buckets =
-        std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/buckets/FILE
-    for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {
+    const auto of_causes =
+        std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/causes/FILE
+    for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_causes.string()}) {
       if (!holds_run(run)) continue;
       add_guests_of_run(set, run, options, missing);
       break;

@@ -133,7 +133,7 @@ mkdir -p centred none
 ball='{"center":[1,2,3],"axis":[0,0,1],"radius":0,"height":0,"rounding":2}'
 printf '{"id":"concentric","a":%s,"b":%s}\n' "$ball" "$ball" >centred/cases.jsonl
 # It excuses the laws that the cause breaks.
-printf '{"bucket":"balls/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >known.jsonl
+printf '{"cause":"balls/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >known.jsonl
 expect 2 'a fault' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred
 holds 'a fault' out 'breaks law 22 Lipschitz'
 expect 0 'a fault, suppressed and stored' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred --suppressions known.jsonl
@@ -204,7 +204,7 @@ for key in bad/wrong_disjoint bad/crash/sigabrt bad/exception/no-luck bad/malfor
   holds 'triage' out "^\* $key"
 done
 page_data runs/three/report.html | grep -F -- "--plugin bad=" >/dev/null || failed 'the page does not say how to bring the guests'
-expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/buckets/*.jsonl | head -n 1)" --methods bad
+expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/causes/*.jsonl | head -n 1)" --methods bad
 expect 0 'explain' "$daylight" explain runs/three bad/wrong_disjoint
 holds 'explain' out '^bad '
 sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp

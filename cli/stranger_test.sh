@@ -93,13 +93,13 @@ END
     planted "a journal of $file: $words" $words
   done
 done
-for link in charts.json.new charts.json report.html triage.sqlite run.sqlite buckets/fcl-libccd.overflow.jsonl; do
-  rm -rf copy && cp -r renamed copy && mkdir -p copy/buckets && ln -sfn "$scratch/victim" "copy/$link"
+for link in charts.json.new charts.json report.html triage.sqlite run.sqlite causes/fcl-libccd.overflow.jsonl; do
+  rm -rf copy && cp -r renamed copy && mkdir -p copy/causes && ln -sfn "$scratch/victim" "copy/$link"
   # shellcheck disable=SC2086
   for words in 'triage copy --for 1s' 'chart copy'; do planted "a link $link: $words" $words; done
 done
-rm -rf copy && cp -r renamed copy && rm -rf copy/buckets && mkdir outside && ln -s "$scratch/outside" copy/buckets
-planted 'a link buckets' triage copy --for 1s
+rm -rf copy && cp -r renamed copy && rm -rf copy/causes && mkdir outside && ln -s "$scratch/outside" copy/causes
+planted 'a link causes' triage copy --for 1s
 equal 'nothing is written through it' '' "$(ls outside)"
 
 # Other files: a field that names a program is refused or means nothing.
@@ -107,7 +107,7 @@ guest='"command":"sh evil.sh","plugin":"./evil.so","guests":"command\tevil\t.\ts
 mkdir cases
 printf '{%s,%s}\n' "$pair" "$guest" >cases/case.jsonl
 printf '{"id":0,"verdict":"disjoint",%s}\n' "$guest" >answers.jsonl
-printf '{"bucket":"evil/hang","reason":"r","link":"-","owner":"o","expires":"2999-12-31",%s}\n' "$guest" >known.jsonl
+printf '{"cause":"evil/hang","reason":"r","link":"-","owner":"o","expires":"2999-12-31",%s}\n' "$guest" >known.jsonl
 "$daylight" gate --method decide --pairs 1 --json base.json >/dev/null
 python3 - <<'END'
 import json

@@ -123,7 +123,7 @@ void add_triage(Program& program) {
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/buckets/ has a pair of each cause, the simplest if there was time. It has a worst pair\n"
+      "RUN/causes/ has a pair of each cause, the simplest if there was time. It has a worst pair\n"
       "(.worst.jsonl) if a search found one worse than the findings.\n"
       "Guests are those of the run, or those of --plugin and --command.\n"
       "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "

@@ -32,9 +32,9 @@ holds 'overflow is a cause' out '^\* fcl-libccd/overflow'
 holds 'it is written' causes.json '"key": "fcl-libccd/overflow"'
 [[ -s night/report.html ]] || failed 'no page'
 equal 'a simple pair a cause' "$(grep -c '"key"' causes.json)" \
-  "$(find night/buckets -name '*.jsonl' ! -name '*.worst.jsonl' -exec cat {} + | wc -l)"
-[[ -s night/buckets/fcl-libccd.overflow.jsonl ]] || failed 'the file of a cause is not called as it is'
-cat night/buckets/*.jsonl >simple.jsonl
+  "$(find night/causes -name '*.jsonl' ! -name '*.worst.jsonl' -exec cat {} + | wc -l)"
+[[ -s night/causes/fcl-libccd.overflow.jsonl ]] || failed 'the file of a cause is not called as it is'
+cat night/causes/*.jsonl >simple.jsonl
 expect 0 'the simple pairs are pairs' "$daylight" check simple.jsonl
 keys=$(grep '"key"' causes.json | sort)
 
@@ -56,7 +56,7 @@ equal 'the same causes after a kill' "$keys" "$(grep '"key"' again.json | sort)"
 
 # Suppressed causes are shown and do not fail; one that nothing stored shows is reported.
 for key in $(sed -n 's/^\* \([^, ]*\).*/\1/p' out) nobody/hang; do
-  printf '{"bucket":"%s","reason":"known","link":"-","owner":"ada","expires":"2999-12-31"}\n' "$key"
+  printf '{"cause":"%s","reason":"known","link":"-","owner":"ada","expires":"2999-12-31"}\n' "$key"
 done >known.jsonl
 expect 0 'suppressed' "$daylight" triage night --for 1s --suppressions known.jsonl
 holds 'what is suppressed is shown' out 'overflow.*suppressed'
@@ -64,7 +64,7 @@ holds 'a stale suppression' out 'nobody/hang \(line [0-9]*\) matches no stored c
 sed s/2999/2020/ known.jsonl >expired.jsonl
 expect 2 'expired' "$daylight" triage night --for 1s --suppressions expired.jsonl
 holds 'which' out 'fcl-libccd/overflow \(line [0-9]*\) expired on 2020-12-31'
-printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
+printf '{"cause":"overflow","owner":7}\n' >bad.jsonl
 expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
 holds 'its place' err 'bad.jsonl: line 1, column 30: owner is not a text'
 
@@ -84,8 +84,8 @@ page_data night2/report.html >page.json
 expect 0 'the page has the nights' python3 - page.json <<'END'
 import json, sys
 data = json.load(open(sys.argv[1], encoding='utf-8'))
-cause = next(b for b in data['buckets'] if b['key'] == 'fcl-libccd/overflow')
-assert [night['run'] for night in cause['nights']] == ['night', 'night2'] and cause['standing'] == 'known'
+cause = next(b for b in data['causes'] if b['key'] == 'fcl-libccd/overflow')
+assert [night['run'] for night in cause['runs']] == ['night', 'night2'] and cause['status'] == 'known'
 assert data['changes'] == {'against': ['night']}
 assert all(f['margin'] is None or f['margin'][0] <= f['margin'][1] for f in data['findings'])
 claims = {m['name']: m['claim']['stated'] for m in data['methods']}

@@ -90,6 +90,18 @@ def sources():
         yield from (path for path in paths if path.suffix in plain_english.SPLITS)
 
 
+# Words that the glossary replaced, wherever they stand in code or comments.
+OLD_WORDS = re.compile('(?i)' + '|'.join(['buck' 'et', 'gains' 'ay', 'unt' 'old', r'\bto' r'ld\b', 'hon' 'esty']))
+
+
+def check_old_words():
+    """No source has a word that the glossary replaced."""
+    found = [f'{source.relative_to(ROOT)}: {word}' for source in sources() if source.name != 'plain_english.py'
+             for word in sorted(set(OLD_WORDS.findall(source.read_text())))]
+    if found:
+        fail('\n'.join(['old words, see docs/glossary.md'] + found))
+
+
 def descriptions():
     """Yields (schema, description) of the JSON schemas."""
     for schema in sorted((ROOT / 'reports/schemas').glob('*.json')) + [ROOT / 'vectors/v1/schema.json']:
@@ -269,6 +281,7 @@ def check_numbers(folder, write):
 
 
 def main():
+    check_old_words()
     check_english()
     check_ci()
     commands = set()

@@ -66,7 +66,7 @@ try fetched -DDAYLIGHT_PROGRAM="$scratch/bin/daylight"
 cp fetched/build/mine.gate.json base.json
 echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 PAIRS 9 SEED 9 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
 # No stored case needs the suppression, because this gate has no cases.
-printf '{"bucket":"stated/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stated.jsonl
+printf '{"cause":"stated/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stated.jsonl
 printf '%s\n' 'echo "{\"name\":\"stated\"}"' 'while read -r _; do echo "{\"verdict\":\"disjoint\"}"; done' >stated.sh
 cat >>fetched/CMakeLists.txt <<END_OF_FILE
 daylight_add_gate(NAME stated COMMAND "sh $scratch/stated.sh" PAIRS 1200 FOR 100s SEED 5 SUPPRESSIONS $scratch/stated.jsonl)

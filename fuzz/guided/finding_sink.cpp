@@ -9,7 +9,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/guided/record.hpp"
 #include "fuzz/guided/visited.hpp"
-#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/failure_key.hpp"
 
 namespace cyl {
 namespace {
@@ -27,7 +27,7 @@ std::string environment(const char* name) {
 
 }  // namespace
 
-// Until buckets are named by what is left of a pair after shrinking: by its features and angle as they are.
+// Until causes are named by what is left of a pair after shrinking: by its features and angle as they are.
 // The low 48 bits of FNV-1a, four a letter, the highest first.
 FindingSink::FindingSink()
     : out_(environment("DAYLIGHT_FUZZ_OUT")),
@@ -53,7 +53,7 @@ bool FindingSink::keep_first(const std::string& name, const Pair& pair) {
 
 std::string FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                                      std::string_view what) {
-  const std::string key = bucket_of(method, failure, pair), letters = letter_hash(key);
+  const std::string key = failure_key_of(method, failure, pair), letters = letter_hash(key);
   ++findings_;
   const bool first = keep_first("findings/" + letters, pair);
   if (!abort_ && !first) return {};

@@ -2,7 +2,7 @@
 // Keeps pairs on which a method fails, so that the process can continue. A campaign then asks every method
 // about them: what a target sees in microseconds is where to look, and no finding.
 //
-//   DAYLIGHT_FUZZ_OUT=FOLDER   findings/ and undecided/ (a record of each bucket, and of each stratum),
+//   DAYLIGHT_FUZZ_OUT=FOLDER   findings/ and undecided/ (a record of each cause, and of each stratum),
 //                              broken (a line for each failure that no campaign sees), visited
 //                              (visited.hpp); processes may share it
 //   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first failure, for services
@@ -22,7 +22,7 @@ class FindingSink {
  public:
   /// Reads the environment.
   FindingSink();
-  /// Keeps a pair on which a method fails if it is the first of its bucket. Prints it then, and returns the
+  /// Keeps a pair on which a method fails if it is the first of its cause. Prints it then, and returns the
   /// name of its record.
   std::string add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                           std::string_view what);

@@ -309,7 +309,7 @@ FuzzSummary run_fuzzing(const FuzzOptions& options,
 
 std::string format_progress(const FuzzProgress& p) {
   const double seconds = std::max(1e-3, static_cast<double>(p.elapsed.count()) / 1000);
-  return fmt::format("{} executions, {:.0f} a second; {} of {} strata; failures in {} buckets, deaths {}",
+  return fmt::format("{} executions, {:.0f} a second; {} of {} strata; failures in {} causes, deaths {}",
                      p.executions, static_cast<double>(p.executions) / seconds, p.strata, p.possible_strata,
                      p.found, p.deaths);
 }

@@ -33,7 +33,7 @@ struct FuzzProgress {
   std::size_t deaths = 0;    ///< inputs that ended a process
   std::size_t strata = 0;    ///< visited, among those that can occur
   std::size_t possible_strata = 0;
-  std::size_t found = 0;  ///< pairs on which a method failed beyond its claim, one a bucket
+  std::size_t found = 0;  ///< pairs on which a method failed beyond its claim, one a cause
 };
 
 struct FuzzSummary {

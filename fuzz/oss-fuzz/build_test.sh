@@ -18,7 +18,7 @@ done
 python3 -m zipfile -e "$OUT/fuzz_core_seed_corpus.zip" "$folder/seeds"
 cd "$folder"
 env -i "$OUT/fuzz_core" -max_len=160 -len_control=0 -seed=1 -runs=0 seeds
-# The methods as printed are wrong, so this one must abort, and name the bucket.
+# The methods as printed are wrong, so this one must abort, and name the cause.
 python3 -m zipfile -e "$OUT/fuzz_xcheck_seed_corpus.zip" "$folder/seeds"
 if env -i "$OUT/fuzz_xcheck" -max_len=160 -len_control=0 -seed=1 -max_total_time=600 seeds 2>log; then
   echo 'nothing found in the methods as printed'; exit 1

@@ -13,7 +13,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
-#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {

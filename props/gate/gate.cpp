@@ -15,8 +15,8 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_digest.hpp"
 #include "corpus/pairs/strata.hpp"
-#include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/failure_key.hpp"
 #include "props/gate/law_pairs.hpp"
 #include "props/shrink/simplify.hpp"
 
@@ -162,18 +162,18 @@ class Gate {
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
-  /// Adds a break to the breaks of the same law and bucket. Returns the failure if this is its first or its
+  /// Adds a break to the breaks of the same law and cause. Returns the failure if this is its first or its
   /// worst break so far.
   GateFailure* record(std::size_t method, const Law& law, const Violation& violation, const Pair& pair,
                       const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = violation_kind(law, violation);
     const std::string& name = report_.methods[method].name;
     const bool contract = violation.severity == Severity::contract;
-    std::string bucket = stratum ? bucket_key(name, kind, stratum->feature,
+    std::string cause = stratum ? failure_key(name, kind, stratum->feature,
                                               coordinate_of(pair, std::pow(10.0, -stratum->decade - 0.5)))
-                                 : bucket_of(name, kind, pair);
+                                : failure_key_of(name, kind, pair);
     const auto [at, is_new] =
-        by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
+        by_cause_.try_emplace(std::tuple(law.number, cause, contract), report_.failures.size());
     GateFailure& failure = is_new ? report_.failures.emplace_back() : report_.failures[at->second];
     ++failure.count;
     const GatePhase phase = report_.phases.back().phase;
@@ -182,7 +182,7 @@ class Gate {
     failure.method = name;
     failure.law = &law;
     failure.kind = std::move(kind);
-    failure.bucket = std::move(bucket);
+    failure.cause = std::move(cause);
     failure.what = violation.what;
     failure.reason = violation.reason;
     if (violation.kind && is_failure(*violation.kind)) failure.failed = violation.kind;
@@ -387,7 +387,7 @@ class Gate {
   std::uint64_t questions_left_ = 0;
   GateReport report_;
   std::vector<bool> skipped_;  ///< by method: some pairs were not asked because others of their batch hung
-  std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< index of failures
+  std::map<std::tuple<int, std::string, bool>, std::size_t> by_cause_;  ///< index of failures
 };
 
 }  // namespace

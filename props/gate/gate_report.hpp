@@ -42,7 +42,7 @@ constexpr auto words_of(GatePhase) noexcept {
                     "simplification"};
 }
 
-/// One way in which one method fails: all pairs of one law and one bucket (method, kind of failure, contact
+/// One way in which one method fails: all pairs of one law and one cause (method, kind of failure, contact
 /// feature and extreme coordinate), in the order found.
 struct GateFailure {
   std::string method;
@@ -63,7 +63,7 @@ struct GateFailure {
   Pair simplest;                 ///< a simple one that breaks the same law in the same way
   std::string what_of_simplest;  ///< the fault on that pair; if empty, the same as on the worst
   std::string
-      bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
+      cause;  ///< of the pairs as found, oracles/trial/failure_key.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
            failed_again = 0;  ///< of the worst pair; if fewer than reruns, the failure is not

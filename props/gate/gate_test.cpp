@@ -321,13 +321,13 @@ TEST(Gate, SimplifiesRunsAgainAndDistinguishesCauses) {
   EXPECT_EQ(wrong->reruns, 10u);
   EXPECT_EQ(wrong->failed_again, 10u);
   EXPECT_TRUE(reported(report, 1)) << "swap";
-  std::set<std::string> buckets;
+  std::set<std::string> causes;
   for (const GateFailure& f : report.failures) {
     if (f.law->number != 31 || f.severity != Severity::contract) continue;
-    EXPECT_TRUE(buckets.insert(f.bucket).second) << f.bucket;
-    EXPECT_TRUE(f.bucket.starts_with("planted/wrong_disjoint/")) << f.bucket;
+    EXPECT_TRUE(causes.insert(f.cause).second) << f.cause;
+    EXPECT_TRUE(f.cause.starts_with("planted/wrong_disjoint/")) << f.cause;
   }
-  EXPECT_GT(buckets.size(), 5u);
+  EXPECT_GT(causes.size(), 5u);
 }
 
 /// A case that intersects.
@@ -373,13 +373,13 @@ TEST(Gate, SameSeedSameFailures) {
   for (std::size_t i = 0; i < first.failures.size(); ++i) {
     const GateFailure &one = first.failures[i], &other = second.failures[i];
     EXPECT_EQ(one.origin, other.origin);
-    EXPECT_EQ(one.bucket, other.bucket);
-    EXPECT_EQ(one.count, other.count) << one.bucket;
-    EXPECT_EQ(format_pair(one.simplest), format_pair(other.simplest)) << one.bucket;
+    EXPECT_EQ(one.cause, other.cause);
+    EXPECT_EQ(one.count, other.count) << one.cause;
+    EXPECT_EQ(format_pair(one.simplest), format_pair(other.simplest)) << one.cause;
   }
 }
 
-TEST(Gate, ShowsTheWorstOfABucket) {
+TEST(Gate, ShowsTheWorstOfACause) {
   std::vector<Case> cases(3);
   for (std::size_t i = 0; i < cases.size(); ++i)
     cases[i].pair = {{{0, 0, 0}, {0, 0, 1}, 1, 4}, {{0, std::array{1.9, 1.5, 1.8}[i], 0}, {1, 0, 0}, 1, 4}};

@@ -16,8 +16,8 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/failure_key.hpp"
 
 namespace cyl {
 namespace {
@@ -202,8 +202,8 @@ TEST(SimplifyTo, WhatFailedWithinAnyCap) {
   }
 }
 
-// The data of the bucket key does not depend on the start of the search.
-TEST(SimplifyTo, OneBucketForOneFault) {
+// The data of the cause key does not depend on the start of the search.
+TEST(SimplifyTo, OneCauseForOneFault) {
   for (const ContactFeature feature : {ContactFeature::side_rim, ContactFeature::rim_rim}) {
     const Fails tolerance = [&](const Pair& p) {
       const Truth truth = judge(p);

@@ -110,7 +110,7 @@ FailureView view_of(const JudgedFailure& f) {
                    .what = one_line(f.what),
                    .pairs = counted(f.count, "pair"),
                    .origin = origin_of(f),
-                   .bucket = one_line(f.bucket),
+                   .cause = one_line(f.cause),
                    .again = again_in_words(f),
                    .found = format_pair(f.found),
                    .simplest = format_pair(f.simplest),

@@ -15,7 +15,7 @@ namespace cyl {
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const JudgedFailure& failure);
 
-/// Failures of one method, law and kind, in different buckets, which are shown together. Failures of the
+/// Failures of one method, law and kind, in different causes, which are shown together. Failures of the
 /// method itself with one kind and reason are shown together for all laws. Failures on a
 /// pair that no law had changed come first, then those that the base lacks, then the worst.
 using Alike = std::vector<const JudgedFailure*>;
@@ -31,7 +31,7 @@ struct FailureView {
   std::string law;  ///< "law 10 growth"
   std::string what;
   std::string pairs;  ///< "17 pairs"
-  std::string origin, bucket;
+  std::string origin, cause;
   std::string again;            ///< "fails 10 of 10 times", ..; empty if it was not run again
   std::string found, simplest;  ///< pairs as JSON
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law

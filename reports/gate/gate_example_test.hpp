@@ -31,7 +31,7 @@ inline JudgedFailure example_failure(const std::string& method, int law, Severit
   f.found.b.center = {0.1, -0.0, 1e-300};
   f.simplest.a.radius = 2;
   f.kind = "law-" + std::to_string(law);
-  f.bucket = method + '/' + f.kind + "/side-rim";
+  f.cause = method + '/' + f.kind + "/side-rim";
   f.count = 1234;
   f.reruns = f.failed_again = 10;
   return f;

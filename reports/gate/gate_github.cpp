@@ -32,10 +32,10 @@ std::string annotation(const Alike& alike) {
   const FailureView f = view_of(alike);
   const std::string place =
       f.place ? fmt::format("file={},line={},", property(one_line(f.place->file)), f.place->line) : "";
-  return fmt::format(
-      "::error {}title={}::{}\n", place, property(fmt::format("{} breaks {}", f.method, f.law)),
-      message(fmt::format("{}\n{}, the first: {}\nbucket: {}{}{}\n{}", f.what, f.pairs, f.origin, f.bucket,
-                          f.again.empty() ? "" : "\n", f.again, f.replay)));
+  return fmt::format("::error {}title={}::{}\n", place,
+                     property(fmt::format("{} breaks {}", f.method, f.law)),
+                     message(fmt::format("{}\n{}, the first: {}\ncause: {}{}{}\n{}", f.what, f.pairs,
+                                         f.origin, f.cause, f.again.empty() ? "" : "\n", f.again, f.replay)));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ json failure(const JudgedFailure& f) {
           {"origin", f.origin},
           {"found", pair_json(f.found)},
           {"simplest", pair_json(f.simplest)},
-          {"bucket", f.bucket},
+          {"cause", f.cause},
           {"count", f.count},
           {"excess", number_json(f.excess)},
           {"reruns", f.reruns},
@@ -170,8 +170,8 @@ GateBase read_base(const std::string& file) {
     }
     base.pairs = natural(all, "pairs");
     for (const json& f : all.at("failures")) {
-      auto& buckets = f.at("severity") == to_string(Severity::resolution) ? base.within : base.buckets;
-      buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
+      auto& causes = f.at("severity") == to_string(Severity::resolution) ? base.within : base.causes;
+      causes[f.at("cause").get<std::string>()] += natural(f, "count");
     }
   } catch (const json::exception&) {
     refuse("is not a report of the gate of this version");
@@ -181,11 +181,11 @@ GateBase read_base(const std::string& file) {
 
 void mark_known(JudgedGate& gate, const GateBase& base) {
   for (JudgedFailure& f : gate.failures) {
-    if (f.bucket.empty()) continue;
-    if (const auto before = base.within.find(f.bucket); !is_error(f) && before != base.within.end())
+    if (f.cause.empty()) continue;
+    if (const auto before = base.within.find(f.cause); !is_error(f) && before != base.within.end())
       f.in_base = before->second;
-    const auto found = base.buckets.find(f.bucket);
-    if (found == base.buckets.end()) continue;
+    const auto found = base.causes.find(f.cause);
+    if (found == base.causes.end()) continue;
     f.in_base = found->second;
     f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
   }
@@ -216,8 +216,8 @@ void note_gaps(JudgedGate& gate, const GateBase& base) {
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }
   std::vector<std::string> gone;
-  for (const auto& [bucket, pairs] : base.buckets)
-    if (std::ranges::count(gate.failures, bucket, &JudgedFailure::bucket) == 0) gone.push_back(bucket);
+  for (const auto& [cause, pairs] : base.causes)
+    if (std::ranges::count(gate.failures, cause, &JudgedFailure::cause) == 0) gone.push_back(cause);
   if (gone.empty() || !gate.not_asked.empty()) return;
   const std::string named = fmt::format("{}", fmt::join(gone, ", "));
   gate.remarks.push_back({fmt::format("{} of the base {} gone: {}", counted(gone.size(), "failure"),

@@ -23,10 +23,10 @@ struct GateBase {
   GateAmount amount;        ///< what was drawn
   std::vector<std::string> methods;
   std::vector<int> laws;
-  std::vector<std::string> cases;                ///< digests
-  std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws
-  std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
-  std::map<std::string, std::uint64_t> within;   ///< the same within claims, which excuse nothing
+  std::vector<std::string> cases;               ///< digests
+  std::map<GatePhase, std::string> digests;     ///< of the pairs of each phase that draws
+  std::map<std::string, std::uint64_t> causes;  ///< of failures beyond claims, and on how many pairs
+  std::map<std::string, std::uint64_t> within;  ///< the same within claims, which excuse nothing
 };
 
 /// Reads what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it
@@ -37,7 +37,7 @@ GateBase read_base(const std::string& file);
 /// report's. If all was asked, adds a remark on the failures of the base that are gone.
 void note_gaps(JudgedGate& gate, const GateBase& base);
 
-/// Marks the failures whose bucket is in the base as known. It does not mark a bucket that has more pairs
+/// Marks the failures whose cause is in the base as known. It does not mark a cause that has more pairs
 /// now, unless chance or a slower machine explains it: a hang, or a failure that is not deterministic. A
 /// failure within the claim is only marked as old or new.
 void mark_known(JudgedGate& gate, const GateBase& base);

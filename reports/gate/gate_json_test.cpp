@@ -71,8 +71,8 @@ TEST(GateJson, TheBaseComesBack) {
   EXPECT_EQ(base.amount.sample_rounds, 831u);
   EXPECT_EQ(base.amount.close_law_rounds, 5u);
   EXPECT_EQ(base.amount.close_rounds, 70u);
-  EXPECT_EQ(base.buckets.size(), 3u) << "those beyond a claim";
-  EXPECT_EQ(base.buckets.at("intersect/law-1/side-rim"), 1234u);
+  EXPECT_EQ(base.causes.size(), 3u) << "those beyond a claim";
+  EXPECT_EQ(base.causes.at("intersect/law-1/side-rim"), 1234u);
 }
 
 TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
@@ -84,18 +84,18 @@ TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
   JudgedFailure f = example_failure("fake", 31, Severity::contract);
   GateBase base;
   EXPECT_FALSE(known(f, base));
-  base.buckets[f.bucket] = f.count;
+  base.causes[f.cause] = f.count;
   EXPECT_TRUE(known(f, base));
-  base.buckets[f.bucket] = f.count - 1;
+  base.causes[f.cause] = f.count - 1;
   EXPECT_FALSE(known(f, base)) << "it has grown";
   f.failed_again = 3;
   EXPECT_TRUE(known(f, base)) << "by luck";
   f.failed_again = f.reruns;
   f.kind = "hang";
   EXPECT_TRUE(known(f, base)) << "a slower machine";
-  f.bucket.clear();
-  base.buckets[""] = f.count;
-  EXPECT_FALSE(known(f, base)) << "without a bucket nothing is known";
+  f.cause.clear();
+  base.causes[""] = f.count;
+  EXPECT_FALSE(known(f, base)) << "without a cause nothing is known";
 }
 
 TEST(GateJson, WithinAClaimNothingIsExcusedButSaidToBeOld) {
@@ -146,7 +146,7 @@ TEST(GateJson, AFailureOfTheBaseThatIsGoneIsSaid) {
     const std::size_t before = now.remarks.size();
     now.report.methods[1].name = parse_json(gate_json(gate))["methods"][1]["name"];
     GateBase base = read_base(file.path);
-    std::erase_if(base.buckets, [](const auto& b) { return b.first.starts_with("fake"); });  // not UTF-8
+    std::erase_if(base.causes, [](const auto& b) { return b.first.starts_with("fake"); });  // not UTF-8
     note_gaps(now, base);
     std::vector<std::string> said;
     for (std::size_t i = before; i < now.remarks.size(); ++i) said.push_back(now.remarks[i].text);
@@ -155,9 +155,9 @@ TEST(GateJson, AFailureOfTheBaseThatIsGoneIsSaid) {
   JudgedGate now = gate;
   now.not_asked.clear();
   EXPECT_EQ(remarks(now), std::vector<std::string>{});
-  const std::string bucket = now.failures[0].bucket;
-  std::erase_if(now.failures, [&](const JudgedFailure& f) { return f.bucket == bucket; });
-  EXPECT_EQ(remarks(now), std::vector<std::string>{"1 failure of the base is gone: " + bucket});
+  const std::string cause = now.failures[0].cause;
+  std::erase_if(now.failures, [&](const JudgedFailure& f) { return f.cause == cause; });
+  EXPECT_EQ(remarks(now), std::vector<std::string>{"1 failure of the base is gone: " + cause});
   now.not_asked.push_back("a phase");
   EXPECT_EQ(remarks(now), std::vector<std::string>{}) << "perhaps it was not asked";
 }
@@ -167,7 +167,7 @@ TEST(GateJson, BadBasesAreRefusedByName) {
   for (const std::string& bad :
        {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
         std::string("{\"failures\":7}"), std::string("{\"failures\":[{}]}"),
-        std::string("{\"failures\":[{\"bucket\":7}]}"), std::string("{\"failures\":[7]}"),
+        std::string("{\"failures\":[{\"cause\":7}]}"), std::string("{\"failures\":[7]}"),
         replaced(good, "\"seed\"", "\"seeds\""), replaced(good, "\"laws\": [\n", "\"laws\": [\n \"x\",\n"),
         replaced(good, "\"rounds\": 9", "\"rounds\": -1"), good.substr(0, good.size() / 2)}) {
     const ScratchFile file(bad);

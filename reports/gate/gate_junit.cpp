@@ -34,8 +34,8 @@ pugi::xml_node add(pugi::xml_node parent, const char* name,
 
 /// Returns the lines that describe one failure in full.
 std::string details(const FailureView& f) {
-  std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\nbucket: {}\n", f.what,
-                                 f.pairs, f.origin, f.found, f.simplest, f.bucket);
+  std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\ncause: {}\n", f.what,
+                                 f.pairs, f.origin, f.found, f.simplest, f.cause);
   if (!f.again.empty()) text += f.again + '\n';
   return text + "again: " + f.replay + '\n';
 }

@@ -78,18 +78,18 @@ std::string in_full(std::size_t number, const Alike& alike) {
                                                        alike.size() == 1 ? grown(first) : "", f.what));
   text += wrapped(fmt::format("   {:<11}", "law"), std::string(first.law->statement));
   text += line("origin", fmt::format("{} ({})", f.origin, to_string(first.phase)));
-  text += line("bucket", f.bucket);
+  text += line("cause", f.cause);
   if (!f.again.empty()) text += line("again", f.again);
   text += line("found", f.found);
   text += line("simplest", f.simplest == f.found ? "no simpler pair was found" : f.simplest);
   text += line("replay", f.replay);
   for (const JudgedFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
-    text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), counted(g->count, "pair"), grown(*g)));
+    text += line("also", fmt::format("{}, {}{}", one_line(g->cause), counted(g->count, "pair"), grown(*g)));
     text += line("", format_pair(g->simplest));
   }
   if (alike.size() - 1 > also_cap)
     text += line(
-        "", fmt::format("{}, which --json FILE lists", counted(alike.size() - 1 - also_cap, "more bucket")));
+        "", fmt::format("{}, which --json FILE lists", counted(alike.size() - 1 - also_cap, "more cause")));
   return text;
 }
 
@@ -108,9 +108,9 @@ std::string failures_text(const JudgedGate& gate) {
                         grouped(others.size()));
   for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
     const FailureView f = view_of(others[i]);
-    const std::string buckets =
-        others[i].size() == 1 ? f.bucket : fmt::format("{} and {} more", f.bucket, others[i].size() - 1);
-    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", f.method, f.law, f.pairs, buckets, f.what,
+    const std::string causes =
+        others[i].size() == 1 ? f.cause : fmt::format("{} and {} more", f.cause, others[i].size() - 1);
+    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", f.method, f.law, f.pairs, causes, f.what,
                                       others[i].front()->known ? " (known)" : ""));
   }
   if (others.size() > brief_cap) text += fmt::format("  and {} more\n", grouped(others.size() - brief_cap));

@@ -38,7 +38,7 @@ TEST(GateText, ReportsWhatFailedAndHowToSeeItAgain) {
 TEST(GateText, ReportsOneKindOfFailureOnce) {
   JudgedGate gate = example_gate();
   JudgedFailure elsewhere = gate.failures[0];
-  elsewhere.bucket = "intersect/law-1/rim-rim";
+  elsewhere.cause = "intersect/law-1/rim-rim";
   elsewhere.count = 740;
   elsewhere.in_base = 1;
   gate.failures.push_back(elsewhere);
@@ -94,15 +94,15 @@ TEST(GateText, OneCrashIsOneWayToFail) {
   EXPECT_EQ(occurrences(gate_github(gate), "::error "), 3u);
 }
 
-TEST(GateText, FurtherBucketsAreCapped) {
+TEST(GateText, FurtherCausesAreCapped) {
   JudgedGate gate = example_gate();
   gate.failures.assign(also_cap + 4, gate.failures[0]);
   const std::string text = gate_text(gate);
   EXPECT_EQ(occurrences(text, "   also "), also_cap);
-  EXPECT_TRUE(has(text, " 3 more buckets, which --json FILE lists"));
+  EXPECT_TRUE(has(text, " 3 more causes, which --json FILE lists"));
   gate.failures.pop_back();
   gate.failures.pop_back();
-  EXPECT_TRUE(has(gate_text(gate), " 1 more bucket, which --json FILE lists"));
+  EXPECT_TRUE(has(gate_text(gate), " 1 more cause, which --json FILE lists"));
 }
 
 TEST(GateText, KnownFailuresDoNotFail) {

@@ -10,7 +10,7 @@
 
 namespace cyl {
 
-/// Further buckets of one law and kind of failure that gate_text() shows; then how many more.
+/// Further causes of one law and kind of failure that gate_text() shows; then how many more.
 inline constexpr std::size_t also_cap = 5;
 /// Breaks in one line each (within claims, or known), of all methods together; then how many more.
 inline constexpr std::size_t brief_cap = 20;

@@ -207,7 +207,7 @@ void set_charts(RunData& run, const nlohmann::json& fields) {
 void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
   const std::vector<FailureMap> maps = failure_maps(run);
   nlohmann::json fields = {{"maps", list(maps, map_json)},
-                           {"honesty", list(calibration_of(maps), calibration_json)}};
+                           {"calibration", list(calibration_of(maps), calibration_json)}};
   std::vector<SpeedPoint> points = speed_points(bench);
   std::erase_if(points, [](const SpeedPoint& p) { return p.query == "distance"; });
   if (!bench.empty()) fields["speed"] = list(points, speed_json);

@@ -53,7 +53,7 @@ nlohmann::json read_charts(const std::filesystem::path& run);
 /// Sets fields of `run.charts` and writes RUN/charts.json; other fields stay as they are.
 void set_charts(RunData& run, const nlohmann::json& fields);
 
-/// Sets the charts "maps" and "honesty" from the run, and "speed" from `bench`, if there are rows.
+/// Sets the charts "maps" and "calibration" from the run, and "speed" from `bench`, if there are rows.
 void write_charts(RunData& run, const std::vector<BenchRow>& bench);
 
 }  // namespace cyl

@@ -148,7 +148,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all["maps"][3]["plane"], "angle-margin");
   EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
   EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
-  EXPECT_EQ(all["honesty"][1]["bins"][1],
+  EXPECT_EQ(all["calibration"][1]["bins"][1],
             parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,
               "declined":1,"within_disjoint":0,"within_intersecting":1})"));
   EXPECT_EQ(all["speed"], parse_json(R"([{"method":"bad-tol1e-4","curve":"bad","setting":"tol1e-4",

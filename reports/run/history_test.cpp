@@ -49,9 +49,9 @@ class HistoryTest : public testing::Test {
     store.commit(batch, 1);
   }
   History of(const std::string& name) const { return compare_with_earlier(read_run(folder / name, {})); }
-  std::string standing(const std::string& name, const std::string& method, FindingKind kind) const {
-    for (const auto& [group, standing] : of(name).groups) {
-      if (group.method == method && group.kind == kind) return to_string(standing);
+  std::string recurrence(const std::string& name, const std::string& method, FindingKind kind) const {
+    for (const auto& [group, recurrence] : of(name).groups) {
+      if (group.method == method && group.kind == kind) return to_string(recurrence);
     }
     return "";
   }
@@ -64,13 +64,13 @@ TEST_F(HistoryTest, ShowsNewKnownBackAndGone) {
   run("b", "2026-11-02", {{"x", {held, late}}});
   run("a", "2026-11-03", {{"x", {held, lost, first, seldom}}, {"y", {other}}});
   run("later", "2026-11-04", {{"x", {first}}});
-  EXPECT_EQ(standing("a", "x", first), "new");
-  EXPECT_EQ(standing("a", "y", other), "new");
-  EXPECT_EQ(standing("a", "x", seldom), "rare") << "two may be chance";
-  EXPECT_EQ(standing("a", "x", held), "known");
-  EXPECT_EQ(standing("a", "x", lost), "back");
-  EXPECT_EQ(standing("a", "x", late), "gone");
-  EXPECT_EQ(standing("a", "x", old), "") << "gone before";
+  EXPECT_EQ(recurrence("a", "x", first), "new");
+  EXPECT_EQ(recurrence("a", "y", other), "new");
+  EXPECT_EQ(recurrence("a", "x", seldom), "rare") << "two may be chance";
+  EXPECT_EQ(recurrence("a", "x", held), "known");
+  EXPECT_EQ(recurrence("a", "x", lost), "back");
+  EXPECT_EQ(recurrence("a", "x", late), "gone");
+  EXPECT_EQ(recurrence("a", "x", old), "") << "gone before";
   EXPECT_EQ(format_history(of("a")),
             "compared with 2 earlier runs in the same folder, groups by method, kind and family: 2 new, 1 "
             "back, 1 gone, 1 known, 1 rare");
@@ -84,8 +84,8 @@ TEST_F(HistoryTest, ARunThatDidNotAskDoesNotCount) {
   run("2", "2026-11-02", {{"y", {}}});
   run("3", "2026-11-03", {{"x", {held}}});
   run("4", "2026-11-04", {{"y", {}}});
-  EXPECT_EQ(standing("3", "x", held), "known");
-  EXPECT_EQ(standing("4", "x", held), "");
+  EXPECT_EQ(recurrence("3", "x", held), "known");
+  EXPECT_EQ(recurrence("4", "x", held), "");
 }
 
 TEST_F(HistoryTest, ShardsHaveNoHistoryOfTheirOwn) {

@@ -54,8 +54,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Returns the command that repeats this run on a machine with the same build and guests. Empty if all pairs come
-/// from a corpus.
+/// Returns the command that repeats this run on a machine with the same build and guests. Empty if all pairs
+/// come from a corpus.
 std::string command_of(const RunData& run) {
   const Config& config = run.config;
   const std::vector<std::string> families = lines_of(value_of(config, "families"));
@@ -222,7 +222,7 @@ json case_of(const Shared& shared, Names& names) {
 
 void add_findings(json& report, const RunData& run) {
   std::unordered_map<std::int64_t, std::string> cause_of;
-  for (const json& cause : report["buckets"])
+  for (const json& cause : report["causes"])
     for (const json& id : cause.at("findings"))
       cause_of.emplace(id.get<std::int64_t>(), cause.at("key").get<std::string>());
 
@@ -259,7 +259,7 @@ void add_findings(json& report, const RunData& run) {
                         {"kind", to_string(f.kind)},
                         {"severity", to_string(f.severity)},
                         {"family", f.family},
-                        {"bucket", cause == cause_of.end() ? json() : json(cause->second)},
+                        {"cause", cause == cause_of.end() ? json() : json(cause->second)},
                         {"margin", margin_json(f.margin)},
                         {"case", *told_at[case_at[i]]}});
     if (!f.reason.empty()) findings.back()["reason"] = f.reason;
@@ -281,9 +281,9 @@ void add_causes(json& report, const RunData& run) {
   std::set<std::string> against;
   json causes = causes_json(run.folder);
   for (const json& cause : causes)
-    for (const json& night : cause.value("nights", json::array())) against.insert(night.at("run"));
+    for (const json& night : cause.value("runs", json::array())) against.insert(night.at("run"));
   against.erase(report.at("run").at("id").get<std::string>());
-  report["buckets"] = std::move(causes);
+  report["causes"] = std::move(causes);
   report["changes"] = {{"against", against}};
 }
 
@@ -291,7 +291,7 @@ void add_causes(json& report, const RunData& run) {
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
-  for (const char* section : {"maps", "honesty", "speed", "paths"}) {
+  for (const char* section : {"maps", "calibration", "speed", "paths"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));

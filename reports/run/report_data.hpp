@@ -8,7 +8,7 @@
 
 namespace cyl {
 
-/// Returns the data of the page: the run, its charts (an object with maps, honesty, speed, paths), and
+/// Returns the data of the page: the run, its charts (an object with maps, calibration, speed, paths), and
 /// the causes of triage (causes_json() of triage.hpp).
 /// 1. A finding without a pair is only counted.
 /// 2. The result is one line of valid UTF-8.

@@ -112,9 +112,9 @@ void commit(RunStore& store, const std::vector<FindingRecord>& findings) {
 }
 
 TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
-  RunStore store =
-      RunStore::create(folder, {{"seed", "42"}, {"started", "today"}, {"build", "b"}, {"status", "complete"}},
-                       {{"fake", "9.8", 1e-6, 0.001, "its manual", 3, "fake"}, {"intersect", "1", 0, 0, "d", 1}});
+  RunStore store = RunStore::create(
+      folder, {{"seed", "42"}, {"started", "today"}, {"build", "b"}, {"status", "complete"}},
+      {{"fake", "9.8", 1e-6, 0.001, "its manual", 3, "fake"}, {"intersect", "1", 0, 0, "d", 1}});
   BatchRecord batch;
   batch.next = 7;
   batch.tallies = {{"fake", "random", {1002, 11, 12, 13, 14, 15, 1002 * 16}},
@@ -137,7 +137,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["tallies"][0],
             parse_ordered_json(R"({"method":"fake","family":"random","asked":1002,"declined":11,
     "failed":12,"contract":13,"resolution":14,"undecided":15})"));
-  for (const char* empty : {"buckets", "findings", "maps", "honesty", "speed", "paths"})
+  for (const char* empty : {"causes", "findings", "maps", "calibration", "speed", "paths"})
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
 
@@ -184,7 +184,7 @@ TEST_F(ReportData, ShowsAPairOfManyFindingsOnceAndToTheLastBit) {
   ASSERT_EQ(report["cases"].size(), 2u);
   EXPECT_EQ(report["findings_total"], 3);
   EXPECT_EQ(report["findings"][0], parse_ordered_json(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
-    "severity":"contract","family":"cases","bucket":null,"margin":[0.25,0.25],"case":0})"));
+    "severity":"contract","family":"cases","cause":null,"margin":[0.25,0.25],"case":0})"));
   EXPECT_EQ(report["findings"][1]["case"], 0);
   EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
   EXPECT_EQ(report["findings"][2]["case"], 1);
@@ -256,9 +256,9 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   TriageStore(folder, "a build").set_summary(R"([{"key":"fake/wrong","findings":[2]}])", 1);
   put("charts.json", R"({"speed":[{"method":"fake"}],"other":1})");
   const json report = data();
-  EXPECT_EQ(report["findings"][0]["bucket"], nullptr);
-  EXPECT_EQ(report["findings"][1]["bucket"], "fake/wrong");
-  EXPECT_EQ(report["buckets"].size(), 1u);
+  EXPECT_EQ(report["findings"][0]["cause"], nullptr);
+  EXPECT_EQ(report["findings"][1]["cause"], "fake/wrong");
+  EXPECT_EQ(report["causes"].size(), 1u);
   EXPECT_EQ(report["speed"][0]["method"], "fake");
   EXPECT_FALSE(report.contains("other"));
 

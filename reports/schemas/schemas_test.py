@@ -93,14 +93,14 @@ def main():
         if 'unreadable' in run('judge', folder / 'said.jsonl', '--pairs', folder / 'asked.jsonl', '--name', 'mine'):
             sys.exit('judge does not read what guest_answer.json describes')
         hold('guest_answer.json', [given[1], *given], ('kind',))
-        hold('buckets.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
+        hold('causes.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
         hold('report_data.json', [json.loads(subprocess.check_output(
             [ROOT / 'reports/web/page_data.py', folder / 'runs' / night / 'report.html'])) for night in ('one', 'two')])
         if shutil.which('node'):  # what the tests of the page make up has the form that the program writes
             write = 'import("./reports/web/run/sample.mjs").then((m) => console.log(JSON.stringify(m.sample(60))))'
             made_up = subprocess.run(['node', '-e', write], cwd=ROOT, check=True, capture_output=True).stdout
             hold('report_data.json', [json.loads(made_up)])
-        hold('suppression.json', [{'bucket': 'fcl-libccd/wrong_disjoint', 'reason': 'thin rods', 'owner': 'ada',
+        hold('suppression.json', [{'cause': 'fcl-libccd/wrong_disjoint', 'reason': 'thin rods', 'owner': 'ada',
                                    'link': 'https://example.org/1', 'expires': '2999-12-31'}])
         gate = ('gate', '--method', 'libccd-mpr', '--cases', '')
         run(*gate, '--pairs', 100, '--json', folder / 'base.json')

@@ -131,14 +131,14 @@ Json to_json(const Cause& b) {
          {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
          {"share", share_json(b.share)},
-         {"standing", nullptr},
+         {"status", nullptr},
          {"chance", nullptr},
          {"asked_before", b.asked_before},
-         {"nights", Json::array()},
+         {"runs", Json::array()},
          {"suppressed", suppression_json(b.suppressed)}};
-  if (b.status) j["standing"] = to_string(*b.status);
+  if (b.status) j["status"] = to_string(*b.status);
   if (b.chance) j["chance"] = *b.chance;
-  for (const Cause::RunObservation& night : b.history) j["nights"].push_back(observation_json(night));
+  for (const Cause::RunObservation& night : b.history) j["runs"].push_back(observation_json(night));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
@@ -163,7 +163,7 @@ Cause cause_from_json(const Json& j) {
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
-  if (const Json& status = j.at("standing"); !status.is_null()) b.status = word_of<Recurrence>(status);
+  if (const Json& status = j.at("status"); !status.is_null()) b.status = word_of<Recurrence>(status);
   return b;
 }
 

@@ -21,8 +21,8 @@
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/stored_answers.hpp"
-#include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
@@ -148,7 +148,7 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
 void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
   const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
-  const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, file_name_of(b.key));
+  const std::string file = fmt::format("{}/causes/{}.worst.jsonl", folder, file_name_of(b.key));
   const auto line = parse_case(group.worst->pair, 1).value;
   const auto found = group.found ? parse_case(group.found->pair, 1).value : std::nullopt;
   const Pair& as_found = line ? line->pair : group.simplest->pair;
@@ -208,7 +208,7 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   const Trial& now = shown.trial;
   const Pair& pair = group.simplest->pair;
   const auto distance = distance_of(now);
-  const std::string file = fmt::format("{}/buckets/{}.jsonl", folder, file_name_of(b.key));
+  const std::string file = fmt::format("{}/causes/{}.jsonl", folder, file_name_of(b.key));
   b.simplest =
       shown_case(shown, distance, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
   b.simplified = !group.simplest->as_found;

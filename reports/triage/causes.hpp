@@ -135,7 +135,7 @@ std::string version_in(const std::vector<MethodRecord>& methods, const std::stri
 /// unknown.
 using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 
-/// Sets status, chance, nights, first and last seen of the run's causes, compared with `earlier` triaged
+/// Sets status, chance, runs, first and last seen of the run's causes, compared with `earlier` triaged
 /// runs, the earliest first. A cause in `certainly_new` is new at any rate, even if its key is known. Adds
 /// the causes of the last one that the run does not have: known if a stored pair fails now, gone if all are
 /// right. Methods that the run did not ask lose nothing. New causes come first, then those that are back,

@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-/// The most nights that are shown with a cause.
+/// The most runs that are shown with a cause.
 constexpr std::size_t nights_cap = 60;
 
 /// Returns the cause with the key of `of`, if the run has it.
@@ -108,9 +108,9 @@ void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& ear
   const Observation here = b.history.back().examined;
   if (b.history.size() > nights_cap) b.history.erase(b.history.begin(), b.history.end() - nights_cap);
   if (earlier.empty()) return;
-  const RecurrenceOf standing = recurrence_of(here, observations, compared);
-  b.status = standing.status;
-  b.chance = standing.chance;
+  const RecurrenceOf recurrence = recurrence_of(here, observations, compared);
+  b.status = recurrence.status;
+  b.chance = recurrence.chance;
 }
 
 /// Returns the state of a cause of the last run that this run lacks. Nothing if no method of it was asked.

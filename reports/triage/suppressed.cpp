@@ -23,7 +23,7 @@ namespace cyl {
 namespace {
 
 constexpr std::array<std::pair<const char*, std::string Suppression::*>, 5> suppression_fields{{
-    {"bucket", &Suppression::cause},
+    {"cause", &Suppression::cause},
     {"reason", &Suppression::reason},
     {"link", &Suppression::link},
     {"owner", &Suppression::owner},
@@ -153,7 +153,7 @@ std::vector<Suppression> read_suppressions(std::istream& in) {
     Suppression s = parse_suppression(text, line);
     const auto same = std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.cause == s.cause; });
     if (same != all.end())
-      refuse_line(line, column_of(text, "bucket"),
+      refuse_line(line, column_of(text, "cause"),
                   "the cause has line " + std::to_string(same->line) + " already");
     all.push_back(std::move(s));
   }
@@ -227,8 +227,8 @@ void judge_suppressions(JudgedGate& gate, std::span<const std::unique_ptr<Method
   };
   std::set<std::string> stored = causes_of(grouped, cases, suppressions);
   for (JudgedFailure& f : gate.failures) {
-    f.known |= suppressed(f.bucket);
-    if (f.in_case()) stored.insert(f.bucket);
+    f.known |= suppressed(f.cause);
+    if (f.in_case()) stored.insert(f.cause);
     const auto method = position_of(methods, f.method);
     if (f.known || !method || !named(*methods[*method])) continue;
     const std::set<std::string> causes = causes_of(grouped, wrong_answers(f, methods, *method));

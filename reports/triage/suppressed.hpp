@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Known causes that are shown but do not fail a run or a gate. One JSON object a line:
 //
-//   {"bucket":"fcl-libccd/absolute-length","reason":"...","link":"https://...","owner":"...","expires":"2027-01-31"}
+//   {"cause":"fcl-libccd/absolute-length","reason":"...","link":"https://...","owner":"...","expires":"2027-01-31"}
 //
 // Every field is a required string. No other field is allowed. A cause has one line.
 //
@@ -53,7 +53,7 @@ const Suppression* find_suppression(const std::vector<Suppression>& suppressions
 std::set<std::string> causes_of(const GroupedMethods& of, std::span<const Case> cases,
                                 const std::vector<Suppression>& suppressions);
 
-/// Marks a failure of a gate as known if its bucket is suppressed, or the cause of each answer beyond the
+/// Marks a failure of a gate as known if its cause is suppressed, or the cause of each answer beyond the
 /// claim that its law compares. Such answers explain no failure of a law that repeats a question. Cost: up to
 /// some tenths of a second for a law of several answers. Adds the remarks on suppressions. `methods` holds
 /// the methods of this build and the guests, because a key does not depend on which of them the gate tests.

@@ -21,7 +21,7 @@ namespace cyl {
 namespace {
 
 const std::string good_line =
-    R"({"bucket":"fcl-libccd/hang","reason":"reported","link":"https://example.org/1",)"
+    R"({"cause":"fcl-libccd/hang","reason":"reported","link":"https://example.org/1",)"
     R"("owner":"ada","expires":"2027-02-28"})";
 
 std::vector<Suppression> read(const std::string& text) {
@@ -56,7 +56,7 @@ TEST(Suppressions, ReadsEveryField) {
 }
 
 TEST(Suppressions, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(error_of(good_line + "\n{\"bucket\":]"), "line 2, column 11: no JSON");
+  EXPECT_EQ(error_of(good_line + "\n{\"cause\":]"), "line 2, column 11: no JSON");
   EXPECT_EQ(error_of("[]"), "line 1, column 1: no object");
   EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 80: 'boss' is not a field");
   EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 88: owner is not a text");

@@ -81,10 +81,10 @@ void write_pair(const fs::path& file, const Cause& cause, const Pair& shown) {
   replace_file(file, line.dump() + '\n');
 }
 
-/// Writes FOLDER/buckets/: the simplest pair of each cause, and the worst if a search found it. Each file
+/// Writes FOLDER/causes/: the simplest pair of each cause, and the worst if a search found it. Each file
 /// holds one case.
 void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes) {
-  const fs::path folder = fs::path(run_folder) / "buckets";
+  const fs::path folder = fs::path(run_folder) / "causes";
   if (fs::is_symlink(fs::symlink_status(folder)))
     throw std::runtime_error(folder.string() + " is a symbolic link; a run holds its own files");
   fs::create_directories(folder);

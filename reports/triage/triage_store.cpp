@@ -13,12 +13,12 @@ namespace {
 
 constexpr const char* note_table = "CREATE TABLE note(key TEXT PRIMARY KEY, value TEXT NOT NULL);";
 constexpr const char* cause_table =
-    "CREATE TABLE cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
+    "CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
     "  labels TEXT NOT NULL);";
 constexpr const char* other_tables = R"(
 CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
-CREATE TABLE worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
+CREATE TABLE worst(cause TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
   pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
@@ -97,7 +97,7 @@ TriageStore::~TriageStore() = default;
 
 std::vector<CauseRecord> TriageStore::causes() const { return file_->all<CauseRecord>("finding"); }
 std::vector<SimpleRecord> TriageStore::simples() const { return file_->all<SimpleRecord>("finding"); }
-std::vector<WorstRecord> TriageStore::worsts() const { return file_->all<WorstRecord>("bucket"); }
+std::vector<WorstRecord> TriageStore::worsts() const { return file_->all<WorstRecord>("cause"); }
 
 void TriageStore::add(std::span<const CauseRecord> causes) {
   file_->transaction([&] {
@@ -109,15 +109,15 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
 void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 
-std::string TriageStore::summary() const { return note(*file_, "buckets"); }
+std::string TriageStore::summary() const { return note(*file_, "causes"); }
 void TriageStore::set_summary(const std::string& json, double part) {
   file_->transaction([&] {
-    file_->replace(Note{"buckets", {json}});
+    file_->replace(Note{"causes", {json}});
     file_->replace(Note{"part", {format_double(part)}});
   });
 }
 
-std::string stored_summary(const std::string& folder) { return stored_note(folder, "buckets"); }
+std::string stored_summary(const std::string& folder) { return stored_note(folder, "causes"); }
 
 std::vector<CauseRecord> stored_causes(const std::string& folder) {
   SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);

@@ -140,7 +140,7 @@ TEST(Triage, ShowsCausesWhateverTheOrderAndTheNight) {
   EXPECT_NE(simplest["pair"], page_of(*overflow.worst)["pair"]) << "nothing was simplified";
   EXPECT_EQ(causes_json(first), to_json(one.causes));
   for (Json b : causes_json(first)) {
-    b["nights"].clear();
+    b["runs"].clear();
     EXPECT_EQ(to_json(cause_from_json(b)), b);
   }
 
@@ -270,7 +270,7 @@ TEST(Causes, CountOnlyWhatWasLookedAtInBothRuns) {
   EXPECT_EQ(night.examined.asked, 48u);
   EXPECT_EQ(night.all.count, run.causes[0].pairs) << "what is shown is all";
   run.causes[0].simplest.page = "{}";
-  const Json shown = to_json(run.causes[0])["nights"].back();
+  const Json shown = to_json(run.causes[0])["runs"].back();
   EXPECT_EQ(shown["count"], 62);
   EXPECT_EQ(shown["asked"], 1000);
   EXPECT_DOUBLE_EQ(shown["per_million"][0], 62000);

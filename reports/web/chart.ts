@@ -158,7 +158,7 @@ export function charts(report: Report): Map<string, string> {
         ),
       );
   }
-  const curves = firstOfEach(report.honesty);
+  const curves = firstOfEach(report.calibration);
   for (const map of report.maps.filter((m) => curves.some((h) => h.method === m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),

@@ -154,14 +154,14 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
 }
 
 /// Takes back what these configurations show to be false.
-void gainsay_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
+void contradict_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
   for (std::size_t k = 0; k < 2000; ++k) {
     const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 7, k));
     for (MotionProof& proof : proofs) contradict(proof, distance(placed[proof.a], placed[proof.b]).value);
   }
 }
 
-TEST(MotionProof, NoConfigurationGainsaysIt) {
+TEST(MotionProof, NoConfigurationContradictsIt) {
   for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
     const Scene scene = read_scene(folder + file);
     MotionQuestion q;
@@ -183,10 +183,10 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
       never.push_back(std::move(proof));
     }
     EXPECT_GT(never.size(), 0u) << file;
-    gainsay_drawn(scene, never);
+    contradict_drawn(scene, never);
     EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 0) << file;
     never[0].bound = never[0].least * 1.5 + 0.01;
-    gainsay_drawn(scene, never);
+    contradict_drawn(scene, never);
     EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 1)
         << file << ": a false bound is seen";
     EXPECT_EQ(never[0].verdict, MotionVerdict::open);

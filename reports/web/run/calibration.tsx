@@ -100,8 +100,8 @@ export function calibrationPlot(all: Curve[], o: Options): Element {
 export function Calibration({ report }: { report: Report }) {
   const [library, choose] = useState("");
   const curves = useMemo(() => {
-    const of = report.honesty.filter((h) => h.library === library).slice(0, shownCap);
-    return library === "" ? firstOfEach(report.honesty) : of;
+    const of = report.calibration.filter((h) => h.library === library).slice(0, shownCap);
+    return library === "" ? firstOfEach(report.calibration) : of;
   }, [report, library]);
   const draw = useCallback((width: number) => calibrationPlot(curves, { width }), [curves]);
   if (curves.length === 0) return null;
@@ -120,7 +120,7 @@ export function Calibration({ report }: { report: Report }) {
           onChange={choose}
           options={[
             ["", "one of each library"],
-            ...[...new Set(report.honesty.map((h) => h.library))].map((name) => [name, safe(name)] as const),
+            ...[...new Set(report.calibration.map((h) => h.library))].map((name) => [name, safe(name)] as const),
           ]}
         />
       </p>

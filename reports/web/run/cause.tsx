@@ -14,7 +14,7 @@ import { isOfNewFamilies, isRounded, isText, kindLabel, sentenceOf } from "./wor
 /** The runs, the last one first. */
 const Runs = ({ b }: { b: Cause }) => (
   <Table kind="runs" of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]}>
-    {[...b.nights].reverse().map((n) => (
+    {[...b.runs].reverse().map((n) => (
       <tr key={n.run}>
         <td>{safe(n.run)}</td>
         <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
@@ -43,7 +43,7 @@ function refusal({ methods }: Report, { method, kind, pair }: { method: string; 
 /** Why `export` refuses every pair of the cause, or "" if it does not. */
 export function whyNoExport(report: Report, { key, method, kind, simplest, worst }: Cause): string {
   const shown = [simplest, worst].map(({ pair }) => refusal(report, { method, kind, pair }));
-  const works = shown.includes("") || report.findings.some((f) => f.bucket === key && refusal(report, f) === "");
+  const works = shown.includes("") || report.findings.some((f) => f.cause === key && refusal(report, f) === "");
   return works ? "" : shown[0]!;
 }
 
@@ -55,7 +55,7 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
     key = shellQuoted(b.key),
     reason = whyNoExport(report, b),
     expires = new Date(Date.now() + suppressedDays * day).toISOString().slice(0, 10),
-    suppression = { bucket: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
+    suppression = { cause: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
   return (
     <section class="handling">
       <h3>Next steps</h3>
@@ -89,7 +89,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
         </Fact>
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
-          <span title={about(b.standing ?? "")}>{b.standing ?? "\u2013"}</span>
+          <span title={about(b.status ?? "")}>{b.status ?? "\u2013"}</span>
           {isOfNewFamilies(b) && <span class="soft"> no earlier run drew its families for its method</span>}
         </Fact>
         <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
@@ -113,7 +113,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           {safe(b.suppressed.link)})
         </p>
       )}
-      {b.nights.length > 0 && <Runs b={b} />}
+      {b.runs.length > 0 && <Runs b={b} />}
       <NextSteps report={report} b={b} />
     </>
   );
@@ -121,7 +121,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
 
 export function CauseView({ report, named }: { report: Report; named: string }) {
   const [worst, choose] = useState(false);
-  const b = report.buckets.find(({ key }) => key === named);
+  const b = report.causes.find(({ key }) => key === named);
   if (!b) return <p class="missing">This page has no cause {safe(named)}.</p>;
   return (
     <>
@@ -157,7 +157,7 @@ export function FindingView({ report, named }: { report: Report; named: string }
     <>
       <p class="crumbs">
         <a href="#/findings">Causes and findings</a>
-        {f.bucket && <a href={addressOf({ key: f.bucket })}>{safe(f.bucket)}</a>}
+        {f.cause && <a href={addressOf({ key: f.cause })}>{safe(f.cause)}</a>}
         <span class="beside">
           {beside[0] && <a href={`#/finding/${beside[0].id}`}>previous</a>}{" "}
           {beside[1] && <a href={`#/finding/${beside[1].id}`}>next</a>}

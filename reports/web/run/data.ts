@@ -28,7 +28,7 @@ export interface Tally
   family: string;
 }
 /** "rare" means on so few pairs that its absence from the other runs may be chance. */
-export type Standing = "new" | "back" | "rare" | "known" | "gone";
+export type Status = "new" | "back" | "rare" | "known" | "gone";
 
 /** A pair with its truth and all answers. */
 export interface Case extends Shown {
@@ -43,7 +43,7 @@ export interface Finding extends Case, Doer {
   kind: string;
   severity: string;
   family: string;
-  bucket: string | null;
+  cause: string | null;
   reason?: string;
 }
 
@@ -57,7 +57,7 @@ export interface Cause {
   families: string[];
   first_seen: string;
   last_seen: string; // run ids
-  standing: Standing | null;
+  status: Status | null;
   asked_before: boolean; // an earlier run drew its families for its method; else the chance of "new" is unknown
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   simplest: Case;
@@ -69,7 +69,7 @@ export interface Cause {
   libraries: string[]; // of these methods; expand() adds them
   libraries_of_kind: string[];
   /** The number of pairs in each run, the oldest first and this run last. The rate is per million, with its bounds. */
-  nights: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
+  runs: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
@@ -119,12 +119,12 @@ export interface Report {
   families: { name: string; summary: string }[];
   tallies: Tally[];
   against: string[]; // the earlier runs that the causes were compared with
-  buckets: Cause[];
+  causes: Cause[];
   findings: Finding[];
   findings_total: number;
   unreadable: number; // findings whose records hold no pair, and are left out
   maps: FailureMap[];
-  honesty: Calibration[];
+  calibration: Calibration[];
   speed: SpeedPoint[];
   speed_on?: string; // the machine, compiler and date of these times
   paths: PathStability[];

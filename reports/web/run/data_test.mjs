@@ -49,20 +49,20 @@ test("a filter is a text and three selections", () => {
     assert.ok(found.length > 0);
   }
   const causes = chosen(rows.causes, { library: "fcl" });
-  assert.deepEqual(causes, report.buckets.filter((b) => b.methods.some((m) => /^fcl/.test(m))));
+  assert.deepEqual(causes, report.causes.filter((b) => b.methods.some((m) => /^fcl/.test(m))));
 });
 
 test("the order of causes and findings is that of the data", () => {
   const packed = sample();
-  for (const of of [packed.buckets, packed.findings]) of.reverse();
-  const { buckets, findings } = expand(packed);
-  assert.deepEqual(buckets.map((b) => b.key), packed.buckets.map((b) => b.key));
+  for (const of of [packed.causes, packed.findings]) of.reverse();
+  const { causes, findings } = expand(packed);
+  assert.deepEqual(causes.map((b) => b.key), packed.causes.map((b) => b.key));
   assert.deepEqual(findings.map((f) => f.id), packed.findings.map((f) => f.id));
 });
 
 test("export is offered only for what it can write", () => {
   const report = expand(sample()),
-    [b] = report.buckets,
+    [b] = report.causes,
     shown = (rounding) => ({ pair: { ...b.simplest.pair, a: { ...b.simplest.pair.a, rounding } } }),
     guest = { ...report.methods.find((m) => m.name === "ode"), name: "mine", library: "mine" };
   report.methods.push(guest);
@@ -78,12 +78,12 @@ test("export is offered only for what it can write", () => {
     ["intersect", "crash", 0, /does not know/],
   ])
     assert.match(why(method, kind, rounding), reason, `${method} ${kind} ${rounding}`);
-  Object.assign(report.findings[0], { ...shown(0), method: "ode", kind: "crash", bucket: "k" });
+  Object.assign(report.findings[0], { ...shown(0), method: "ode", kind: "crash", cause: "k" });
   assert.equal(why("ode", "crash", 1), "", "a finding without rounding can be sent");
 });
 
 test("a sentence has the largest margin of its cause", () => {
-  const [b] = expand(sample()).buckets;
+  const [b] = expand(sample()).causes;
   const of = (kind, margin, methods_of_kind = ["ode"]) => {
     const libraries_of_kind = new Set(methods_of_kind.map((name) => name.split("-")[0]));
     return sentenceOf({ ...b, kind, margin, methods_of_kind, libraries_of_kind: [...libraries_of_kind] });
@@ -99,11 +99,11 @@ test("an open end of a distance or a margin is beyond all", () => {
     [{ id, case: at }] = report.findings;
   report.cases[at].truth.distance = ["-inf", -1.797e308];
   report.findings[0].margin = [0.5, "inf"];
-  report.buckets = [{ ...report.buckets[0], margin: [1e-9, "inf"] }];
-  const { findings, buckets } = expand(report),
+  report.causes = [{ ...report.causes[0], margin: [1e-9, "inf"] }];
+  const { findings, causes } = expand(report),
     f = findings.find((f) => f.id === id);
   assert.deepEqual([f.truth.distance, f.margin], [[-Infinity, -1.797e308], [0.5, Infinity]]);
-  assert.deepEqual(buckets[0].margin, [1e-9, Infinity]);
+  assert.deepEqual(causes[0].margin, [1e-9, Infinity]);
 });
 
 test("long numbers have exponents, and every digit", () => {
@@ -146,7 +146,7 @@ test("maps and curves separate a claim kept from one broken, and declined from u
   const report = {
     ...sample(),
     maps: [{ method: "ode", plane: "scale-offset", x, y, cells }],
-    honesty: [{ method: "ode", family: null, bins: [bin, { ...bin, decade: 1, wrong_disjoint: 0, declined: 100 }] }],
+    calibration: [{ method: "ode", family: null, bins: [bin, { ...bin, decade: 1, wrong_disjoint: 0, declined: 100 }] }],
   };
   const files = charts(expand(report));
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);

@@ -27,17 +27,17 @@ const causeOf = (b: Cause): Choosable<Cause> => ({
   library: b.libraries,
   kind: [b.kind],
   family: b.families,
-  text: [b.key, sentenceOf(b), b.cause, b.standing, severityLabels[b.severity], ...b.labels, ...b.methods].join(" "),
+  text: [b.key, sentenceOf(b), b.cause, b.status, severityLabels[b.severity], ...b.labels, ...b.methods].join(" "),
 });
 const findingOf = (f: Finding): Choosable<Finding> => ({
   row: f,
   library: [f.library],
   kind: [f.kind],
   family: [f.family],
-  text: [`#${f.id}`, severityLabels[f.severity], f.kind, f.method, f.family, f.bucket, f.reason, f.note].join(" "),
+  text: [`#${f.id}`, severityLabels[f.severity], f.kind, f.method, f.family, f.cause, f.reason, f.note].join(" "),
 });
 export const rowsOf = (report: Report) => ({
-  causes: report.buckets.map(causeOf),
+  causes: report.causes.map(causeOf),
   findings: report.findings.map(findingOf),
 });
 
@@ -49,8 +49,8 @@ export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
 
 const CauseRow = ({ b }: { b: Cause }) => (
   <tr class={b.suppressed ? "suppressed" : ""}>
-    <td title={about(b.standing ?? "")}>
-      <b class={b.standing === "new" || b.standing === "back" ? "bad" : ""}>{b.standing ?? "\u2013"}</b>
+    <td title={about(b.status ?? "")}>
+      <b class={b.status === "new" || b.status === "back" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
     </td>
     <td class="wrap">
       <div class="cause">
@@ -87,7 +87,7 @@ const FindingRow = ({ f }: { f: Finding }) => (
     <td>{safe(f.method)}</td>
     <td>{safe(kindLabel(f.family))}</td>
     <td class="n">{short(f.margin?.[0])}</td>
-    <td>{f.bucket && <a href={addressOf({ key: f.bucket })}>{safe(f.bucket)}</a>}</td>
+    <td>{f.cause && <a href={addressOf({ key: f.cause })}>{safe(f.cause)}</a>}</td>
   </tr>
 );
 

@@ -77,7 +77,7 @@ const copied = (page, label) => page.locator(".copy", { hasText: label }).locato
  *  of causes begins with these. */
 async function beginsWithTheAnswer() {
   const suppressed = { reason: "r", link: "l", owner: "o", expires: "2027-01-01" };
-  for (const [standing, kind, head, change = {}] of [
+  for (const [status, kind, head, change = {}] of [
     ["new", "bad", /^6 new faults: \S+.* Compared with 1 earlier run\.$/],
     ["new", "bad", / No earlier run drew the families of 6 new faults for their methods/, { asked_before: false }],
     ["rare", "warn", /^6 causes were not seen before, perhaps by chance:/],
@@ -85,14 +85,14 @@ async function beginsWithTheAnswer() {
     ["new", "ok", /^Nothing is new and wrong\./, { suppressed }],
   ]) {
     const report = sample();
-    for (const b of report.buckets)
-      Object.assign(b, { standing: b.severity === "contract" ? standing : "known" }, change);
+    for (const b of report.causes)
+      Object.assign(b, { status: b.severity === "contract" ? status : "known" }, change);
     await read(report, async (page) => {
       assert.match(await textOf(page, ".band"), head);
       assert.equal(await page.locator(`#new .band.${kind}`).count(), 1, kind);
       const row = page.locator(".causes tbody tr").first(),
         address = (of) => of.locator("a").first().getAttribute("href");
-      assert.equal(await row.locator("td").first().innerText(), standing);
+      assert.equal(await row.locator("td").first().innerText(), status);
       if (kind !== "ok") assert.equal(await address(page.locator(".band")), await address(row));
     });
   }
@@ -113,11 +113,11 @@ const answersBeforeTriage = () =>
 async function filters(page, report) {
   const libraries = await page.locator(".heat-table tbody th").allInnerTexts();
   assert.deepEqual(new Set(libraries), new Set(report.methods.map((m) => m.library)));
-  const all = [report.findings.length, report.buckets.map((b) => b.key).sort()];
+  const all = [report.findings.length, report.causes.map((b) => b.key).sort()];
   const steps = await page.evaluate(() => history.length);
   assert.deepEqual(await shown(page), all);
   const ode = report.findings.filter((f) => f.method.startsWith("ode")),
-    causes = report.buckets.filter((b) => b.methods.some((m) => m.startsWith("ode")));
+    causes = report.causes.filter((b) => b.methods.some((m) => m.startsWith("ode")));
   await page.locator(".filters").getByLabel("Library").selectOption("ode");
   assert.deepEqual(await shown(page), [ode.length, causes.map((b) => b.key).sort()]);
   await page.getByLabel("Text of causes and findings").pressSequentially("wrong_disjoint");
@@ -173,19 +173,19 @@ async function looksAndProves(page) {
 }
 
 async function readsACause(page, report) {
-  const b = report.buckets.find((b) => b.severity === "contract" && b.simplified);
+  const b = report.causes.find((b) => b.severity === "contract" && b.simplified);
   await go(page, `#/cause/${b.key}`);
   await looksAndProves(page);
   const worst = page.getByRole("tab", { name: "Worst" });
   await click(page, worst);
   assert.equal(await worst.getAttribute("aria-selected"), "true");
   assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${b.key} --out upstream`);
-  assert.equal(JSON.parse(await copied(page, "suppressions.jsonl")).bucket, b.key);
-  assert.equal(await page.locator(".runs tbody tr").count(), b.nights.length);
+  assert.equal(JSON.parse(await copied(page, "suppressions.jsonl")).cause, b.key);
+  assert.equal(await page.locator(".runs tbody tr").count(), b.runs.length);
   const facts = await page.locator(".detail dl.facts").allInnerTexts();
   assert.doesNotMatch(facts.join(), /\bpairs?\b/, "only the table of runs counts the pairs");
 
-  const found = report.buckets.find((b) => !b.simplified);
+  const found = report.causes.find((b) => !b.simplified);
   await go(page, `#/cause/${found.key}`);
   assert.deepEqual(await page.getByRole("tab").allInnerTexts(), ["A pair (not simplified)", "Worst"]);
   await go(page, "#/cause/seedbook/bad_witness");
@@ -223,7 +223,7 @@ async function drawsEveryPlot(page) {
   assert.equal(await hashOf(page), "#/findings?library=ode");
 }
 
-const hashes = (report) => ["#/new", `#/finding/${report.findings[0].id}`, `#/cause/${report.buckets[0].key}`];
+const hashes = (report) => ["#/new", `#/finding/${report.findings[0].id}`, `#/cause/${report.causes[0].key}`];
 
 /** Every head and fact has its meaning, and the page ends with all words, folded. */
 async function explainsItsWords(page, report) {
@@ -292,14 +292,14 @@ async function showsHostileTextAsText() {
   spoil(report.methods[0].claim, "source");
   for (const c of report.cases) spoil(c, "note");
   report.changes.against = [hostile];
-  for (const b of report.buckets) {
+  for (const b of report.causes) {
     spoil(b, "method", "cause", "first_version");
     Object.assign(b, { key: `${b.key}${hostile}`, methods: [hostile], labels: [hostile] });
-    for (const night of b.nights) spoil(night, "run", "started");
+    for (const night of b.runs) spoil(night, "run", "started");
   }
-  report.findings[0].bucket = report.buckets[0].key;
+  report.findings[0].cause = report.causes[0].key;
   await read(report, async (page) => {
-    const key = report.buckets[0].key.split("/").map(encodeURIComponent).join("/");
+    const key = report.causes[0].key.split("/").map(encodeURIComponent).join("/");
     for (const hash of ["#/new", `#/finding/${report.findings[0].id}`, `#/cause/${key}`]) {
       await go(page, hash);
       assert.equal(await page.locator("img").count(), 0);
@@ -337,7 +337,7 @@ async function drawsTheExtreme() {
 }
 
 const report = sample();
-report.buckets.at(-1).simplified = false;
+report.causes.at(-1).simplified = false;
 await beginsWithTheAnswer();
 await answersBeforeTriage();
 await read(report, async (page) => {

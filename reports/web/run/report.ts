@@ -74,7 +74,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
     margin: f.margin && f.margin.map(numberOf),
     replay: `./daylight replay ${shellQuoted(`${packed.run.folder}:${f.id}`)}`,
   }));
-  const buckets: Cause[] = packed.buckets.map((b: Packed) => ({
+  const causes: Cause[] = packed.causes.map((b: Packed) => ({
     ...withEnds(b),
     libraries: librariesOf(b.methods),
     libraries_of_kind: librariesOf(b.methods_of_kind),
@@ -89,13 +89,13 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
       ...m,
       claim: { ...m.claim, relative: numberOf(m.claim.relative), absolute: numberOf(m.claim.absolute) },
     })),
-    buckets,
+    causes,
     findings,
     maps: packed.maps.map((m: Packed) =>
       inDegrees(withLibrary({ ...m, cells: objectsOf(m.cells).map((c) => ({ ...noCounts, ...c })) })),
     ),
     tallies: packed.tallies.map(withLibrary),
-    honesty: packed.honesty.map(withLibrary),
+    calibration: packed.calibration.map(withLibrary),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
     paths: packed.paths.map(withLibrary),
   };

@@ -39,8 +39,8 @@ const Header = ({ report: { run } }: { report: Report }) => (
 );
 
 /** The commands that add the charts that a run has no data for. */
-function NotInThisRun({ report: { run, maps, honesty, speed, paths } }: { report: Report }) {
-  if ([maps, honesty, speed, paths].every((data) => data.length > 0)) return null;
+function NotInThisRun({ report: { run, maps, calibration, speed, paths } }: { report: Report }) {
+  if ([maps, calibration, speed, paths].every((data) => data.length > 0)) return null;
   return (
     <p class="missing">
       This run has no data for some charts. These commands add them:{" "}

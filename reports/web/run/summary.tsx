@@ -78,17 +78,17 @@ const namedFaults = 3;
 /** The answer of the run: red if something is new and wrong, amber if that may be chance, else green. */
 function Answer({ report }: { report: Report }) {
   const compared = report.against.length > 0,
-    wrong = report.buckets.filter((b) => b.count > 0 && !b.suppressed && b.severity === "contract"),
-    faults = wrong.filter((b) => !compared || b.standing === "new" || b.standing === "back"),
-    rare = wrong.filter((b) => compared && b.standing === "rare");
-  const beyond = report.findings.filter((f) => f.severity === "contract" && f.bucket === null),
+    wrong = report.causes.filter((b) => b.count > 0 && !b.suppressed && b.severity === "contract"),
+    faults = wrong.filter((b) => !compared || b.status === "new" || b.status === "back"),
+    rare = wrong.filter((b) => compared && b.status === "rare");
+  const beyond = report.findings.filter((f) => f.severity === "contract" && f.cause === null),
     libraries = [...new Set(beyond.map((f) => f.library))].sort((x, y) => Number(isText(x)) - Number(isText(y)));
   const [kind, head] =
     faults.length > 0
       ? ["bad", `${plural(faults.length, compared ? "new fault" : "fault")}:`]
       : rare.length > 0
         ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before, perhaps by chance:`]
-        : libraries.length > 0 && report.buckets.length === 0
+        : libraries.length > 0 && report.causes.length === 0
           ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
           : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
   const named = faults.length > 0 ? faults : rare,
@@ -126,7 +126,7 @@ function Facts({ report }: { report: Report }) {
     ["pairs judged", grouped(report.run.pairs), ""],
     ["truth undecided", grouped(undecided), undecided > 0 ? "warn" : ""],
     ["findings", grouped(report.findings_total), ""],
-    ["causes", grouped(report.buckets.filter((b) => b.count > 0).length), ""],
+    ["causes", grouped(report.causes.filter((b) => b.count > 0).length), ""],
     ["methods beyond their claim", `${bad.length} of ${asked.length}`, bad.length > 0 ? "bad" : ""],
     ["of ours", `${ownBad} of ${own.length}`, ownBad > 0 ? "bad" : "ok"],
     ["known cases now failing", grouped(failing), failing > 0 ? "bad" : ""],
@@ -145,7 +145,7 @@ function Facts({ report }: { report: Report }) {
 export const Summary = ({ report }: { report: Report }) => (
   <Section id="new" title="New in this run">
     <Answer report={report} />
-    {report.buckets.length === 0 && report.findings_total > 0 && (
+    {report.causes.length === 0 && report.findings_total > 0 && (
       <p class="missing">
         <code>./daylight triage {shellQuoted(report.run.folder)}</code> groups the findings into causes, each with a
         simple pair.

@@ -32,7 +32,7 @@ export function formatCoordinate(x: Coordinate): string {
 export const isRounded = ({ a, b }: Pair) => Boolean(a.rounding || b.rounding);
 
 /** Whether it is new, but of pairs that no earlier run drew. Then nothing is known of chance. */
-export const isOfNewFamilies = (b: Cause) => b.standing === "new" && b.asked_before === false;
+export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_before === false;
 
 /** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
  *  come from any of them. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/failure_key.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,18 +43,18 @@ Coordinate coordinate_of(const Pair& p, double margin) {
   return margin < small_margin ? Coordinate::margin : Coordinate::plain;
 }
 
-std::string bucket_key(std::string_view method, std::string_view failure,
-                       std::optional<ContactFeature> feature, Coordinate coordinate) {
+std::string failure_key(std::string_view method, std::string_view failure,
+                        std::optional<ContactFeature> feature, Coordinate coordinate) {
   std::string key(method);
   key.append("/").append(failure).append("/").append(feature ? to_string(*feature) : "unknown");
   return key.append("/").append(to_string(coordinate));
 }
 
-std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair) {
+std::string failure_key_of(std::string_view method, std::string_view failure, const Pair& pair) {
   Trial trial(pair);
   const double size = size_of(pair);
   const double margin = trial.decided() && size > 0 ? magnitude_against(0, trial).hi / size : 0;
-  return bucket_key(method, failure, contact_feature(pair, trial.truth), coordinate_of(pair, margin));
+  return failure_key(method, failure, contact_feature(pair, trial.truth), coordinate_of(pair, margin));
 }
 
 std::string letter_hash(std::string_view key) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/failure_key.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,15 +65,15 @@ TEST(CoordinateOf, TakesTheFirstInOrder) {
   EXPECT_EQ(coordinate_of(p, 1e-9), Coordinate::offset);
 }
 
-TEST(BucketKey, IsMethodFailureFeatureCoordinate) {
-  EXPECT_EQ(bucket_key("fcl-libccd", "wrong_disjoint", ContactFeature::side_rim, Coordinate::angle),
+TEST(FailureKey, IsMethodFailureFeatureCoordinate) {
+  EXPECT_EQ(failure_key("fcl-libccd", "wrong_disjoint", ContactFeature::side_rim, Coordinate::angle),
             "fcl-libccd/wrong_disjoint/side-rim/angle");
-  EXPECT_EQ(bucket_key("ode", "swap", ContactFeature::containment, Coordinate::plain),
+  EXPECT_EQ(failure_key("ode", "swap", ContactFeature::containment, Coordinate::plain),
             "ode/swap/containment/plain");
-  EXPECT_EQ(bucket_key("ode", "hang", {}, Coordinate::scale), "ode/hang/unknown/scale");
+  EXPECT_EQ(failure_key("ode", "hang", {}, Coordinate::scale), "ode/hang/unknown/scale");
 }
 
-TEST(BucketKey, AsLettersIsItsHash) {
+TEST(FailureKey, AsLettersIsItsHash) {
   // The published value of the hash of "foobar": 85944171f73967e8.
   EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8u);
   EXPECT_EQ(fnv1a("bar", fnv1a("foo")), fnv1a("foobar"));
@@ -83,7 +83,7 @@ TEST(BucketKey, AsLettersIsItsHash) {
     for (int f = 0; f < 7; ++f)
       for (int c = 0; c < 6; ++c) {
         const std::string key =
-            bucket_key(method, "wrong_disjoint", static_cast<ContactFeature>(f), static_cast<Coordinate>(c));
+            failure_key(method, "wrong_disjoint", static_cast<ContactFeature>(f), static_cast<Coordinate>(c));
         const std::string letters = letter_hash(key);
         EXPECT_EQ(letters.size(), 12u);
         EXPECT_EQ(letters.find_first_not_of("abcdefghijklmnop"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bucket of a failure of the gate or the fuzzer: method, kind, contact feature and the property of the
+// The cause of a failure of the gate or the fuzzer: method, kind, contact feature and the property of the
 // pair that is extreme.
 #pragma once
 
@@ -38,12 +38,12 @@ Coordinate coordinate_of(const Pair& simplified, double margin);
 
 /// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure` is a finding's kind or a law's name. Without
 /// a feature, "unknown" takes its place.
-std::string bucket_key(std::string_view method, std::string_view failure,
-                       std::optional<ContactFeature> feature, Coordinate coordinate);
+std::string failure_key(std::string_view method, std::string_view failure,
+                        std::optional<ContactFeature> feature, Coordinate coordinate);
 
 /// Returns the key of a pair. It finds the contact feature and the coordinate itself. Cost: that of an
 /// enclosure of the distance.
-std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair);
+std::string failure_key_of(std::string_view method, std::string_view failure, const Pair& pair);
 
 /// Returns twelve letters a to p that stand for the key, for tools that mangle digits. They are the low 48
 /// bits of its FNV-1a hash, four bits a letter, the highest first.
