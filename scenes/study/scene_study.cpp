@@ -41,8 +41,7 @@ class Study {
   SceneStudy run() {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
-    for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
-    verify();
+    check_cascades();
     if (q_.prove) prove();
     measure();
     return std::move(result_);
@@ -98,28 +97,18 @@ class Study {
     if (by > worst.length) worst = {by, configuration};
   }
 
-  void check_cascades(std::size_t configuration) {
-    models_ = models_of(place(scene_, joints(configuration)));
-    for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
-      PairStudy& pair = result_.pairs[i];
-      pair.cascade_wrong += within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance) !=
-                            truths_[configuration * result_.pairs.size() + i];
-    }
-  }
-
-  // Asks the referee about everything anew, without the truths found above.
-  void verify() {
-    Verification& v = result_.verification;
-    const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
-    const std::size_t stride = std::max<std::size_t>(1, (all + verified_cap - 1) / verified_cap);
+  // Compares what is recommended with the truths found above. The referee judges some of it anew.
+  void check_cascades() {
+    const std::size_t stride = truths_.size() / verified_cap + 1;
+    std::size_t answer = 0;
     for (std::size_t k = 0; k < result_.configurations; ++k) {
       placed_ = place(scene_, joints(k));
-      for (std::size_t i = 0; i < pairs; ++i) {
-        if ((k * pairs + i) % stride != 0) continue;
-        const PairStudy& pair = result_.pairs[i];
-        const Pair solids{placed_[pair.a], placed_[pair.b]};
-        v.add(solids, q_.clearance, q_.tolerated,
-              within(pair.cascade, make_models(solids.a), make_models(solids.b), q_.clearance));
+      models_ = models_of(placed_);
+      for (PairStudy& pair : result_.pairs) {
+        const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
+        pair.cascade_wrong += said != truths_[answer];
+        if (answer++ % stride == 0)
+          result_.verification.add({placed_[pair.a], placed_[pair.b]}, q_.clearance, q_.tolerated, said);
       }
     }
   }
