@@ -3,8 +3,8 @@
 """Checks the English of Markdown files, of comments in C, C++, TypeScript and JavaScript, and of Python's docstrings.
 In TypeScript and JavaScript it also reads strings and the texts in tags. It finds each phrase of the list below,
 sentences of 30 words or more, and sentences with more than one colon or semicolon. "plain_english.py FILE.." prints
-its findings and exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations"
-are not checked. docs/docs_test.py runs it."""
+its findings and exits with 1 if there are any. Code, tables, headings and "quotations" are not checked.
+docs/docs_test.py runs it."""
 import ast
 import pathlib
 import re
@@ -134,16 +134,10 @@ def findings(text, split=paragraphs):
 
 
 def main():
-    counts = {}
-    for name in [word for word in sys.argv[1:] if word != '--count']:
-        path = pathlib.Path(name)
-        for number, habit, message in findings(path.read_text(), SPLITS.get(path.suffix, paragraphs)):
-            counts[habit] = counts.get(habit, 0) + 1
-            if '--count' not in sys.argv:
-                print(f'{name}:{number}: {message}')
-    for habit, count in sorted(counts.items()):
-        print(f'{count:5} {habit}')
-    return 1 if counts else 0
+    found = [f'{name}:{number}: {message}' for name in sys.argv[1:] for number, _, message in findings(
+        pathlib.Path(name).read_text(), SPLITS.get(pathlib.Path(name).suffix, paragraphs))]
+    print('\n'.join(found))
+    return 1 if found else 0
 
 
 if __name__ == '__main__':
