@@ -11,10 +11,23 @@ namespace cyl {
 
 nlohmann::json parse_json(std::string_view text) { return nlohmann::json::parse(text); }
 
+bool is_too_deep(std::string_view json) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size() && depth <= json_depth_cap; ++i) {
+    const char c = json[i];
+    if (c == '"') in_string = !in_string;
+    if (in_string)
+      i += c == '\\';
+    else
+      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+  }
+  return depth > json_depth_cap;
+}
+
 nlohmann::json parse_foreign_json(std::string_view text) {
-  constexpr int depth_cap = 100;
-  return nlohmann::json::parse(text, [](int depth, nlohmann::json::parse_event_t, nlohmann::json& value) {
-    if (depth > depth_cap) throw InputError("JSON that is nested more than 100 deep");
+  if (is_too_deep(text)) throw InputError("JSON that is nested more than 100 deep");
+  return nlohmann::json::parse(text, [](int, nlohmann::json::parse_event_t, nlohmann::json& value) {
     if (value.is_string()) value = escaped_controls(value.get_ref<const std::string&>());
     return true;
   });

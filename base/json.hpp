@@ -15,8 +15,13 @@ namespace cyl {
 /// Returns the value of `text`. Throws nlohmann::json::exception, with the place, if it is not JSON.
 nlohmann::json parse_json(std::string_view text);
 
+/// A reader of JSON that is nested deeper may use up the stack. Ours is some 10 deep.
+inline constexpr int json_depth_cap = 100;
+/// Returns whether the text is nested deeper than that. Brackets in strings do not count.
+bool is_too_deep(std::string_view json);
+
 /// Does the same for a file that a stranger may have written. Escapes the control characters of its strings
-/// (safe_text.hpp), and refuses values nested more than 100 deep.
+/// (safe_text.hpp). Throws InputError if it is_too_deep().
 nlohmann::json parse_foreign_json(std::string_view text);
 
 /// Does the same, and keeps the order of the keys of objects.

@@ -36,6 +36,7 @@ TEST(ForeignJson, HasNoControlCharactersAndABoundedDepth) {
   EXPECT_EQ(parse_foreign_json(R"({"a":["\u001b[2J\n",1,{"b":"caf\u00e9"}]})"),
             parse_json(R"({"a":["\\u001b[2J\\n",1,{"b":"caf\u00e9"}]})"));
   EXPECT_NO_THROW(parse_foreign_json(std::string(100, '[') + std::string(100, ']')));
+  EXPECT_FALSE(is_too_deep("[\"\\\"" + std::string(101, '[') + "\"]")) << "a string";
   EXPECT_THROW(parse_foreign_json(std::string(1'000'000, '[')), InputError);
 }
 

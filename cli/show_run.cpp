@@ -8,7 +8,6 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
@@ -38,8 +37,10 @@ void show_run(const std::string& folder, bool table) {
   write_page(run);
   if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   fmt::print("{}", format_summary(run));
-  if (const auto worst = worst_finding(run)) {
-    const auto line = parse_case(worst->pair, 1).value;
+  if (!run.findings.empty()) {
+    const std::size_t first = worst_first(run).front();
+    const FindingRecord* const worst = &run.findings[first];
+    const std::optional<Case>& line = run.pairs[first].line;
     const bool ordinary = line && is_ordinary(line->pair);
     fmt::print("worst finding{}: {} {} ({}): {} replay {}\n", ordinary ? " at ordinary sizes" : "",
                worst->method, to_string(worst->kind), in_words(worst->severity), own_command(),

@@ -68,11 +68,16 @@ inline double size_of(const Pair& p) noexcept {
                   std::numeric_limits<double>::max());
 }
 
+/// The lengths that a scene in its own unit has, and how far from the origin in sizes.
+inline constexpr double least_ordinary_length = 0.01, most_ordinary_length = 100, most_ordinary_reach = 100;
+
 /// Whether a scene in its own unit may hold the pair: such pairs are shown before those at the ends of the
 /// range.
 inline bool is_ordinary(const Pair& p) noexcept {
-  const double size = size_of(p), reach = std::max(p.a.center.stableNorm(), p.b.center.stableNorm());
-  return size >= 1e-3 && size <= 1e3 && reach <= 100 * size;
+  for (const Cylinder* c : {&p.a, &p.b})
+    for (const double x : {c->radius, c->height, c->rounding})
+      if (x != 0 && !(x >= least_ordinary_length && x <= most_ordinary_length)) return false;
+  return std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) <= most_ordinary_reach * size_of(p);
 }
 
 /// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/sqlite_file.hpp"
@@ -87,20 +88,13 @@ void check_counts(const SqliteFile& file) {
   }
 }
 
-/// Refuses JSON that is nested so deep that reading it would use up the stack. Ours is 5 deep.
+/// Refuses JSON that is_too_deep().
 std::vector<FindingRecord> without_deep_texts(const SqliteFile& file, std::vector<FindingRecord> findings) {
-  constexpr int depth_cap = 100;
   for (const FindingRecord& f : findings)
-    for (const std::string* text : {&f.pair, &f.answers, &f.truth}) {
-      int depth = 0;
-      for (const char c : *text) {
-        depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-        if (depth > depth_cap)
-          throw InputError(
-              fmt::format("{}: finding {} has JSON that is nested more than {} deep: it is forged",
-                          file.name(), f.id, depth_cap));
-      }
-    }
+    for (const std::string* text : {&f.pair, &f.answers, &f.truth})
+      if (is_too_deep(*text))
+        throw InputError(fmt::format("{}: finding {} has JSON that is nested more than {} deep: it is forged",
+                                     file.name(), f.id, json_depth_cap));
   return findings;
 }
 

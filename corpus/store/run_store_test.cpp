@@ -173,7 +173,7 @@ std::string refused_after(const fs::path& folder, const std::string& script) {
   RunStore::create(folder, {}).commit(batch_of(0, 50, [](auto) { return 1.0; }), 0);
   SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE).exec(script);
   try {
-    RunStore::open(folder);
+    RunStore::open(folder).findings();
   } catch (const InputError& error) {
     return error.what();
   }
@@ -214,6 +214,7 @@ TEST_F(Store, FindingsThatARunDoesNotCountAreRefused) {
            {"DELETE FROM finding_group", "it counts 0 " + of + ", has rows of 10"},
            {copies, "it counts 50 " + of + ", has rows of 3010"},
            {"UPDATE finding_group SET count = 1000000; " + copies, "it counts 1000000 " + of},
+           {"UPDATE judged_pair SET truth = '" + std::string(101, '[') + "'", "nested more than 100 deep"},
            {"UPDATE wrong_answer SET kind = 'odd'", "'odd' is not a word"}})
     EXPECT_NE(refused_after(folder / "run", script).find(what), std::string::npos)
         << refused_after(folder / "run", script);

@@ -18,11 +18,14 @@ extern "C" const char daylight_page_template[], daylight_page_template_end[];
 namespace cyl {
 namespace {
 
+/// zlib's level. The default, 6, takes 1.7 times as long, and the page becomes 7 % smaller.
+constexpr int page_compression = 4;
+
 std::string compressed(std::string_view text) {
   uLongf size = compressBound(text.size());
   std::string bytes(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-                text.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
+                text.size(), page_compression) != Z_OK)
     throw std::runtime_error("compressing the data of the page failed");
   bytes.resize(size);
   return bytes;

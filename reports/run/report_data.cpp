@@ -21,6 +21,7 @@
 #include "corpus/store/stored_answers.hpp"
 #include "oracles/methods/guest.hpp"
 #include "reports/run/page_template.hpp"
+#include "reports/run/run_summary.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/triage.hpp"
@@ -250,7 +251,7 @@ void add_findings(json& report, const RunData& run) {
     if (!reported.is_null()) cases.push_back(std::move(reported));
   }
   json findings = json::array();
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (const std::size_t i : worst_first(run)) {
     const FindingRecord& f = records[i];
     if (!told_at[case_at[i]]) continue;
     const auto cause = cause_of.find(f.id);

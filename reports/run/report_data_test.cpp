@@ -185,9 +185,9 @@ TEST_F(ReportData, ShowsAPairOfManyFindingsOnceAndToTheLastBit) {
   EXPECT_EQ(report["findings_total"], 3);
   EXPECT_EQ(report["findings"][0], parse_ordered_json(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
     "severity":"contract","family":"cases","cause":null,"margin":[0.25,0.25],"case":0})"));
-  EXPECT_EQ(report["findings"][1]["case"], 0);
-  EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
-  EXPECT_EQ(report["findings"][2]["case"], 1);
+  EXPECT_EQ(report["findings"][1]["case"], 1) << "the largest margin first";
+  EXPECT_EQ(report["findings"][2]["case"], 0);
+  EXPECT_EQ(report["findings"][2]["reason"], "SIGABRT");
   const json& reported = report["cases"][0];
   EXPECT_EQ(reported["margin"], json({0.25, 0.25}));
   EXPECT_EQ(reported["pair"]["a"]["radius"].get<double>(), 0.1);
@@ -210,9 +210,9 @@ TEST_F(ReportData, EachFindingHasItsOwnMargin) {
   commit(store, findings);
   const json report = data();
   ASSERT_EQ(report["cases"].size(), 1u);
-  EXPECT_EQ(report["findings"][0]["margin"], json({0.25, 0.25})) << "the error of a distance";
-  EXPECT_EQ(report["findings"][1]["margin"], json({1e-7, 1e-7}));
-  EXPECT_EQ(report["findings"][2]["margin"], nullptr);
+  EXPECT_EQ(report["findings"][0]["margin"], json({1e-7, 1e-7}));
+  EXPECT_EQ(report["findings"][1]["margin"], nullptr);
+  EXPECT_EQ(report["findings"][2]["margin"], json({0.25, 0.25})) << "the error of a distance";
   EXPECT_EQ(report["cases"][0]["margin"], json({1e-7, 1e-7})) << "the pair's is no error";
 }
 

@@ -12,7 +12,6 @@
 
 #include "base/safe_text.hpp"
 #include "corpus/pairs/finding.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "oracles/methods/method.hpp"
@@ -49,21 +48,22 @@ Ranked failures_of(const RunData& run) {
 
 }  // namespace
 
-const FindingRecord* worst_finding(const RunData& run) {
+std::vector<std::size_t> worst_first(const RunData& run) {
   std::set<std::string, std::less<>> of_texts;
   for (const auto& methods : {literature_2008_methods, literature_2017_methods})
     for (const auto& m : methods()) of_texts.emplace(m->name());
-  const FindingRecord* worst = nullptr;
-  const auto key = [&](const FindingRecord& f) {
-    const CaseLine line = parse_case(f.pair, 1);
-    return std::tuple(f.severity == Severity::contract, f.severity == Severity::resolution,
-                      line.value && is_ordinary(line.value->pair), !of_texts.contains(f.method),
-                      is_refuted_verdict(f.kind), f.margin ? f.margin->lo : 0.0);
-  };
-  decltype(key(*worst)) most;
-  for (const FindingRecord& f : run.findings)
-    if (const auto now = key(f); worst == nullptr || now > most) worst = &f, most = now;
-  return worst;
+  using Rank = std::tuple<Severity, bool, bool, bool, double, std::size_t>;
+  std::vector<Rank> ranks;
+  for (std::size_t i = 0; i < run.findings.size(); ++i) {
+    const FindingRecord& f = run.findings[i];
+    const std::optional<Case>& line = run.pairs[i].line;
+    ranks.emplace_back(f.severity, !line || !is_ordinary(line->pair), of_texts.contains(f.method),
+                       !is_refuted_verdict(f.kind), f.margin ? -f.margin->lo : 0.0, i);
+  }
+  std::sort(ranks.begin(), ranks.end());
+  std::vector<std::size_t> order;
+  for (const Rank& rank : ranks) order.push_back(std::get<std::size_t>(rank));
+  return order;
 }
 
 std::string format_summary(const RunData& run) {

@@ -21,10 +21,16 @@ TEST(RunSummary, TheWorstIsOfOrdinarySizeIfOneIs) {
   RunData run;
   run.findings = {finding(1e200, Severity::contract, 0.9), finding(1, Severity::resolution, 0.8),
                   finding(1e-9, Severity::contract, 0.7)};
-  EXPECT_EQ(worst_finding(run), &run.findings[0]);
+  const auto order = [&] {
+    run.pairs.clear();
+    for (const FindingRecord& f : run.findings) run.pairs.push_back({parse_case(f.pair, 1).value, {}});
+    return worst_first(run);
+  };
+  EXPECT_EQ(order(), (std::vector<std::size_t>{0, 2, 1}));
   run.findings.push_back(finding(1, Severity::contract, 0.1));
   run.findings.push_back(finding(1, Severity::contract, 0.2));
-  EXPECT_EQ(worst_finding(run), &run.findings[4]);
+  run.findings.push_back(finding(0.001, Severity::contract, 0.5));
+  EXPECT_EQ(order(), (std::vector<std::size_t>{4, 3, 0, 2, 5, 1})) << "0.001 is no ordinary radius";
 }
 
 TEST(RunSummary, CountsFindingsAsThePageDoes) {
