@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
@@ -113,8 +114,7 @@ std::string cause_in_words(std::span<const std::unique_ptr<Method>> methods, con
   const std::string key = cause_key({methods, groups}, failing, asked.finding()->severity, found.mechanism,
                                     asked.answer().reason);
   std::string text = "Triage calls the cause " + key;
-  if (found.mechanism != Mechanism::unclassified)
-    text += fmt::format(" ({})", in_words(found.mechanism));
+  if (found.mechanism != Mechanism::unclassified) text += fmt::format(" ({})", in_words(found.mechanism));
   if (found.right_sibling) text += fmt::format("; {} is right", methods[*found.right_sibling]->name());
   const FailingRegion& scale = regions[static_cast<std::size_t>(Parameter::scale)];
   const auto is_right = [](const RegionEnd& end) { return end.beyond && end.beyond->right(); };
@@ -177,7 +177,7 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                                       cause_in_words(methods, {index, kind, pair}, asked, regions));
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
-  if (regions[0].at != 0)
+  if (regions[0].at != 0 && std::isfinite(regions[0].at))
     sentences += " If angle, radii or heights change, b moves so that the distance stays the same.";
   if (const auto few = hardly_sampled(regions); !few.empty())
     sentences += fmt::format(" The table shows an end along {}, but few samples.", fmt::join(few, " and "));

@@ -2,7 +2,7 @@
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
-import { grouped, plural, range, safe, shellQuoted, short } from "../parts/words.ts";
+import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
@@ -60,8 +60,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           <Severity of={b.severity} />
         </Fact>
         <Fact label="findings">
-          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>{" "}
-          <span class="soft">on {plural(b.pairs, "pair")}</span>
+          <a href={toFindings({ text: b.key })}>{grouped(b.count)}</a>
         </Fact>
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">

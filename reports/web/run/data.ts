@@ -70,7 +70,6 @@ export interface Cause {
   libraries_of_kind: string[];
   /** On how many pairs each run saw it, the oldest first, this run last; the rate is of a million, with its bounds. */
   nights: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
-  pairs: number; // on which one of its methods was wrong in this run
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
