@@ -76,24 +76,21 @@ OneFailure failure_with_cause(const FailureOptions& options,
       failure = stored_failure(run, cause, [&](const OneFailure& f) {
                   return f.method == options.method;
                 }).value_or(failure);
-  } else if (names.size() > 1) {
-    fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
-               fmt::join(names, ", "), failure.method);
   }
   const auto method = position_of(methods, failure.method);
   if (const auto worst = cause.find("worst"); method && worst != cause.end() && worst->is_object())
     failure.pair = pair_to_send(methods[*method], failure.kind, failure.pair, pair_in(*worst));
   const auto can_be_sent = [&](const OneFailure& f) {
     const auto m = position_of(methods, f.method);
-    return m && refusal(f.method, f.kind, f.pair, methods[*m]->guest()).empty();
+    return m && (options.method.empty() || f.method == options.method) &&
+           refusal(f.method, f.kind, f.pair, methods[*m]->guest()).empty() &&
+           try_method(methods[*m], f.pair).fails(f.kind);
   };
-  if (can_be_sent(failure)) return failure;
-  return stored_failure(run, cause,
-                        [&](const OneFailure& f) {
-                          return (options.method.empty() || f.method == options.method) && can_be_sent(f) &&
-                                 try_method(find_method(methods, f.method), f.pair).fails(f.kind);
-                        })
-      .value_or(failure);
+  if (!can_be_sent(failure)) failure = stored_failure(run, cause, can_be_sent).value_or(failure);
+  if (options.method.empty() && names.size() > 1)
+    fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
+               fmt::join(names, ", "), failure.method);
+  return failure;
 }
 
 }  // namespace

@@ -67,28 +67,24 @@ int triage(const TriageArguments& arguments) {
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
   const auto others = result.causes.size() - static_cast<std::size_t>(here);
-  const bool had_time = result.progress.classified > 0 || result.progress.findings == result.progress.absent;
-  const std::string changed =
-      had_time ? what_changed(result.causes) : "the time was over before a finding was looked at";
+  const TriageProgress& p = result.progress;
+  const auto remaining = p.findings - p.absent - p.classified;
+  std::string changed = what_changed(result.causes);
+  if (remaining > 0)
+    changed = p.classified == 0 ? "the time was over before a finding was looked at"
+                                : fmt::format("{}. {} % of the findings were looked at", changed,
+                                              100 * p.classified / (p.classified + remaining));
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
   write_page(read_run(arguments.run, campaign_families(), std::move(result.findings)));
-  const TriageProgress& p = result.progress;
-  const auto here_to_see = p.findings - p.absent;
-  const std::string seen =
-      had_time && p.classified < here_to_see
-          ? fmt::format(", in the {} % of the findings that were looked at", 100 * p.classified / here_to_see)
-          : "";
-  fmt::print("{}{}\n\n", changed,
-             seen);  // after the files, because a pager that ends takes this process with it
+  fmt::print("{}\n\n", changed);  // after the files, because a pager that ends takes this process with it
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
-             counted(result.progress.classified, "stored finding"));
+             counted(p.classified, "stored finding"));
   if (others > 0) fmt::print(", and {} only in earlier runs", counted(others, "cause"));
   fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
-             counted(result.progress.simplified, "pair"), counted(result.progress.searched, "cause"));
-  if (p.classified + p.absent < p.findings)
-    fmt::print("the time was over, and {} findings remain: run triage again to continue\n",
-               p.findings - p.classified - p.absent);
+             counted(p.simplified, "pair"), counted(p.searched, "cause"));
+  if (remaining > 0)
+    fmt::print("the time was over, and {} findings remain: run triage again to continue\n", remaining);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   fmt::print("page: {}/report.html\n", arguments.run);

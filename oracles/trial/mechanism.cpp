@@ -150,13 +150,10 @@ bool cures(const Trial& failing, Trial& after) {
   return after.answer().has_distance && !compare(after, half, after.answer());
 }
 
-/// Returns the first factor that cures the failure, and the last factor before it that does not.
-std::optional<ScaleCure> first_cure(Round& round, const Trial& failing, int wrong,
-                                    std::span<const Scaling> asked) {
-  for (const auto& [k, question] : asked) {
-    if (cures(failing, round[question])) return ScaleCure{wrong, k};
-    wrong = k;
-  }
+/// Returns the exponent of the first factor that cures the failure.
+std::optional<int> first_cure(Round& round, const Trial& failing, std::span<const Scaling> asked) {
+  for (const auto& [k, question] : asked)
+    if (cures(failing, round[question])) return k;
   return {};
 }
 
@@ -222,18 +219,17 @@ void ask_changed(Candidate& c, Round& round, std::span<const std::unique_ptr<Met
 
 void take_changed(Candidate& c, Round& round) {
   Classification& found = c.found;
-  found.base = c.now.pair;
   for (const auto& [m, question] : c.siblings)
     if (!found.right_sibling && round[question].right()) found.right_sibling = m;
-  found.larger = first_cure(round, c.failing, 0, c.larger);
-  found.smaller = first_cure(round, c.failing, 0, c.smaller);
+  found.larger = first_cure(round, c.failing, c.larger);
+  found.smaller = first_cure(round, c.failing, c.smaller);
   const int size = exponent_of_size(c.now.pair);
-  if (found.smaller && size + found.smaller->right <= -length_exponent) found.smaller.reset();
-  if (found.larger && size + found.larger->right >= length_exponent) found.larger.reset();
+  if (found.smaller && size + *found.smaller <= -length_exponent) found.smaller.reset();
+  if (found.larger && size + *found.larger >= length_exponent) found.larger.reset();
   const auto& margin = c.failing.finding()->margin;
-  if (found.smaller && size + found.smaller->right >= product_exponent)
+  if (found.smaller && size + *found.smaller >= product_exponent)
     c.end(Mechanism::overflow);
-  else if (found.larger && size + found.larger->right <= -product_exponent)
+  else if (found.larger && size + *found.larger <= -product_exponent)
     c.end(Mechanism::underflow);
   else if (found.larger || found.smaller)
     c.end(Mechanism::absolute_length);
@@ -241,36 +237,6 @@ void take_changed(Candidate& c, Round& round) {
     c.end(Mechanism::rounding);
   else
     c.end(found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
-}
-
-/// Brings both ends of a cure by scale together until they are neighbours.
-void narrow(ScaleCure& cure, const Trial& failing, std::size_t method,
-            std::span<const std::unique_ptr<Method>> methods, Asker& asker) {
-  constexpr int parts = 8;
-  while (std::abs(cure.right - cure.wrong) > 1) {
-    const int step = std::max(1, std::abs(cure.right - cure.wrong) / parts);
-    const int sign = cure.right > cure.wrong ? 1 : -1;
-    std::vector<int> ks;
-    for (int k = cure.wrong + sign * step; sign * k < sign * cure.right; k += sign * step) ks.push_back(k);
-    Round round(methods);
-    std::vector<Scaling> asked = ask_scaled(round, method, failing.pair, ks);
-    round.run(asker);
-    if (const auto nearer = first_cure(round, failing, cure.wrong, asked))
-      cure = *nearer;
-    else
-      cure.wrong = ks.back();
-  }
-}
-
-/// Describes the pair times the factor, as in "a size of 12 (all lengths times 2^3; 1e-6 apart)". Points
-/// have no size.
-std::string scaled_in_words(const Trial& trial, int k) {
-  Trial other(scaled(trial.pair, k), trial.truth);
-  other.distance = {std::ldexp(trial.distance.lo, k), std::ldexp(trial.distance.hi, k)};
-  if (size_of(other.pair) == 0)
-    return fmt::format("{} (all lengths times 2^{})", distance_in_words(other), k);
-  return fmt::format("a size of {:.3g} (all lengths times 2^{}; {})", size_of(other.pair), k,
-                     distance_in_words(other));
 }
 
 bool of_one_library(const Method& x, const Method& y) {
@@ -320,16 +286,6 @@ std::string_view in_words(Mechanism m) noexcept {
   return words[static_cast<std::size_t>(m)];
 }
 
-std::string scale_in_words(const Classification& found, const Trial& failing) {
-  std::string text;
-  for (const auto& cure : {found.smaller, found.larger})
-    if (cure)
-      text += fmt::format("{}right once scaled {} to {}, wrong at {}", text.empty() ? "" : "; ",
-                          cure->right < 0 ? "down" : "up", scaled_in_words(failing, cure->right),
-                          scaled_in_words(failing, cure->wrong));
-  return text;
-}
-
 std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
                                      std::span<const Failing> failing, const Caps& caps) {
   Asker asker(methods, caps);
@@ -352,19 +308,6 @@ std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> me
   round([&](Candidate& c, Round& asked) { ask_changed(c, asked, methods); }, take_changed);
   std::vector<Classification> found;
   for (const Candidate& c : candidates) found.push_back(c.found);
-  return found;
-}
-
-Classification classify_closely(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
-                                const Caps& caps) {
-  Asker asker(methods, caps);
-  Classification found = classify(methods, {&failing, 1}, asker)[0];
-  if (!found.smaller && !found.larger) return found;
-  Round round(methods);
-  round.ask(failing.method, found.base);
-  round.run(asker);
-  for (auto* cure : {&found.smaller, &found.larger})
-    if (*cure) narrow(**cure, round[0], failing.method, methods, asker);
   return found;
 }
 

@@ -35,7 +35,7 @@ enum class Mechanism : unsigned char {
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
-                    "rounding", "setting", "unclassified",        "model"};
+                    "rounding", "setting", "unclassified",  "model"};
 }
 
 /// Relative to the size. Double computations of some steps leave errors up to this.
@@ -51,12 +51,6 @@ struct Failing {
   Pair pair;
 };
 
-/// With all lengths times 2^wrong the method is not right, times 2^right it is. `right` is the nearest one
-/// found.
-struct ScaleCure {
-  int wrong, right;
-};
-
 /// The result of further questions about a failure.
 struct Classification {
   Mechanism mechanism = Mechanism::unclassified;
@@ -64,17 +58,12 @@ struct Classification {
   std::optional<std::size_t> right_sibling;
   bool capped = false;  ///< its search ended by its own cap
   bool right_at_origin = false;
-  Pair base;                                 ///< the pair, moved to the origin if it fails there too
-  std::optional<ScaleCure> smaller, larger;  ///< of `base`
+  std::optional<int> smaller, larger;  ///< the method is right with all lengths times 2^this
 };
 
 /// Returns whether the other trial fails as the first does: with the same kind, and beyond the claim if that
 /// one is. If the library broke, its words must also be the same, except for numbers other than codes.
 bool fails_alike(const Trial& failing, const Trial& other);
-
-/// Returns "right once scaled down to a size of 12 (..), wrong at a size of 24 (..)". Empty if no scale cures
-/// it.
-std::string scale_in_words(const Classification& found, const Trial& failing);
 
 /// Methods, with the first method of each one's shared-algorithm group (algorithm_groups()).
 struct GroupedMethods {
@@ -89,11 +78,6 @@ std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> me
                                      std::span<const Failing> failing, const Caps& caps);
 std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
                                      std::span<const Failing> failing, Asker& asker);
-/// Returns the same for one failure. Each cure by scale is narrowed to neighbouring powers of two: some 40
-/// questions more.
-Classification classify_closely(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
-                                const Caps& caps);
-
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors show.
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method);
 

@@ -90,7 +90,7 @@ TEST(Mechanism, ShowsWhatLeavesTheDoubles) {
 }
 
 /// A cut-off of the method itself is not an overflow, however large the pair is.
-TEST(Mechanism, NamesTheLengthThatDecides) {
+TEST(Mechanism, TellsACutOffFarAway) {
   for (const auto& [size, wrong] : {std::pair(
                                         0x1p200, +[](const Pair& p) { return size_of(p) > 300; }),
                                     std::pair(
@@ -98,31 +98,8 @@ TEST(Mechanism, NamesTheLengthThatDecides) {
     Methods methods;
     methods.push_back(erring("lib-way", wrong));
     const Failing failing{0, FindingKind::wrong_disjoint, crossing(size)};
-    const Classification found = classify_closely(methods, failing, {});
-    EXPECT_EQ(found.mechanism, Mechanism::absolute_length);
-    const ScaleCure cure = size > 1 ? found.smaller.value() : found.larger.value();
-    EXPECT_EQ(cure.wrong, size > 1 ? -191 : 208);
-    EXPECT_EQ(cure.right, size > 1 ? -192 : 209);
-    EXPECT_EQ(scale_in_words(found, try_method(methods[0], failing.pair)),
-              size > 1 ? "right once scaled down to a size of 256 (all lengths times 2^-192; overlapping by "
-                         "96), wrong at a size of 512 (all lengths times 2^-191; overlapping by 192)"
-                       : "right once scaled up to a size of 512 (all lengths times 2^209; overlapping by "
-                         "192), wrong at a size of 256 (all lengths times 2^208; overlapping by 96)");
+    EXPECT_EQ(classify(methods, {&failing, 1}, {})[0].mechanism, Mechanism::absolute_length);
   }
-}
-
-TEST(Mechanism, NamesTheDistanceOfPointsThatDecides) {
-  Methods methods;
-  methods.push_back(fake_method("lib-way", [](const Pair& p) {
-    return answered(p.b.center.norm() < 1e-4 ? Verdict::intersecting : Verdict::disjoint);
-  }));
-  Pair points = crossing(0);
-  points.b.center.x() = 0x1p-14;
-  const Failing failing{0, FindingKind::wrong_intersecting, points};
-  EXPECT_EQ(
-      scale_in_words(classify_closely(methods, failing, {}), try_method(methods[0], points)),
-      "right once scaled up to 0.000122 apart (all lengths times 2^1), wrong at 6.1e-05 apart (all lengths "
-      "times 2^0)");
 }
 
 /// The edges that Bullet rounds are nothing at that size, and its model has no verdict.

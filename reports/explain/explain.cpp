@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
@@ -176,7 +177,7 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                                       cause_in_words(methods, {index, kind, pair}, asked, regions));
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
-  if (regions[0].at != 0)
+  if (regions[0].at != 0 && std::isfinite(regions[0].at))
     sentences += " If angle, radii or heights change, b moves so that the distance stays the same.";
   if (const auto few = hardly_sampled(regions); !few.empty())
     sentences += fmt::format(" The table shows an end along {}, but few samples.", fmt::join(few, " and "));

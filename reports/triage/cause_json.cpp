@@ -25,7 +25,6 @@ void visit_plain(B& b, Visit visit) {
   visit("methods", b.methods);
   visit("methods_of_kind", b.methods_of_kind);
   visit("count", b.count);
-  visit("pairs", b.pairs);
   visit("families", b.families);
   visit("findings", b.findings);
   visit("simplified", b.simplified);
@@ -70,11 +69,11 @@ Json share_json(const std::optional<Cause::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
 }
 
-/// Returns the rate per million pairs, with bounds at 95 % from what was examined.
+/// Returns the rate per million pairs, with bounds at 95 %.
 Json observation_json(const Cause::RunObservation& night) {
   constexpr double million = 1e6;
   const Observation& s = night.all;
-  const RateBounds bounds = rate_bounds(night.examined.asked, night.examined.count);
+  const RateBounds bounds = rate_bounds(s.asked, s.count);
   const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
   return {{"run", night.run},
           {"started", night.started},

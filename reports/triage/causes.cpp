@@ -46,9 +46,10 @@ constexpr std::size_t tried_cap = 4;
 /// candidates as found, and then the simplest.
 auto shown_first(FindingKind kind) {
   return [kind](const ShownCandidate& x, const ShownCandidate& y) {
-    if ((x.of->kind == kind) != (y.of->kind == kind)) return x.of->kind == kind;
-    const auto rank = [](const ShownCandidate& c) { return std::tuple(shown_rank(c.pair), c.as_found); };
-    return rank(x) != rank(y) ? rank(x) < rank(y) : x.complexity < y.complexity;
+    const auto rank = [kind](const ShownCandidate& c) {
+      return std::tuple(c.of->kind != kind, shown_rank(c.pair), c.as_found, c.complexity);
+    };
+    return rank(x) < rank(y);
   };
 }
 
@@ -198,10 +199,6 @@ std::optional<Cause::Share> share_of(const Pair& simplest, double margin, Contac
   return share;
 }
 
-bool is_of_scale(Mechanism m) {
-  return m == Mechanism::absolute_length || m == Mechanism::underflow || m == Mechanism::overflow;
-}
-
 /// Fills in what is seen of the simplest pair and its stratum.
 void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
                    std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
@@ -222,11 +219,6 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   if (b.kind == FindingKind::bad_witness)
     if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
       b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
-  if (drawn && b.seen_again && is_of_scale(group.mechanism())) {
-    const Failing failing{*m, b.kind, pair};
-    const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
-    if (!scale.empty()) b.description += fmt::format("; {} is {}", shown_in_words(b), scale);
-  }
   // If the method hangs, each question would cost a second or two.
   const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
   const bool moved = group.mechanism() == Mechanism::offset;
@@ -234,19 +226,15 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
     b.share = share_of(pair, *margin, *feature, moved, methods[*m], b.kind);
 }
 
-int rank_of(Severity severity) {
-  return severity == Severity::contract ? 0 : severity == Severity::unresolved ? 1 : 2;
-}
-
 /// Sums up the findings of a cause. `shown` is its simplest pair.
-Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCount& count,
-             const ShownPair& shown, const GroupedMethods& of, const std::string& folder, bool drawn) {
+Cause sum_up(const std::string& key, const CauseFindings& group, std::uint64_t count, const ShownPair& shown,
+             const GroupedMethods& of, const std::string& folder, bool drawn) {
   Cause b;
   b.key = key;
   b.method = group.first().method;
   b.kind = group.first().kind;
-  b.count = count.findings;
-  b.pairs = count.most();
+  b.severity = group.first().severity;
+  b.count = count;
   std::map<FindingKind, std::string> reasons;
   for (const FindingRecord* f : group.findings) {
     b.methods.insert(f->method);
@@ -254,14 +242,12 @@ Cause sum_up(const std::string& key, const CauseFindings& group, const CauseCoun
     b.families.insert(f->family);
     b.findings.push_back(f->id);
     if (std::string& reason = reasons[f->kind]; reason.empty()) reason = f->reason;
-    if (rank_of(f->severity) < rank_of(b.severity)) b.severity = f->severity;
     if (f->kind != b.kind || !f->margin) continue;
     if (!b.margin) b.margin = Enclosure{f->margin->lo, f->margin->lo};
     b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
   b.description = cause_in_words(key, group.mechanism(), reasons);
   show_simplest(b, group, shown, of.methods, folder, drawn);
-  b.ordinary = is_ordinary(group.simplest->pair);
   b.labels = labels_of(b, group, shown, of);
   return b;
 }
@@ -294,8 +280,7 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
   group.simplest = ShownCandidate{true, complexity(fault.pair), &found, fault.pair};
   const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
   group.seen_again = shown.fails(failing);
-  const CauseCount count{fault.pairs, {{found.method, fault.pairs}}};
-  Cause b = sum_up(key, group, count, shown, of, run_folder, !out_of_time());
+  Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder, !out_of_time());
   b.findings.clear();
   return b;
 }
@@ -303,7 +288,7 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);
-  const std::map<std::string, CauseCount> counts =
+  const std::map<std::string, std::uint64_t> counts =
       count_by_cause(records.groups, records.findings, records.causes);
   PairShower shower(of.methods, out_of_time);
   std::vector<Cause> causes;
@@ -319,19 +304,14 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     if (!group.simplest) continue;  // none of its pairs can be read
     choose_worst(group);
     const auto counted = counts.find(key);
-    const CauseCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
     const auto blamed = failing_method_of(group.first(), of.methods);
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
     if (!shown) shown = shower.show(group.simplest->pair, failing);
-    Cause b = sum_up(key, group, counted != counts.end() ? counted->second : kept, *shown, of, records.folder,
-                     !out_of_time());
+    Cause b = sum_up(key, group, counted != counts.end() ? counted->second : group.findings.size(), *shown,
+                     of, records.folder, !out_of_time());
     show_worst(b, group, *shown, shower, of.methods, records.folder);
     causes.push_back(std::move(b));
   }
-  std::stable_sort(causes.begin(), causes.end(), [](const Cause& x, const Cause& y) {
-    return std::tuple(rank_of(x.severity), !x.ordinary, y.count) <
-           std::tuple(rank_of(y.severity), !y.ordinary, x.count);
-  });
   return causes;
 }
 

@@ -43,7 +43,7 @@ struct Cause {
   struct RunObservation {
     std::string run, started;
     Observation all = {};  ///< also findings that were not kept or not examined: they count in proportion
-    Observation examined = {};  ///< the part that was looked at: all that chance may be judged by
+    Observation examined = {};  ///< the part that was looked at, by kind: chance is judged by it
   };
 
   std::string key;
@@ -51,14 +51,12 @@ struct Cause {
   FindingKind kind = FindingKind::wrong_disjoint;  ///< of the same finding
   std::set<std::string> methods, families;
   std::set<std::string> methods_of_kind;     ///< those that fail in the way of `kind`
-  Severity severity = Severity::resolution;  ///< the gravest
+  Severity severity = Severity::resolution;  ///< of all its findings
   std::uint64_t count = 0;                   ///< findings, kept or not
-  std::uint64_t pairs = 0;  ///< the most pairs on which one method is wrong, comparable between causes
-  std::vector<std::int64_t> findings;  ///< ids of the stored findings
-  std::optional<Enclosure> margin;     ///< the least and the greatest lower bound, of findings of that kind
+  std::vector<std::int64_t> findings;        ///< ids of the stored findings
+  std::optional<Enclosure> margin;  ///< the least and the greatest lower bound, of findings of that kind
   ShownCase simplest;
   std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
-  bool ordinary = true;             ///< the simplest is: is_ordinary()
   bool simplified = false;          ///< the simplest is; else it is as it was found
   bool seen_again = false;          ///< its method, asked alone, failed on the simplest
   bool worst_was_searched = false;  ///< it comes from a search and is not a finding
@@ -106,7 +104,7 @@ nlohmann::json to_json(const std::vector<Cause>& causes);
 /// nlohmann::json::exception if the value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
-/// Makes the causes, those beyond claims first, then by count. Status, first and last seen are not set. The
+/// Makes the causes, by key. Status, first and last seen are not set. The
 /// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
 /// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
 /// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
@@ -139,7 +137,8 @@ using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 /// runs, the earliest first. A cause in `certainly_new` is new at any rate, even if its key is known. Adds
 /// the causes of the last one that the run does not have: known if a stored pair fails now, gone if all are
 /// right. Methods that the run did not ask lose nothing. New causes come first, then those that are back,
-/// then the others in their order, and last those that are gone.
+/// rare, known and gone. Within these, those beyond claims come first, then those of ordinary sizes, then by
+/// count.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 
@@ -153,8 +152,8 @@ std::string file_name_of(std::string_view key);
 
 /// Whether the cause is new, but of pairs that no earlier run drew for its method.
 bool is_of_new_families(const Cause& cause);
-/// Returns "1 new cause, 34 known, 1 gone", without zeros, or "35 causes" without an earlier run. States how
-/// many of the new causes earlier runs could not have.
+/// Returns "2 new causes (1 beyond a claim), 34 known, 1 gone", without zeros, or "35 causes" without an
+/// earlier run. States how many of the new causes earlier runs could not have.
 std::string what_changed(const std::vector<Cause>& causes);
 
 /// Returns how the pair is called that a cause shows: "the simplest pair" if it was simplified.

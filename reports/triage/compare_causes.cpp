@@ -8,6 +8,7 @@
 
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
 
@@ -24,57 +25,48 @@ const Cause* find(const TriagedRun& run, const Cause& of) {
   return nullptr;
 }
 
-/// A run, and the key of the cause in it.
-struct Seen {
-  const TriagedRun* run;
-  std::string key;  ///< of the cause in that run
-};
-
-Seen seen_in(const TriagedRun& run, const Cause& of) {
-  const Cause* const found = find(run, of);
-  return {&run, found != nullptr ? found->key : of.key};
-}
-
 /// The method with the most findings of the cause in all runs, and the groups in which it has any.
 struct Places {
   std::string method;
   std::set<ExaminedGroups::key_type> groups;
 };
 
-Places places_of(const std::vector<Seen>& seen) {
+Places places_of(const std::vector<const TriagedRun*>& runs, const std::string& key) {
   std::map<std::string, std::uint64_t> by_method;
-  for (const auto& [run, key] : seen)
+  std::map<std::string, std::set<ExaminedGroups::key_type>> groups;
+  for (const TriagedRun* run : runs)
     for (const auto& [group, examined] : run->examined)
-      if (examined.by_cause.contains(key)) by_method[group.method] += examined.shares().at(key);
+      if (examined.by_cause.contains(key)) {
+        by_method[group.method] += examined.shares().at(key);
+        groups[group.method].insert(group);
+      }
   Places places;
   std::uint64_t most = 0;
   for (const auto& [method, n] : by_method)
-    if (n > most) most = n, places.method = method;
-  for (const auto& [run, key] : seen)
-    for (const auto& [group, examined] : run->examined)
-      if (group.method == places.method && examined.by_cause.contains(key)) places.groups.insert(group);
+    if (n > most) most = n, places = {method, groups[method]};
   return places;
 }
 
 /// A run that examined a part of a group's findings counts as if it had asked only that part of the pairs. A
 /// run that asked but examined nothing counts as one pair.
-Cause::RunObservation observation_of(const Seen& seen, const Places& places) {
-  Cause::RunObservation sight{seen.run->id, seen.run->started};
+Cause::RunObservation observation_of(const TriagedRun& run, const std::string& key, const Places& places) {
+  Cause::RunObservation sight{run.id, run.started};
   double part_asked = 0;
+  std::set<std::string> families;
   for (const ExaminedGroups::key_type& group : places.groups) {
     const std::string& family = group.family;
     std::uint64_t pairs = 0;
-    for (const TallyRecord& t : seen.run->tallies)
+    for (const TallyRecord& t : run.tallies)
       if (t.method == places.method && t.family == family)
         pairs += t.counts.asked - std::min(t.counts.asked, t.counts.declined);
-    sight.all.asked += pairs;
+    if (families.insert(family).second) sight.all.asked += pairs;  // several kinds may be of one family
     double part = 1;
-    const auto examined = seen.run->examined.find(group);
-    if (examined != seen.run->examined.end() && examined->second.found > 0) {
+    const auto examined = run.examined.find(group);
+    if (examined != run.examined.end() && examined->second.found > 0) {
       const ExaminedFindings& e = examined->second;
-      if (const auto n = e.by_cause.find(seen.key); n != e.by_cause.end()) {
+      if (const auto n = e.by_cause.find(key); n != e.by_cause.end()) {
         sight.examined.count += n->second;
-        sight.all.count += e.shares().at(seen.key);
+        sight.all.count += e.shares().at(key);
       }
       part = static_cast<double>(e.looked_at) / static_cast<double>(e.found);
     }
@@ -89,13 +81,12 @@ Cause::RunObservation observation_of(const Seen& seen, const Places& places) {
 void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& earlier, std::size_t compared) {
   b.first_seen = b.last_seen = run.id;
   b.first_version = b.last_version = version_in(run.methods, b.method);
-  std::vector<Seen> seen;
-  for (const TriagedRun& past : earlier) seen.push_back(seen_in(past, b));
-  seen.push_back(seen_in(run, b));
-  const Places places = places_of(seen);
+  std::vector<const TriagedRun*> runs{&run};
+  for (const TriagedRun& past : earlier) runs.push_back(&past);
+  const Places places = places_of(runs, b.key);
   std::vector<Observation> observations;
   for (const TriagedRun& past : earlier) {
-    Cause::RunObservation sight = observation_of(seen[observations.size()], places);
+    Cause::RunObservation sight = observation_of(past, b.key, places);
     observations.push_back(sight.examined);
     if (sight.examined.asked > 0) b.asked_before = true, b.history.push_back(std::move(sight));
     const Cause* const found = find(past, b);
@@ -104,7 +95,7 @@ void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& ear
     b.first_version =
         found->first_version.empty() ? version_in(past.methods, b.method) : found->first_version;
   }
-  b.history.push_back(observation_of(seen.back(), places));
+  b.history.push_back(observation_of(run, b.key, places));
   const Observation here = b.history.back().examined;
   if (b.history.size() > nights_cap) b.history.erase(b.history.begin(), b.history.end() - nights_cap);
   if (earlier.empty()) return;
@@ -122,7 +113,7 @@ std::optional<Cause> missed(Cause b, const TriagedRun& run, const std::vector<Tr
   });
   if (b.status == Recurrence::gone || !asked) return {};
   const std::string last_seen = b.last_seen, last_version = b.last_version, first_seen = b.first_seen;
-  b.count = b.pairs = 0;
+  b.count = 0;
   b.findings.clear();
   b.history.clear();
   compare(b, run, earlier, compared);
@@ -139,10 +130,12 @@ std::optional<Cause> missed(Cause b, const TriagedRun& run, const std::vector<Tr
   return b;
 }
 
-int place_of(const Cause& b) {
-  if (b.status == Recurrence::fresh) return 0;
-  if (b.status == Recurrence::back) return 1;
-  return b.status == Recurrence::gone ? 3 : 2;
+/// The order in which causes are shown.
+auto rank_of(const Cause& b) {
+  constexpr std::array order{Recurrence::fresh, Recurrence::back, Recurrence::rare, Recurrence::known,
+                             Recurrence::gone};
+  const auto place = std::ranges::find(order, b.status.value_or(Recurrence::known)) - order.begin();
+  return std::tuple(place, b.severity, !is_ordinary(b.simplest.pair), ~b.count);
 }
 
 }  // namespace
@@ -188,7 +181,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
   }
   for (Cause& b : not_met) run.causes.push_back(std::move(b));
   std::stable_sort(run.causes.begin(), run.causes.end(),
-                   [](const Cause& x, const Cause& y) { return place_of(x) < place_of(y); });
+                   [](const Cause& x, const Cause& y) { return rank_of(x) < rank_of(y); });
 }
 
 bool is_of_new_families(const Cause& b) { return b.status == Recurrence::fresh && !b.asked_before; }
@@ -205,6 +198,10 @@ std::string what_changed(const std::vector<Cause>& causes) {
     const std::string word = status == Recurrence::rare ? "too rare to judge" : to_string(status);
     text += text.empty() ? counted(static_cast<std::uint64_t>(n), word + " cause")
                          : fmt::format(", {} {}", n, word);
+    const auto beyond = std::ranges::count_if(causes, [](const Cause& b) {
+      return b.status == Recurrence::fresh && b.severity == Severity::contract;
+    });
+    if (status == Recurrence::fresh && beyond < n) text += fmt::format(" ({} beyond a claim)", beyond);
   }
   if (const auto n = std::ranges::count_if(causes, is_of_new_families); n > 0)
     text +=

@@ -61,12 +61,6 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
   return groups;
 }
 
-std::uint64_t CauseCount::most() const {
-  std::uint64_t most = 0;
-  for (const auto& [method, n] : by_method) most = std::max(most, n);
-  return most;
-}
-
 std::map<std::string, std::uint64_t> ExaminedFindings::shares() const {
   std::uint64_t all = 0, given = 0;
   for (const auto& [cause, n] : by_cause) all += n;
@@ -82,17 +76,14 @@ std::map<std::string, std::uint64_t> ExaminedFindings::shares() const {
   return shares;
 }
 
-std::map<std::string, CauseCount> count_by_cause(const std::vector<GroupRecord>& groups,
-                                                 const std::vector<FindingRecord>& findings,
-                                                 const std::vector<CauseRecord>& causes) {
+std::map<std::string, std::uint64_t> count_by_cause(const std::vector<GroupRecord>& groups,
+                                                    const std::vector<FindingRecord>& findings,
+                                                    const std::vector<CauseRecord>& causes) {
   std::vector<FindingHead> heads;
   for (const FindingRecord& f : findings) heads.push_back({f, f.id});
-  std::map<std::string, CauseCount> counts;
+  std::map<std::string, std::uint64_t> counts;
   for (const auto& [group, examined] : examined_groups(groups, heads, causes))
-    for (const auto& [cause, n] : examined.shares()) {
-      counts[cause].findings += n;
-      counts[cause].by_method[group.method] += n;
-    }
+    for (const auto& [cause, n] : examined.shares()) counts[cause] += n;
   return counts;
 }
 

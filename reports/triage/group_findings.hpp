@@ -68,17 +68,10 @@ struct CauseFindings {
 /// legal (is_legal()), and its pairs as they were found.
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records);
 
-/// The findings of a cause, stored or not.
-struct CauseCount {
-  std::uint64_t findings = 0;
-  std::map<std::string, std::uint64_t> by_method;
-
-  std::uint64_t most() const;  ///< the largest count of a method: a number of pairs, with one finding a pair
-};
 /// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup, and the
 /// causes share that count: ExaminedFindings::shares().
-std::map<std::string, CauseCount> count_by_cause(const std::vector<GroupRecord>& groups,
-                                                 const std::vector<FindingRecord>& findings,
-                                                 const std::vector<CauseRecord>& causes);
+std::map<std::string, std::uint64_t> count_by_cause(const std::vector<GroupRecord>& groups,
+                                                    const std::vector<FindingRecord>& findings,
+                                                    const std::vector<CauseRecord>& causes);
 
 }  // namespace cyl

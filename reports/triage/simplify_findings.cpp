@@ -30,10 +30,10 @@ struct Waiting {
 };
 
 bool is_simpler(const Waiting& x, const Waiting& y) {
-  const auto rank = [](const Waiting& w) { return shown_rank(w.subject->pair); };
-  if (rank(x) != rank(y)) return rank(x) < rank(y);
-  return x.complexity != y.complexity ? x.complexity < y.complexity
-                                      : x.subject->record->id < y.subject->record->id;
+  const auto rank = [](const Waiting& w) {
+    return std::tuple(shown_rank(w.subject->pair), w.complexity, w.subject->record->id);
+  };
+  return rank(x) < rank(y);
 }
 
 /// Puts the least shown_rank() and the simplest first, and other methods, kinds and families before repeated
@@ -113,7 +113,7 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known) {
   const std::vector<CauseRecord> records = context.causes();
-  std::map<std::string, CauseCount> counts =
+  std::map<std::string, std::uint64_t> counts =
       count_by_cause(context.finding_groups, context.findings, records);
   using Rank =
       std::tuple<bool, bool, std::uint64_t, std::string>;  // known, not beyond a claim, how many others
@@ -122,8 +122,8 @@ std::vector<const Subject*> simplification_order(const TriageContext& context,
     const auto found = context.by_id.find(c.finding);
     if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
     if (c.mechanism == Mechanism::gone) continue;
-    causes[{known.contains(c.cause), found->second->severity() != Severity::contract,
-            ~counts[c.cause].findings, c.cause}]
+    causes[{known.contains(c.cause), found->second->severity() != Severity::contract, ~counts[c.cause],
+            c.cause}]
         .push_back({0, complexity(found->second->pair), found->second});
   }
   std::size_t longest = 0;

@@ -149,14 +149,14 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     triage.remarks.push_back(fmt::format("compared with {}, the last of them {} of {}",
                                          counted(earlier.size(), "run"), earlier.back().id,
                                          earlier.back().started));
-  for (const TriagedRun& past : earlier)
+  for (const TriagedRun& past : earlier) {
     if (past.started > context.began)
       triage.remarks.push_back(
           fmt::format("{} began after this run: a new cause may be one that was mended in between", past.id));
-  for (const TriagedRun& past : earlier)
     if (past.part < 1)
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
+  }
   if (!options.suppressions.empty()) {
     std::set<std::string> seen = causes_of(context.grouped(), options.cases, options.suppressions);
     for (const Cause& b : triage.causes)

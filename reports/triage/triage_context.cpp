@@ -15,8 +15,6 @@
 #include "corpus/store/run_facts.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
-#include "oracles/trial/trial.hpp"
-#include "reports/triage/case_distance.hpp"
 
 namespace cyl {
 namespace {
@@ -26,25 +24,8 @@ using std::chrono::milliseconds;
 /// How often this looks whether the processes have ended, and how often it shows their progress.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
-/// The page takes about so many times as long as reading the run, besides page_time().
-constexpr int page_in_readings = 3;
-
-/// Estimates the time for the distances on the page, which it encloses, from a few pairs.
-milliseconds page_time(std::span<const Subject> subjects) {
-  constexpr std::size_t tried_cap = 32;
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  std::set<std::string_view> pairs;
-  for (const Subject& s : subjects) pairs.insert(s.record->pair);
-  const auto start = TriageContext::Clock::now();
-  std::size_t tried = 0;
-  for (std::size_t i = 0; i < subjects.size(); i += subjects.size() / tried_cap + 1, ++tried) {
-    if (const auto verdict = proved_verdict(*subjects[i].record))
-      case_distance(subjects[i].pair, *verdict, subjects[i].record->margin);
-  }
-  if (tried == 0) return {};
-  const Milliseconds took = TriageContext::Clock::now() - start;
-  return std::chrono::duration_cast<milliseconds>(took / tried * pairs.size());
-}
+/// The page takes about as long as reading the run so many times.
+constexpr int page_in_readings = 4;
 
 milliseconds since(TriageContext::Clock::time_point start) {
   return std::chrono::duration_cast<milliseconds>(TriageContext::Clock::now() - start);
@@ -86,9 +67,10 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
     subjects.push_back(std::move(s));
   }
   for (const Subject& s : subjects) by_id[s.record->id] = &s;
-  const milliseconds page = page_time(subjects) + page_in_readings * since(start);
-  budget = std::max(options.budget / 2, options.budget - page);
+  const milliseconds page = page_in_readings * since(start);
   groups = algorithm_groups(methods, [&](const Method& m) { return libraries.contains(m.library()); });
+  budget = std::max(options.budget / 2, options.budget - page - since(start));
+  start = Clock::now();
 }
 
 milliseconds TriageContext::elapsed() const { return since(start); }

@@ -54,8 +54,8 @@ struct TriageContext {
   const TriageOptions& options;
   const std::function<void(const TriageProgress&)>& on_progress;
   const std::span<const std::unique_ptr<Method>> methods;
-  const std::string asked_by;  ///< as askers() gives it
-  const Clock::time_point start = Clock::now();
+  const std::string asked_by;                    ///< as askers() gives it
+  Clock::time_point start = Clock::now();        ///< of the steps
   std::vector<std::size_t> groups;               ///< algorithm_groups(), of the libraries with findings
   std::string began;                             ///< the run
   std::vector<FindingRecord> findings;           ///< by id
