@@ -38,7 +38,7 @@
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
 #include "reports/gate/gate_writers.hpp"
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 namespace {

@@ -24,7 +24,7 @@
 #include "cli/targets.hpp"
 #include "corpus/store/case_files.hpp"
 #include "reports/run/report_data.hpp"
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 namespace {

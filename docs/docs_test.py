@@ -102,6 +102,19 @@ def check_old_words():
         fail('\n'.join(['old words, see docs/glossary.md'] + found))
 
 
+def check_names():
+    """The files that CONTRIBUTING.md and data-flow.md name exist, and so do the functions and types of data-flow.md."""
+    files = {source.name: source.read_text() for source in sources()}
+    words = set(re.findall(r'\w+', ' '.join(files.values())))
+    for page in (ROOT / 'CONTRIBUTING.md', ROOT / 'docs/data-flow.md'):
+        text = page.read_text()
+        named = set(re.findall(r'\b(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files.keys()
+        if page.name == 'data-flow.md':
+            named |= {name for name in re.findall(r'`(?:\w+::)?(\w+)`', text) if name not in words}
+        for name in sorted(name for name in named if not re.match(r'(?:x|COMMAND)[._]', name)):
+            fail(f'{page.name} names {name}, which does not exist')
+
+
 def descriptions():
     """Yields (schema, description) of the JSON schemas."""
     for schema in sorted((ROOT / 'reports/schemas').glob('*.json')) + [ROOT / 'vectors/v1/schema.json']:
@@ -282,6 +295,7 @@ def check_numbers(folder, write):
 
 def main():
     check_old_words()
+    check_names()
     check_english()
     check_ci()
     commands = set()

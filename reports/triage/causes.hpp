@@ -19,7 +19,7 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "reports/triage/recurrence.hpp"
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {

@@ -18,7 +18,7 @@
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "reports/triage/causes.hpp"
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 
@@ -48,7 +48,7 @@ struct TriageProgress {
 };
 
 struct Triage {
-  std::vector<Cause> causes;            ///< those beyond claims first, then by count; what is gone last
+  std::vector<Cause> causes;            ///< new and back first, then beyond claims, of ordinary size, by count; gone last
   TriageProgress progress;              ///< at the end
   std::vector<FindingRecord> findings;  ///< of the run, by id
   std::vector<std::string> remarks;     ///< on earlier runs half looked at, and on suppressions

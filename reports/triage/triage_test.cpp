@@ -18,7 +18,7 @@
 #include "oracles/referee/referee.hpp"
 #include "reports/triage/causes.hpp"
 #include "reports/triage/group_findings.hpp"
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/triage_store.hpp"
 #include "solver/distance.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/triage/suppressed.hpp"
+#include "reports/triage/suppressions.hpp"
 
 #include <fmt/format.h>
 
