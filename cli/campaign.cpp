@@ -339,7 +339,7 @@ void add_campaign(Program& program) {
   command.number("--pairs N", arguments->pairs, "number of pairs; 0 for no limit");
   command.option(
       "--fuzz SHARE", *share,
-      "share of the time, such as 25%, in which libFuzzer searches first; its corpus comes after the "
+      "first let libFuzzer search for this share of the time, such as 25%; its pairs run after the "
       "cases");
   command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
   command.section("Output");
@@ -361,10 +361,10 @@ void add_campaign(Program& program) {
               "run only part I of N, with I from 0 to N-1; daylight merge joins the parts")
       .needs("--seed")
       .needs("--out");
-  command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
+  command.option("--cases DIR", arguments->cases, "folder of known cases to run first; '' for none")
       .default_text("corpus/cases/");
   command.option("--corpus DIR", arguments->corpus,
-                 "corpus of an earlier run, whose pairs take turns with the families; --fuzz begins with it");
+                 "corpus of a fuzz run; its pairs alternate with drawn ones, and --fuzz starts from it");
   command.section("Methods");
   command
       .option(

@@ -302,11 +302,11 @@ void add_check(Program& program) {
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command
       .option("--clearance LENGTH", options->clearance,
-              "decide if the gap is at most this length; if negative, if an overlap is deeper than that")
+              "decide if the gap is <= LENGTH; for LENGTH < 0, if the overlap is deeper than -LENGTH")
       .not_empty("a length is expected");
   command.section("Methods");
   command
-      .option("--method NAME", options->method, "ask this method instead; its answer is reported, not proved")
+      .option("--method NAME", options->method, "print the answer of this method, without a proof, instead")
       .excludes("--distance");
   add_guest_options(command, options->guests);
   command.examples(

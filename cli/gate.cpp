@@ -224,7 +224,7 @@ void add_gate(Program& program) {
   command.section("Limits");
   command
       .number("--pairs N", arguments->pairs,
-              "random pairs to draw besides the cases, in whole rounds; the text states how many", 1)
+              "random pairs besides the cases, rounded up; the output states the exact number", 1)
       .default_text(std::to_string(gate_pairs));
   command.option("--for DURATION", arguments->cap,
                  "limit of wall time, such as 40s; if it skips pairs, the exit code is 3");
@@ -237,7 +237,7 @@ void add_gate(Program& program) {
   command.section("Pairs");
   command.number("--seed N", arguments->seed, "seed; the same seed and number of pairs give the same pairs")
       .default_text(std::to_string(GateOptions{}.seed));
-  command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
+  command.option("--cases DIR", arguments->cases, "folder of known cases to run first; '' for none")
       .default_text("corpus/cases/");
   command.option("--corpus DIR", arguments->corpus,
                  fmt::format("corpus of a fuzz run; the seed draws at most {} pairs of it", corpus_cap));
@@ -254,7 +254,7 @@ void add_gate(Program& program) {
   command.section("Baseline");
   command
       .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs, and fails only on new causes or more pairs of one")
+              "JSON of an earlier gate; reruns its pairs; only new causes, or more pairs of a cause, count")
       .excludes("--pairs")
       .excludes("--seed");
   command

@@ -90,14 +90,13 @@ void add_guest_options(Command& command, GuestOptions& options) {
       .one_each();
   command
       .option("--claim MARGIN", options.claims,
-              "tolerance that plug-ins and commands claim, relative to the size; NAME=MARGIN for one of them")
+              "tolerance of plug-ins and commands, relative to the pair's size; NAME=MARGIN for one of them")
       .one_each();
 }
 
 void add_run_guests_option(Command& command, GuestOptions& options) {
-  command.flag(
-      "--run-guests", options.of_runs,
-      "start the plug-ins and commands that an existing run names, even if they never ran on this machine");
+  command.flag("--run-guests", options.of_runs,
+               "start the plug-ins and commands that the run names, even if they never ran on this machine");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

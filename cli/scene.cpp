@@ -93,13 +93,13 @@ void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneOptions& question = arguments->question;
   Command command = program.command(
-      "Measure", "scene", "Reports which models of its shapes a robot or scene needs, and what they cost");
+      "Measure", "scene", "Reports how simple the models of a robot's shapes may be, and what they cost");
   command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
   command.section("Question");
   command.option("--clearance LENGTH", question.clearance,
-                 "distance that is too near, in the unit of the scene (URDF, MJCF: metres)");
+                 "gaps up to this are too near; in the scene's unit (URDF, MJCF: metres)");
   command.option("--tolerate LENGTH", question.tolerated,
-                 "distance beyond the clearance up to which a false alarm is harmless");
+                 "false alarms up to this far beyond the clearance are harmless");
   command.section("Configurations");
   command.number("--configurations N", question.configurations,
                  "configurations to draw within the limits of the joints", 1, 1'000'000);
@@ -128,12 +128,10 @@ void add_scene(Program& program) {
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --json robot.json\n"
       "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
-      "Exit code 2 of scene means that the referee refutes a recommended answer, or that --prove shows "
-      "contact of\n"
-      "links that the SRDF disables as \"Never\". 3 also means that --prove left a pair open, that shapes "
-      "were "
-      "not\n"
-      "examined, that only the bounding solid of a box or mesh comes near, or that joints were not moved.");
+      "Exit code 2 of scene means that a proof refutes a recommended answer, or that --prove shows\n"
+      "contact of links that the SRDF disables as \"Never\". 3 also means that --prove left a pair open,\n"
+      "shapes were not examined, only a bounding solid of a box or mesh is known to be near, or joints\n"
+      "were not moved.");
   command.run([arguments] { return study(*arguments); });
 }
 

@@ -114,14 +114,14 @@ void add_triage(Program& program) {
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
   command.flag("--new-only", arguments->new_only,
-               "list, write and fail on only the causes that earlier runs do not have");
+               "report only causes that earlier runs lack; only these set exit code 2");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/causes/ has a pair of each cause, the simplest if there was time. It has a worst pair\n"
-      "(.worst.jsonl) if a search found one worse than the findings.\n"
-      "Guests are those of the run, or those of --plugin and --command.\n"
+      "RUN/causes/ has a pair of each cause, the simplest if there was time. KEY.worst.jsonl\n"
+      "is there if a search found a worse pair than all findings of the cause.\n"
+      "Plug-ins and commands are those of the run, unless you give some.\n"
       "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "
       "findings\n"
       "remain to be examined.");

@@ -108,10 +108,10 @@ def check_names():
     words = set(re.findall(r'\w+', ' '.join(files.values())))
     for page in (ROOT / 'CONTRIBUTING.md', ROOT / 'docs/data-flow.md'):
         text = page.read_text()
-        named = set(re.findall(r'\b(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files.keys()
+        named = set(re.findall(r'(?<![*\w])(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files.keys()
         if page.name == 'data-flow.md':
             named |= {name for name in re.findall(r'`(?:\w+::)?(\w+)`', text) if name not in words}
-        for name in sorted(name for name in named if not re.match(r'(?:x|COMMAND)[._]', name)):
+        for name in sorted(name for name in named if not re.match(r'(?:\w+_)?(?:x|COMMAND)[._]', name)):
             fail(f'{page.name} names {name}, which does not exist')
 
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * Your collision test as a shared library, in C or C++. Define daylight_method(), build with -shared -fPIC, and
- * pass the file to a command: daylight gate --plugin ./libmine.so. docs/guides/library.md has a complete example.
+ * Your collision test as a shared library, in C or C++. Define daylight_method(), build with -shared -fPIC,
+ * and pass the file to a command: daylight gate --plugin ./libmine.so. docs/guides/library.md has a complete
+ * example.
  *
  * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. It is solid,
- * closed and finite. If takes_rounding is 1, it is nine doubles. The last is the radius of a ball by which the
- * solid is grown: with radius 0 and height 0 it is a sphere, with radius 0 a capsule.
+ * closed and finite. If takes_rounding is 1, it is nine doubles. The last is the radius of a ball by which
+ * the solid is grown: with radius 0 and height 0 it is a sphere, with radius 0 a capsule.
  *
  * The plug-in runs in a process of its own, which is reused between calls. It may crash, hang, throw, sleep,
  * print, read files and start threads. It may not start processes, signal others, or leave the rounding mode
@@ -23,15 +24,20 @@ enum DaylightVerdict {
   DAYLIGHT_INTERSECTING = 1, /* also touching, if your library does not distinguish the two */
   DAYLIGHT_TOUCHING = 2,
   DAYLIGHT_UNDECIDED = 3,
-  DAYLIGHT_BEYOND = 4,    /* disjoint by more than more[0] (0 or more), not measured further */
+  DAYLIGHT_BEYOND = 4,    /* disjoint; the gap is > more[0] >= 0, not measured further */
   DAYLIGHT_DECLINED = -1, /* the pair is not supported; this is not a fault */
   DAYLIGHT_FAILED = -2    /* the library tried and failed; this is a fault */
 };
 
-enum DaylightShapes { DAYLIGHT_SPHERE = 1, DAYLIGHT_CAPSULE = 2, DAYLIGHT_CYLINDER = 4, DAYLIGHT_ROUNDED_CYLINDER = 8 };
+enum DaylightShapes {
+  DAYLIGHT_SPHERE = 1,
+  DAYLIGHT_CAPSULE = 2,
+  DAYLIGHT_CYLINDER = 4,
+  DAYLIGHT_ROUNDED_CYLINDER = 8
+};
 
-/* AT_MOST: a depth that you return is an upper bound, as of a separating axis among a few. It is a fault only if the
- * true depth is greater. */
+/* AT_MOST: a depth that you return is an upper bound, such as the least on a few axes. It is a fault only if
+ * the true depth is greater. */
 enum DaylightDepth { DAYLIGHT_DEPTH_EXACT = 0, DAYLIGHT_DEPTH_AT_MOST = 1 };
 
 struct DaylightMethod {
@@ -39,36 +45,36 @@ struct DaylightMethod {
   const char* name;    /* letters, digits, - _ . */
   const char* version; /* may be 0 */
 
-  /* The claim: right if |distance| >= relative * (sum of all radii, heights and roundings) + absolute. A wrong
-   * answer beyond the claim is a fault. A wrong answer within it is only counted. */
+  /* The claim: right if |distance| >= relative * (sum of all radii, heights and roundings) + absolute. A
+   * wrong answer beyond the claim is a fault. A wrong answer within it is only counted. */
   double claim_relative, claim_absolute;
   const char* claim_source; /* the place that states it; may be 0 */
 
-  /* Returns a verdict, as above. `more` is all NaN before the call. You may set the signed distance in more[0]
-   * (negative: the depth), and the normal of a separating plane in more[1..3]. You may set a common point in
-   * more[4..6], which is ignored if a solid is rounded. Called from one thread at a time.
+  /* Returns a verdict, as above. `more` is all NaN before the call. You may set the signed distance in
+   * more[0] (negative: the depth), and the normal of a separating plane in more[1..3]. You may set a common
+   * point in more[4..6], which is ignored if a solid is rounded. Called from one thread at a time.
    *
-   * A normal or point that you set must be right within the claim, like a verdict. The point may lie outside a solid
-   * by the length t of the claim. The normal may be off by the angle 2 t / gap, which errors of t in both nearest
-   * points explain. It may have any length but 0. */
+   * A normal or point that you set must be right within the claim, like a verdict. The point may lie outside
+   * a solid by t, the bound in the claim. The normal may be off by the angle 2 t / gap, as if both nearest
+   * points were off by t. It may have any length but 0. */
   int (*ask)(const double* a, const double* b, double more[7]);
 
   /* For timing; may be 0. `count` pairs of 16 doubles each (18 with rounding), one verdict each. */
   void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
 
-  /* The rest of interface 2. Each may be 0. */
+  /* Added in interface 2. Each may be 0. */
 
   /* Returns why the last call of `ask` declined or failed, in a few words. */
   const char* (*reason)(void);
-  /* Does what `ask` does for `count` pairs of 16 doubles each (18 with rounding), in one call: one verdict and
-   * seven doubles of `more` for each. Must give the same answers as `ask`. */
+  /* Does what `ask` does for `count` pairs of 16 doubles each (18 with rounding), in one call: one verdict
+   * and seven doubles of `more` for each. Must give the same answers as `ask`. */
   void (*ask_many)(size_t count, const double* pairs, int* verdicts, double* more);
   /* Another method of this library. */
   const struct DaylightMethod* next;
   /* 1: it supports rounded solids, and every cylinder passed to it is nine doubles. */
   int takes_rounding;
 
-  /* The rest of interface 3: what your library supports. 0 means no limit. Other pairs are not passed to it. */
+  /* Added in interface 3: what your library supports. 0 means no limit. Other pairs are not passed to it. */
 
   /* The sum of its DaylightShapes. 0: cylinders, and all others if takes_rounding is 1. */
   int shapes;
@@ -79,11 +85,11 @@ struct DaylightMethod {
   /* 1: no disks and segments, that is, no cylinders with a radius or height of 0. */
   int no_zero_lengths;
 
-  /* The rest of interface 4. The first two limit the pairs that are passed to it. 0 means no limit. */
+  /* Added in interface 4. The first two limit the pairs that are passed to it. 0 means no limit. */
 
   /* The greatest coordinate of a centre, in absolute value. */
   double greatest_coordinate;
-  /* The greatest gap between the balls around the solids, which have the same centres. The solids are at least as far
+  /* The greatest gap between the balls around the solids, each at its centre. The solids are at least as far
    * apart as these balls. */
   double greatest_gap;
   /* One of DaylightDepth. */
@@ -91,11 +97,13 @@ struct DaylightMethod {
 };
 
 #if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
-/* Fills `rotation` with a rotation, row by row. It takes the coordinate axis `along` (0 is x, 1 is y, 2 is z) to the
- * direction of `axis`, which has any length but 0. Column `along`, that is rotation[along], rotation[along + 3] and
- * rotation[along + 6], is the unit vector of the axis, within 4e-16. No length of the axis overflows or vanishes. */
+/* Fills `rotation` with a rotation, row by row. It takes the coordinate axis `along` (0 is x, 1 is y, 2 is z)
+ * to the direction of `axis`, which has any length but 0. Column `along`, that is rotation[along],
+ * rotation[along + 3] and rotation[along + 6], is the unit vector of the axis, within 4e-16. No axis is too
+ * long or too short for it. */
 static inline void daylight_rotation(const double axis[3], int along, double rotation[9]) {
-  /* Duff et al., Building an Orthonormal Basis, Revisited (2017). s is the sign of n[2], so s + n[2] is never 0. */
+  /* Duff et al., Building an Orthonormal Basis, Revisited (2017). s is the sign of n[2], so s + n[2] is never
+   * 0. */
   const double most = fmax(fabs(axis[0]), fmax(fabs(axis[1]), fabs(axis[2])));
   double n[3] = {axis[0] / most, axis[1] / most, axis[2] / most};
   const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);

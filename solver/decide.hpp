@@ -24,7 +24,7 @@ struct Prepared {
 
 /// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
 /// pair, r0 + h0/2 + r1 + h1/2 + |Delta|. Delta is the vector between the centres. s is the sine of the angle
-/// of the axes. f(D) is |D| times the overlap of the extents of the solids along D (derivation.md). If
+/// of the axes. f(D) is |D| times the overlap of both projections on D (derivation.md). If
 /// f(D) < 0, D separates the solids.
 inline constexpr double unit_roundoff_error = 0x1p-53;  ///< of one operation, relative to its result
 inline constexpr double unit_axis_error =
@@ -35,8 +35,8 @@ inline constexpr double filter_error =
     64 * unit_roundoff_error;  ///< of s f(D) for the five directions tried first, relative to the reach
 inline constexpr double point_error =
     2048 * unit_roundoff_error;                ///< of the first common point, relative to the reach
-inline constexpr double least_det = 0x1p-300;  ///< of the equations of a common point, so that
-                                               ///< its square keeps its digits
+inline constexpr double least_det = 0x1p-300;  ///< least determinant for a common point, so
+                                               ///< that its square keeps its digits
 inline constexpr double parallel_error =
     64 * unit_roundoff_error;  ///< of the gaps along and across parallel axes, relative to the reach
 inline constexpr double membership_error =
@@ -79,12 +79,13 @@ struct Answer {
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
-/// The same decision with its proof: `disjoint` with a direction, or `intersecting` with a point. The gap or
-/// overlap that they show exceeds the bound of the rounding errors. Otherwise the verdict is `undecided` (or
+/// The same decision with its proof: `disjoint` with a direction, or `intersecting` with a point. The proved
+/// gap or overlap exceeds the bound of the rounding errors. Otherwise the verdict is `undecided` (or
 /// `invalid`). A verdict is never wrong. Let t = 1e-13 (r0 + h0 + r1 + h1 + a.rounding + b.rounding).
 /// * Every gap of at least t is decided.
-/// * Every overlap is decided if a ball of radius t lies in both solids. If one solid is flat (no thicker
-///   than t), a disk or segment of radius t replaces the ball.
+/// * Every overlap is decided if a ball of radius t lies in both solids. For a flat solid (no thicker than
+/// t),
+///   it is a disk of radius t or a segment of length 2 t.
 /// * An overlap of two flat solids may stay undecided if both are segments, or if one is a point. The same
 ///   holds if a disk crosses a disk or a segment at a small angle.
 /// * None of this holds for subnormal lengths.

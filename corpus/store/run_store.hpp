@@ -20,7 +20,7 @@ namespace cyl {
 class SqliteFile;
 
 /// How many findings of one (method, kind, severity, family) are kept with their pair: the first ones in
-/// index order. A later one is kept only if its margin reaches a new power of two. So the largest margin is
+/// index order. A later one is kept only if its margin passes one more power of two. So the largest margin is
 /// known to within a factor of two. The other findings are only counted. This bounds the file, and ten are
 /// enough to see a pattern.
 inline constexpr std::uint64_t representatives_cap = 10;
@@ -119,7 +119,7 @@ struct BatchRecord {
   std::uint64_t first = 0, next = 0;
   std::vector<TallyRecord> tallies;
   std::vector<GroupRecord> groups;      ///< all findings of the batch, counted
-  std::vector<FindingRecord> findings;  ///< admitted by its Representatives, in index order; id unset
+  std::vector<FindingRecord> findings;  ///< kept by Representatives, in index order; id unset
   std::vector<CellRecord> cells;        ///< of the failure maps
 };
 
@@ -135,13 +135,13 @@ using Config = std::map<std::string, std::string>;
 /// The store of one run: FOLDER/run.sqlite. It has a write-ahead log with synchronous=NORMAL, so committed
 /// data survives the death of the process. A loss of power may lose the last batches, but not the
 /// consistency. Every call throws a std::runtime_error that names the file if it cannot be read or written;
-/// it is an InputError if the file holds what no run does.
+/// it is an InputError if the file is not a valid run.
 class RunStore {
  public:
   /// Creates folder and file. Throws if a run exists there.
   static RunStore create(const std::string& folder, const Config& config,
                          const std::vector<MethodRecord>& methods = {});
-  /// Throws UsageError if there is no run, and InputError if its findings are not those that it counts.
+  /// Throws UsageError if there is no run, and InputError if its findings contradict its counts.
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();

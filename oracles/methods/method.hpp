@@ -22,7 +22,7 @@ namespace cyl {
 /// On which pairs a method promises to decide, if both solids are valid and within its range.
 enum class DecisionScope : unsigned char {
   not_promised,
-  above_1e13,  ///< It decides pairs with a gap of 1e-13 of the size, or with such a ball in both (law 39).
+  above_1e13,  ///< It decides gaps of 1e-13 of the size, or if a ball that large fits in both (law 39).
   all          ///< It decides every pair whose verdict can be proved.
 };
 
@@ -32,7 +32,7 @@ struct Claim {
   double absolute = 0;      ///< a length in the scene's unit
   std::string_view source;  ///< the line of its documentation or source that states it
   bool assumed = false;     ///< The library states no tolerance: `source` is the basis of an estimate.
-  // No library documents any of these.
+  // No library documents what follows.
   bool bitwise_stable =
       false;  ///< If a transformation is exact, such as scaling by 2^k, the answer keeps every digit.
   /// Its verdict on solids without rounding never changes if the signs of coordinates are flipped.
@@ -57,7 +57,7 @@ class Method {
   virtual ~Method() = default;
   std::string_view name() const { return name_; }
   const MethodName& name_parts() const { return parts_; }
-  std::string_view library() const { return parts_.library; }  ///< A guest is a library of its own.
+  std::string_view library() const { return parts_.library; }  ///< of a guest: its own name
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
   virtual Claim claim() const = 0;
   virtual bool foreign() const { return true; }   ///< code of another project
@@ -74,7 +74,7 @@ class Method {
   virtual void initialize() {}
   /// Returns whether it has a shape for such solids.
   virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
-  /// Returns the sizes that it states it supports; null if it states none.
+  /// Returns the sizes that it claims to support; null if it claims none.
   virtual const SizeRange* sizes() const { return nullptr; }
   bool supports_kinds(const Pair& pair) const {
     return supports(kind_of(pair.a)) && supports(kind_of(pair.b));
@@ -152,9 +152,8 @@ std::vector<std::unique_ptr<Method>> setting_methods();
 std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, distance, exact
 std::unique_ptr<Method> certifying_method();         ///< the one of own_methods() that is `certified`
 std::vector<std::unique_ptr<Method>>
-literature_2008_methods();  ///< the text of 2008 and the page of the book
-std::vector<std::unique_ptr<Method>>
-literature_2017_methods();  ///< the text of 2017: corrected, and as printed
+literature_2008_methods();  ///< seed2008 and seedbook: docs/algorithms.md
+std::vector<std::unique_ptr<Method>> literature_2017_methods();  ///< seed2017: docs/algorithms.md
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();
@@ -172,7 +171,7 @@ std::vector<std::unique_ptr<Method>> mujoco_settings();  ///< tolerances
 std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
                                                     std::string_view spec);
 
-/// The same rule for any list of names (families): the indices kept, in order.
+/// Applies it to names, such as families. Returns the kept indices, in order.
 std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec);
 
 }  // namespace cyl

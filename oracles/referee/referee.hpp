@@ -23,11 +23,10 @@ inline constexpr int precision_cap = 4096;
 /// 3. `undecided` only at the cap on precision. Then the pair touches in a direction that is not rational, or
 ///    its gap or depth is too small for that many bits.
 /// 4. CertificateKind lists the forms of the certificate. A witness may be a point and the hulls of flat
-/// solids
-///    (Hull). If it proves the verdict, the certificate is the rational point of both hulls nearest to that
-///    point.
+///    solids (Hull). If it proves the verdict, the certificate is the rational point, in both hulls, that is
+///    nearest to it.
 /// Cost:
-/// * about 1 us, with or without a witness; 20 us with a witness in hulls
+/// * about 1 us, with or without a witness; 20 us if a witness has hulls
 /// * 0.1 ms if double is not enough, below 1 ms for pairs that touch exactly
 /// * 1 to 2 ms for rounded solids whose gap is as small as a floating-point error; at most 17 ms in 330,000
 ///   pairs
@@ -73,9 +72,8 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth);
 /// that the distance is below that width, one end is 0, and the cost is a few us.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
-/// The enclosure, and the unit direction from a to b at which it was found. In this direction, the overlap of
-/// the extents of the solids is minus the lower end, within rounding. For rounded solids, both are those of
-/// the cores. Exceptions:
+/// The enclosure, and the unit direction from a to b at which it was found. Along it, the
+/// extents of the solids overlap by minus the lower end, up to rounding errors. Exceptions:
 /// 1. If the verdict excludes negative distances, the lower end is at least 0.
 /// 2. If the distance is smaller than the width, the enclosure may differ from that of enclose_distance().
 /// 3. If several directions attain the distance, it is one of them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The merge gate. It replays every known case, checks every law, and compares the method with
-// the referee on samples of every stratum and every cell of close contacts. It reports how much
+// the referee on samples of every stratum and class of close contact. It reports how much
 // that proves. The same seed and number of pairs give the same failures in the same order on
 // any machine, except for hangs. If the time limit stops the gate early, the report lists
 // the part that was not tested.
@@ -34,16 +34,16 @@ struct GateAmount {
   std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
 };
 
-/// Returns an amount with this many pairs in all: equal numbers of pairs of every stratum, of close contacts,
-/// and of rounded solids if some guest supports them. Each has whole rounds, and at least one.
+/// Returns an amount with this many pairs in all: equal parts for the strata together, close contacts,
+/// and rounded solids if some guest supports them. Each has whole rounds, and at least one.
 GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
 
-/// After four hangs, or three crashes of a program, the gate asks about another batch.
+/// After four hangs, or three crashes of a program, the rest of a batch is skipped.
 inline constexpr Caps gate_caps{.call_wall = 4 * call_cpu_cap, .hangs = 4, .program_crashes = 3};
 
 struct GateOptions {
   std::uint64_t seed = 1;
-  std::uint64_t pairs = gate_pairs;  ///< to be drawn; the corpus is run in full beside them
+  std::uint64_t pairs = gate_pairs;  ///< to be drawn; all cases are run besides them
   /// The amount of an earlier gate instead, so that both use the same pairs.
   std::optional<GateAmount> amount = {};
   std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
@@ -58,7 +58,7 @@ struct GateProgress {
   GatePhase phase;
   std::uint64_t pairs = 0;
   std::size_t failures = 0;  ///< beyond claims
-  double share = 0;          ///< of the phase that is done
+  double share = 0;          ///< the part of this phase that is done
   std::chrono::milliseconds elapsed{0};
 };
 

@@ -181,8 +181,7 @@ std::string close_in_words(const GateMethod& method) {
     return all.undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
   return wrapped("", fmt::format("The verdict of {} is {} close contacts.", name,
                                  success(all.pairs, all.wrong, none_beyond))) +
-         sample.facts(
-             sample.rate_in_each("axis position, small angle and decade, for gaps and for overlaps"));
+         sample.facts(sample.rate_in_each("axis position, angle and margin, for gaps and for overlaps"));
 }
 
 std::string rounded_in_words(const GateMethod& method) {

@@ -138,8 +138,8 @@ TEST(GateText, StatesWhatIsProvedOneFactALine) {
       "  The error rate is <= 5.2e-05 overall and <= 1.3e-03 in each of 24 combinations of contact feature\n"
       "  and decade of margin, at 95 % confidence.\n"
       "The verdict of intersect is never wrong beyond its claim on 117,251 close contacts.\n"
-      "  The error rate is <= 2.5e-01 in each of 144 combinations of axis position, small angle and decade,\n"
-      "  for gaps and for overlaps, at 95 % confidence.\n");
+      "  The error rate is <= 2.5e-01 in each of 144 combinations of axis position, angle and margin, for\n"
+      "  gaps and for overlaps, at 95 % confidence.\n");
   GateMethod other = gate.report.methods[1];
   other.name = "fake";
   const std::string fake = proved_in_words(other);
