@@ -68,6 +68,14 @@ inline double size_of(const Pair& p) noexcept {
                   std::numeric_limits<double>::max());
 }
 
+/// How far a solid extends along its axis and across it, roundings included.
+struct Extents {
+  double along, across;
+};
+inline Extents extents_of(const Cylinder& c) noexcept {
+  return {c.height + 2 * c.rounding, 2 * (c.radius + c.rounding)};
+}
+
 /// The lengths that a scene in its own unit has, and how far from the origin in sizes.
 inline constexpr double least_ordinary_length = 0.01, most_ordinary_length = 100, most_ordinary_reach = 100;
 

@@ -56,10 +56,12 @@ int aspect_bin(const Pair& pair) {
   double most = 1;
   const auto look = [&](double x, double y) { most = std::max({most, x / y, y / x}); };
   for (const Cylinder* c : {&pair.a, &pair.b}) {
-    if (c->radius == 0 || c->height == 0) return infinite_bin;
-    look(c->radius, c->height / 2);
+    const Extents of = extents_of(*c);
+    if (of.across == 0 || of.along == 0) return infinite_bin;
+    look(of.across, of.along);
   }
-  look(pair.a.radius + pair.a.height, pair.b.radius + pair.b.height);
+  const Extents a = extents_of(pair.a), b = extents_of(pair.b);
+  look(a.across / 2 + a.along, b.across / 2 + b.along);
   return bin_of(most, powers);
 }
 

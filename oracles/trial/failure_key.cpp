@@ -34,8 +34,9 @@ Coordinate coordinate_of(const Pair& p, double margin) {
   if (size > 0 && std::min(a, b) > far_away && apart <= std::min(a, b)) return Coordinate::offset;
   if (size > 0 && (size < plain_sizes_margin.first || size > plain_sizes_margin.second))
     return Coordinate::scale;
-  if (uneven(2 * p.a.radius, p.a.height) || uneven(2 * p.b.radius, p.b.height) ||
-      uneven(p.a.radius + p.a.height, p.b.radius + p.b.height))
+  const Extents of_a = extents_of(p.a), of_b = extents_of(p.b);
+  if (uneven(of_a.across, of_a.along) || uneven(of_b.across, of_b.along) ||
+      uneven(of_a.across / 2 + of_a.along, of_b.across / 2 + of_b.along))
     return Coordinate::aspect;
   const AngleClass angle = angle_class(p);
   if (angle != AngleClass::parallel && angle != AngleClass::generic && angle != AngleClass::right)

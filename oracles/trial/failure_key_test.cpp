@@ -50,6 +50,8 @@ TEST(CoordinateOf, ShowsWhatIsExtreme) {
   EXPECT_EQ(of([](Pair& p) { p.b.axis = {0, 0, -3}; }), Coordinate::plain);
   EXPECT_EQ(of([](Pair& p) { p.b.axis = {1, 1, 0}; }), Coordinate::plain);
   EXPECT_EQ(of([](Pair& p) { p.a.radius = p.a.height = p.b.radius = p.b.height = 0; }), Coordinate::plain);
+  EXPECT_EQ(of([](Pair& p) { p.a.radius = p.a.height = 0, p.a.rounding = 1; }), Coordinate::plain);
+  EXPECT_EQ(of([](Pair& p) { p.a.radius = p.a.height = 0, p.a.rounding = 1e-3; }), Coordinate::aspect);
 }
 
 TEST(CoordinateOf, TakesTheFirstInOrder) {

@@ -185,8 +185,9 @@ std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& 
 std::array<Cylinder, 2> third_solids(const Pair& pair) {
   const Vector3 delta = pair.b.center - pair.a.center;
   constexpr double small = 0x1p-10;
-  return {Cylinder{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height},
-          Cylinder{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height}};
+  return {Cylinder{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height, pair.b.rounding},
+          Cylinder{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height,
+                   small * pair.b.rounding}};
 }
 
 std::vector<LawQuery> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {

@@ -84,8 +84,8 @@ std::vector<LawQuery> swapped(const Method&, const Pair& pair, const MethodAnswe
 /// The least size and distance of the centres. A little below it, decide() looks for points that lose no
 /// bits. If these overflow, it looks for points that do not.
 constexpr double least_scaled_length = 0x1p-890;
-/// The least radius or height that is not 0. In a thinner solid few points have coordinates that are
-/// doubles.
+/// The least radius, height or rounding that is not 0. In a thinner solid few points have coordinates that
+/// are doubles.
 constexpr double least_scaled_side = 0x1p-960;
 
 double extent(const Pair& pair) {
@@ -99,7 +99,7 @@ std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
   const auto pair = scaled_exactly(whole, k);
   if (!pair) return {};
   for (const Cylinder* c : {&pair->a, &pair->b})
-    for (const double side : {c->radius, c->height})
+    for (const double side : {c->radius, c->height, c->rounding})
       if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
   const double before = extent(whole), after = extent(*pair);
   if (std::min(before, after) < least_scaled_length) return {};

@@ -46,7 +46,12 @@ std::array<double*, 2 * cylinder_number_count> numbers(Pair& p) {
   return all;
 }
 
-std::array<double*, 4> lengths(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
+/// Returns the lengths of both solids. Roundings come last, so that they can be left out if both are 0.
+std::vector<double*> lengths(Pair& p) {
+  std::vector<double*> all{&p.a.radius, &p.a.height, &p.b.radius, &p.b.height};
+  if (is_rounded(p)) all.insert(all.end(), {&p.a.rounding, &p.b.rounding});
+  return all;
+}
 
 /// Returns a changed copy.
 template <class Change>
@@ -57,9 +62,10 @@ Pair with(Pair p, Change change) {
 
 // distance = max over unit D of D.(b - a) - (support of both). Its derivative by a number x is that of D.(b
 // - a) or of the support at the D that attains the maximum. It is D_i for b's centre, minus the sine of the
-// angle between D and the axis for a radius, and minus half the cosine for a height.
+// angle between D and the axis for a radius, minus half the cosine for a height, and -1 for a rounding.
 double slope(const Distance& d, const Pair& p, std::size_t which) {
   if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
+  if (which > 6) return (which == 7 ? p.a : p.b).rounding == 0 ? 0 : -1;  // a solid stays without rounding
   const Cylinder& c = which < 5 ? p.a : p.b;
   const Vector3 w = c.axis.stableNormalized();
   return which % 2 == 1 ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
@@ -164,7 +170,9 @@ std::vector<double> simpler_numbers(double x) {
 void add_at_distance(const Pair& p, double kept, Pairs& out) {
   if (!is_legal(p)) return;
   const Distance now = distance(p.a, p.b);
-  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 3}, {3, 7}}) {
+  Pair copy = p;
+  const std::size_t end = 3 + lengths(copy).size();
+  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 3}, {3, end}}) {
     std::size_t best = first;
     for (std::size_t i = first; i < last; ++i)
       if (std::fabs(slope(now, p, i)) > std::fabs(slope(now, p, best))) best = i;
@@ -374,15 +382,20 @@ Pairs one_number(const Pair& p, std::size_t which) {
 
 Pairs equalities(const Pair& p) {
   Pairs out;
-  for (std::size_t i = 0; i < 4; ++i) {
+  Pair copy = p;
+  const std::size_t count = lengths(copy).size();
+  for (std::size_t i = 0; i < count; ++i) {
     out.push_back(with(p, [&](Pair& q) {
-      for (double* x : lengths(q)) *x = *lengths(q)[i];
+      for (double* x : lengths(q)) *x = *lengths(copy)[i];
     }));
-    for (std::size_t j = 0; j < 4; ++j)
-      if (i != j) out.push_back(with(p, [&](Pair& q) { *lengths(q)[j] = *lengths(q)[i]; }));
+    for (std::size_t j = 0; j < count; ++j)
+      if (i != j) out.push_back(with(p, [&](Pair& q) { *lengths(q)[j] = *lengths(copy)[i]; }));
   }
-  out.push_back(with(p, [&](Pair& q) { q.b.radius = q.a.radius, q.b.height = q.a.height; }));
-  out.push_back(with(p, [&](Pair& q) { q.a.radius = q.b.radius, q.a.height = q.b.height; }));
+  for (const auto& [from, to] : {std::pair{&Pair::a, &Pair::b}, std::pair{&Pair::b, &Pair::a}})
+    out.push_back(with(p, [&, from = from, to = to](Pair& q) {
+      const Cylinder& of = p.*from;
+      (q.*to).radius = of.radius, (q.*to).height = of.height, (q.*to).rounding = of.rounding;
+    }));
   return out;
 }
 
