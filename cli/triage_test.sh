@@ -66,7 +66,7 @@ expect 2 'expired' "$daylight" triage night --for 1s --suppressions expired.json
 holds 'which' out 'fcl-libccd/overflow \(line [0-9]*\) expired on 2020-12-31'
 printf '{"cause":"overflow","owner":7}\n' >bad.jsonl
 expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
-holds 'its place' err 'bad.jsonl: line 1, column 30: owner is not a text'
+holds 'its place' err 'bad.jsonl: line 1, column 29: owner is not a text'
 
 # The second morning: nothing is new.
 rm -r killed

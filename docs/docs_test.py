@@ -104,11 +104,11 @@ def check_old_words():
 
 def check_names():
     """The files that CONTRIBUTING.md and data-flow.md name exist, and so do the functions and types of data-flow.md."""
-    files = {source.name: source.read_text() for source in sources()}
-    words = set(re.findall(r'\w+', ' '.join(files.values())))
+    files = {source.name for source in sources()}
+    words = set(re.findall(r'\w+', ' '.join(source.read_text() for source in sources())))
     for page in (ROOT / 'CONTRIBUTING.md', ROOT / 'docs/data-flow.md'):
         text = page.read_text()
-        named = set(re.findall(r'(?<![*\w])(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files.keys()
+        named = set(re.findall(r'(?<![*\w])(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files
         if page.name == 'data-flow.md':
             named |= {name for name in re.findall(r'`(?:\w+::)?(\w+)`', text) if name not in words}
         for name in sorted(name for name in named if not re.match(r'(?:\w+_)?(?:x|COMMAND)[._]', name)):

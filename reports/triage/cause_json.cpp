@@ -70,13 +70,13 @@ Json share_json(const std::optional<Cause::Share>& share) {
 }
 
 /// Returns the rate per million pairs, with bounds at 95 %.
-Json observation_json(const Cause::RunObservation& night) {
+Json observation_json(const Cause::RunObservation& seen) {
   constexpr double million = 1e6;
-  const Observation& s = night.all;
+  const Observation& s = seen.all;
   const RateBounds bounds = rate_bounds(s.asked, s.count);
   const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
-  return {{"run", night.run},
-          {"started", night.started},
+  return {{"run", seen.run},
+          {"started", seen.started},
           {"count", s.count},
           {"asked", s.asked},
           {"per_million", {million * rate, million * bounds.lower, million * bounds.upper}}};
@@ -137,7 +137,7 @@ Json to_json(const Cause& b) {
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["status"] = to_string(*b.status);
   if (b.chance) j["chance"] = *b.chance;
-  for (const Cause::RunObservation& night : b.history) j["runs"].push_back(observation_json(night));
+  for (const Cause::RunObservation& seen : b.history) j["runs"].push_back(observation_json(seen));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }

@@ -16,7 +16,7 @@ namespace cyl {
 namespace {
 
 /// The most runs that are shown with a cause.
-constexpr std::size_t nights_cap = 60;
+constexpr std::size_t shown_runs_cap = 60;
 
 /// Returns the cause with the key of `of`, if the run has it.
 const Cause* find(const TriagedRun& run, const Cause& of) {
@@ -97,7 +97,7 @@ void compare(Cause& b, const TriagedRun& run, const std::vector<TriagedRun>& ear
   }
   b.history.push_back(observation_of(run, b.key, places));
   const Observation here = b.history.back().examined;
-  if (b.history.size() > nights_cap) b.history.erase(b.history.begin(), b.history.end() - nights_cap);
+  if (b.history.size() > shown_runs_cap) b.history.erase(b.history.begin(), b.history.end() - shown_runs_cap);
   if (earlier.empty()) return;
   const RecurrenceOf recurrence = recurrence_of(here, observations, compared);
   b.status = recurrence.status;
@@ -177,6 +177,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
     compare(b, run, earlier, compared);
     if (!certainly_new.contains(b.key)) continue;
     b.status = Recurrence::fresh;
+    b.asked_before = true;  // its pairs are those of an earlier run
     b.chance.reset();
   }
   for (Cause& b : not_met) run.causes.push_back(std::move(b));

@@ -56,15 +56,15 @@ TEST(Suppressions, ReadsEveryField) {
 }
 
 TEST(Suppressions, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(error_of(good_line + "\n{\"cause\":]"), "line 2, column 11: no JSON");
+  EXPECT_EQ(error_of(good_line + "\n{\"cause\":]"), "line 2, column 10: no JSON");
   EXPECT_EQ(error_of("[]"), "line 1, column 1: no object");
-  EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 80: 'boss' is not a field");
-  EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 88: owner is not a text");
+  EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 79: 'boss' is not a field");
+  EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 87: owner is not a text");
   EXPECT_EQ(error_of(with(",\"owner\":\"ada\"", "")), "line 1, column 1: owner is missing");
   EXPECT_EQ(error_of(with("2027-02-28", "2027-02-29")),
-            "line 1, column 104: expires is not a day YYYY-MM-DD");
-  EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 104: expires is not a day YYYY-MM-DD");
-  EXPECT_EQ(error_of(good_line + "\n" + good_line), "line 2, column 11: the cause has line 1 already");
+            "line 1, column 103: expires is not a day YYYY-MM-DD");
+  EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 103: expires is not a day YYYY-MM-DD");
+  EXPECT_EQ(error_of(good_line + "\n" + good_line), "line 2, column 10: the cause has line 1 already");
 }
 
 TEST(Suppressions, HoldToTheEndOfTheirLastDay) {
