@@ -80,7 +80,7 @@ int triage(const TriageArguments& arguments) {
   fmt::print("{}\n\n", changed);  // after the files, because a pager that ends takes this process with it
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(p.classified, "stored finding"));
-  if (others > 0) fmt::print(", and {} only in earlier runs", counted(others, "cause"));
+  if (others > 0) fmt::print(", and {} only in other runs", counted(others, "cause"));
   fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
              counted(p.simplified, "pair"), counted(p.searched, "cause"));
   if (remaining > 0)

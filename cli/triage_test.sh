@@ -74,6 +74,9 @@ expect 2 'another night' "$daylight" "${night[@]}" --seed 4 --out night2
 triage night2
 holds 'nothing is new' out '^0 new causes, '
 lacks 'nothing is gone' out ', gone'
+mkdir -p empty
+expect 64 'nothing to compare with' "$daylight" triage night2 --for 1s --against empty
+holds 'nothing to compare with' err 'empty holds no run$'
 expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json --suppressions ''
 holds 'what changed is still reported' out '^0 new causes, [0-9]+ known'
 lacks 'no known cause is listed' out '^\* '

@@ -81,7 +81,7 @@ bool is_supported(const FailingRegion& r, const RegionEnd& end) {
          !end.fails_beyond && end.right_samples >= several && failing_samples(r) >= several;
 }
 
-/// Returns the parameters along which the table shows an end, but too few samples for a range in words.
+/// Returns the parameters along which the table shows an end that the samples do not support.
 std::vector<std::string> hardly_sampled(const std::vector<FailingRegion>& regions) {
   std::vector<std::string> found;
   for (const FailingRegion& r : regions) {
@@ -180,7 +180,9 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   if (regions[0].at != 0 && std::isfinite(regions[0].at))
     sentences += " If angle, radii or heights change, b moves so that the distance stays the same.";
   if (const auto few = hardly_sampled(regions); !few.empty())
-    sentences += fmt::format(" The table shows an end along {}, but few samples.", fmt::join(few, " and "));
+    sentences += fmt::format(
+        " The end that the table shows along {} is not certain: samples are few, or some beyond it fail.",
+        fmt::join(few, " and "));
   if (const auto rest = indifferent(regions); !rest.empty())
     sentences += fmt::format(" Samples do not show that it depends on {}.", fmt::join(rest, " or "));
   return text + '\n' + regions_table(regions) + '\n' + sentences + '\n';

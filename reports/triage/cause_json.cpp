@@ -106,10 +106,11 @@ std::string format_cause(const Cause& b) {
                                  : is_of_new_families(b) ? ", no earlier run drew its families for its method"
                                                          : "",
                                  b.suppressed ? ", suppressed" : "", b.description);
-  text += b.count == 0
-              ? "    found in earlier runs only"
-              : fmt::format("    {} in {}, of {}", counted(b.count, "finding"),
-                            counted(b.families.size(), "family"), counted(b.methods.size(), "method"));
+  text += b.count == 0 ? "    found in other runs only"
+                       : fmt::format("    {}{} in {}, of {}",
+                                     b.count > b.findings.size() && !b.findings.empty() ? "about " : "",
+                                     counted(b.count, "finding"), counted(b.families.size(), "family"),
+                                     counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);

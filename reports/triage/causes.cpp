@@ -42,12 +42,12 @@ constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
-/// Puts candidates of that kind first, then those of the least shown_rank(), then simplified ones before
-/// candidates as found, and then the simplest.
+/// Puts candidates of that kind first, then those simplified to the end, then those of the least shown_rank(),
+/// and then the simplest.
 auto shown_first(FindingKind kind) {
   return [kind](const ShownCandidate& x, const ShownCandidate& y) {
     const auto rank = [kind](const ShownCandidate& c) {
-      return std::tuple(c.of->kind != kind, shown_rank(c.pair), c.as_found, c.complexity);
+      return std::tuple(c.of->kind != kind, !c.finished, shown_rank(c.pair), c.as_found, c.complexity);
     };
     return rank(x) < rank(y);
   };
@@ -208,7 +208,7 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   const std::string file = fmt::format("{}/causes/{}.jsonl", folder, file_name_of(b.key));
   b.simplest =
       shown_case(shown, distance, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
-  b.simplified = !group.simplest->as_found;
+  b.simplified = group.simplest->finished;
   b.seen_again = group.seen_again;
   std::optional<double> margin;
   if (distance && distance->margin)
@@ -277,7 +277,7 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
   const FailingMethod failing{fault.method, found.kind};
   CauseFindings group;
   group.findings = {&found};
-  group.simplest = ShownCandidate{true, complexity(fault.pair), &found, fault.pair};
+  group.simplest = ShownCandidate{true, false, complexity(fault.pair), &found, fault.pair};
   const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
   group.seen_again = shown.fails(failing);
   Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder, !out_of_time());

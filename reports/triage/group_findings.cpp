@@ -23,10 +23,11 @@ void add(CauseFindings& group, const FindingRecord& finding, const CauseRecord& 
   if (group.worst == nullptr || is_worse(finding, *group.worst)) group.worst = &finding;
 }
 
-void offer(CauseFindings& group, const FindingRecord* of, const std::string& line, bool as_found) {
+void offer(CauseFindings& group, const FindingRecord* of, const std::string& line, bool as_found,
+           bool finished = false) {
   const auto parsed = parse_case(line, 1).value;
   if (!parsed || (!as_found && !is_legal(parsed->pair))) return;
-  group.candidates.push_back({as_found, complexity(parsed->pair), of, parsed->pair});
+  group.candidates.push_back({as_found, finished, complexity(parsed->pair), of, parsed->pair});
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
   }
   for (const SimpleRecord& s : records.simples) {
     if (!group_of.contains(s.finding)) continue;
-    offer(*group_of[s.finding], by_id[s.finding], s.pair, false);
+    offer(*group_of[s.finding], by_id[s.finding], s.pair, false, s.ended);
   }
   for (const WorstRecord& w : records.worsts)
     if (groups.contains(w.cause) && !w.pair.empty()) groups[w.cause].found = &w;

@@ -41,6 +41,7 @@ inline std::pair<bool, bool> shown_rank(const Pair& pair) { return {is_rounded(p
 /// A pair that may be shown as a cause's simplest.
 struct ShownCandidate {
   bool as_found;  ///< not simplified
+  bool finished;  ///< simplified to the end
   Complexity complexity;
   const FindingRecord* of;
   Pair pair;

@@ -15,6 +15,7 @@
 #include "base/exit_code.hpp"
 #include "base/files.hpp"
 #include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
@@ -48,12 +49,29 @@ TriagedRun read_triaged(const std::string& folder) {
   return run;
 }
 
+/// Returns the runs that `against` names: a run, or a folder of runs. Throws UsageError if there is none, or
+/// if a named run was not triaged.
+std::vector<std::string> named_runs(const std::vector<std::string>& against) {
+  std::vector<std::string> runs;
+  for (const std::string& folder : against) {
+    const bool is_run = fs::exists(fs::path(folder) / "run.sqlite");
+    const std::vector<std::string> held = is_run ? std::vector{folder} : runs_in(folder);
+    if (held.empty()) throw UsageError("--against: " + folder + " holds no run");
+    if (is_run && stored_summary(folder).empty())
+      throw UsageError("--against: " + folder + " is not triaged yet: `daylight triage " + folder +
+                       "` does it");
+    runs.insert(runs.end(), held.begin(), held.end());
+  }
+  return runs;
+}
+
 /// Returns the triaged runs to which the run is compared, the earliest first.
 std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   const std::vector<std::string>& against = context.options.against;
   std::vector<std::pair<std::string, std::string>> runs;  // when it began, folder
   const fs::path here = fs::canonical(context.options.folder);
-  for (const std::string& folder : against.empty() ? runs_in(here.parent_path().string()) : against) {
+  for (const std::string& folder :
+       against.empty() ? runs_in(here.parent_path().string()) : named_runs(against)) {
     if (fs::canonical(folder) == here || stored_summary(folder).empty()) continue;
     const std::string began = value_of(RunStore::open(folder).config(), "started");
     if (!against.empty() || std::pair(began, folder) < std::pair(context.began, here.string()))

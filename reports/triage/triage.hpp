@@ -48,8 +48,9 @@ struct TriageProgress {
 };
 
 struct Triage {
-  std::vector<Cause> causes;            ///< new and back first, then beyond claims, of ordinary size, by count; gone last
-  TriageProgress progress;              ///< at the end
+  std::vector<Cause>
+      causes;               ///< new and back first, then beyond claims, of ordinary size, by count; gone last
+  TriageProgress progress;  ///< at the end
   std::vector<FindingRecord> findings;  ///< of the run, by id
   std::vector<std::string> remarks;     ///< on earlier runs half looked at, and on suppressions
 };
