@@ -11,7 +11,7 @@
 namespace cyl {
 namespace {
 
-/// Turns of the corpus in a round, in which a family has one. A night then asks all of it.
+/// Turns of the corpus in a round, in which a family has one. A night then asks about the whole corpus.
 constexpr unsigned corpus_weight = 8;
 
 }  // namespace

@@ -61,8 +61,9 @@ Pair with(Pair p, Change change) {
 }
 
 // distance = max over unit D of D.(b - a) - (support of both). Its derivative by a number x is that of D.(b
-// - a) or of the support at the D that attains the maximum. It is D_i for b's centre, minus the sine of the
-// angle between D and the axis for a radius, minus half the cosine for a height, and -1 for a rounding.
+// - a) or of the support at the D that attains the maximum. It is D_i for b's centre and -1 for a
+// rounding. It is minus the sine of the angle between D and the axis for a radius, and minus half the cosine
+// for a height.
 double slope(const Distance& d, const Pair& p, std::size_t which) {
   if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
   if (which > 6) return (which == 7 ? p.a : p.b).rounding == 0 ? 0 : -1;  // a solid stays without rounding

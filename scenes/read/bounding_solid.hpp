@@ -20,7 +20,7 @@ inline constexpr double bound_underflow_error = 0x1p-500;
 
 /// A bound of points before a pose moves them.
 struct Bound {
-  Cylinder solid;                 ///< around them, but for rounding
+  Cylinder solid;                 ///< around them, up to rounding errors
   double outside = 0, reach = 0;  ///< how far one lies outside of it, and from the origin, at most
   Vector3 low{0, 0, 0}, high{0, 0, 0};
 };

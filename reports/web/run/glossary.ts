@@ -58,6 +58,6 @@ export const glossary: Record<string, string> = {
   undecided: "The method answered neither yes nor no.",
   versions: "The versions of the library in the first and the last run that have the cause.",
   "within its claim": "Wrong, but the claim of the method covers the error.",
-  "wrong pairs": "Pairs on which one method of the cause is wrong. Of pairs that are not stored, an estimate from those that are.",
+  "wrong pairs": "Pairs on which one method of the cause is wrong, with an estimate of the pairs that are not stored.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
