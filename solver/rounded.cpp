@@ -88,8 +88,9 @@ QuickVerdict classify_by_filter(const Scaled& p, double contact_distance) noexce
   if (!(magnitude(q.cosine) <= steep_cosine)) return QuickVerdict::neither;
   const Sections<double> f = sections(couple, q);
   const double contact_distance_s = f.s * contact_distance;
-  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > contact_distance_s) | (f.k0 - f.s * f.r1 > contact_distance) |
-                     (f.k1 - f.s * f.r0 > contact_distance) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > contact_distance_s) |
+  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > contact_distance_s) |
+                     (f.k0 - f.s * f.r1 > contact_distance) | (f.k1 - f.s * f.r0 > contact_distance) |
+                     (f.k2_s - f.s * (f.r0 + f.c * f.r1) > contact_distance_s) |
                      (f.k3_s - f.s * (f.c * f.r0 + f.r1) > contact_distance_s);
   const auto filter = separating_axis_filter(f);
   const bool overlaps = filter.overlaps & !filter.apart & !apart;
@@ -120,8 +121,8 @@ Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull
   return kept_along * w + part * across;
 }
 
-// Two points, one of each solid, no farther apart than the contact distance beyond rounding. `on0`, `on1` from the first
-// centre.
+// Two points, one of each solid, no farther apart than the contact distance beyond rounding. `on0`, `on1`
+// from the first centre.
 bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distance, Answer& answer) noexcept {
   const double reach = reach_of(p) + contact_distance;
   // Twice what in_both allows for, of a point no farther than `reach` from either centre; and what a
@@ -316,8 +317,8 @@ void hand_out_points(const Scaled& p, const Vector3& on0, const Vector3& on1, Hu
   answer.hull_b = hull1;
 }
 
-// Whether a way between the cores separates them by more than the contact distance: `least` is -f along it, times its
-// length.
+// Whether a way between the cores separates them by more than the contact distance: `least` is -f along it,
+// times its length.
 bool is_beyond(double least, double square_of_way, double contact_distance, double reach) noexcept {
   const double beyond = contact_distance + 2 * separation_error * reach;
   return (least > 0) & (least * least > beyond * beyond * square_of_way);

@@ -238,7 +238,8 @@ const std::optional<SupervisedProcess::Ending>& SupervisedProcess::wait() {
   Ending received{};
   ssize_t got = 0;
   // The socket first reports that an ended keeper did not read all. The bytes that it sent come after that.
-  while ((got = recv(socket_, &received, sizeof received, 0)) < 0 && (errno == EINTR || errno == ECONNRESET)) {
+  while ((got = recv(socket_, &received, sizeof received, 0)) < 0 &&
+         (errno == EINTR || errno == ECONNRESET)) {
   }
   if (got == sizeof received) ending_ = received;
   reap(keeper_);

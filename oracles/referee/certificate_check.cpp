@@ -187,7 +187,8 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
   };
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
   const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
-  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= contact_distance_.lo;
+  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) &&
+         length(delta_ + y - x).hi <= contact_distance_.lo;
 }
 
 // The points move by vectors that are known only as intervals. The exact unit axes give the point that is

@@ -36,17 +36,19 @@ std::string ratios_json(const Ratios& ratios) {
 }
 
 std::string row_json(const BenchRow& row) {
-  return fmt::format(
-      R"({{"method":{},"library":{},"algorithm":{},"setting":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},)"
-      R"("spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
-      R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
-      R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
-      quote_json(row.method), quote_json(row.name.library), quote_json(row.name.algorithm),
-      quote_json(row.name.setting), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
-      number_text(row.median_ns), number_text(row.spread_percent), number_text(row.p50_ns),
-      number_text(row.p99_ns), number_text(row.max_ns), number_text(row.instructions), row.wrong_disjoint,
-      row.wrong_intersecting, row.wrong_below_claim, row.wrong_at_margin, row.undecided, row.failed,
-      number_text(row.max_error), number_text(row.max_error_at_most));
+  return fmt::format(R"({{"method":{},"library":{},"algorithm":{},"setting":{},"family":{},"query":{},)"
+                     R"("foreign":{},"n":{},"median_ns":{},)"
+                     R"("spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
+                     R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},)"
+                     R"("wrong_below_claim":{},"wrong_at_margin":{},)"
+                     R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
+                     quote_json(row.method), quote_json(row.name.library), quote_json(row.name.algorithm),
+                     quote_json(row.name.setting), quote_json(row.family), quote_json(row.query), row.foreign,
+                     row.pairs, number_text(row.median_ns), number_text(row.spread_percent),
+                     number_text(row.p50_ns), number_text(row.p99_ns), number_text(row.max_ns),
+                     number_text(row.instructions), row.wrong_disjoint, row.wrong_intersecting,
+                     row.wrong_below_claim, row.wrong_at_margin, row.undecided, row.failed,
+                     number_text(row.max_error), number_text(row.max_error_at_most));
 }
 
 std::string comparisons_json(std::span<const QueryComparisons> queries) {

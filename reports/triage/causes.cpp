@@ -42,8 +42,8 @@ constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
-/// Puts candidates of that kind first, then those simplified to the end, then those of the least shown_rank(),
-/// and then the simplest.
+/// Puts candidates of that kind first, then those simplified to the end, then those of the least
+/// shown_rank(), and then the simplest.
 auto shown_first(FindingKind kind) {
   return [kind](const ShownCandidate& x, const ShownCandidate& y) {
     const auto rank = [kind](const ShownCandidate& c) {

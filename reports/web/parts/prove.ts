@@ -364,7 +364,9 @@ function touchAt(a: Solid, b: Solid, x: Vector, y: Vector): boolean {
     contactDistance = add(a.rounding, b.rounding);
   if (!isZero(between) || contactDistance.n !== 0n)
     return (
-      equal(dot(between, between), square(contactDistance)) && supports(a, x, between) && supports(b, y, turned(between))
+      equal(dot(between, between), square(contactDistance)) &&
+        supports(a, x, between) &&
+        supports(b, y, turned(between))
     );
   const of = [normals(a, x), normals(b, x)] as const,
     shared = of[0].plane && of[1].plane ? cross(of[0].plane, of[1].plane) : null,
