@@ -59,8 +59,6 @@ expect 64 'no such run to go on with' "$daylight" campaign --resume nowhere
 expect 64 'a folder without a run' "$daylight" replay runs
 expect 64 'other cases' "$daylight" campaign --resume runs/limits --cases ''
 holds 'the reason is said' err '^daylight: --cases cannot be given with --resume, because a resumed run keeps its settings'
-expect 0 'beside earlier runs' "$daylight" "${run[@]}" --methods intersect --families random,tiny_and_huge --out runs/beside
-holds 'earlier runs are counted' out '^compared with [0-9]+ earlier runs in the same folder, groups by method, kind and family: [0-9]+ new, '
 for i in 0 1; do
   expect 0 "shard $i" "$daylight" "${run[@]}" --methods intersect --families random --shard "$i/2" --out "parts/$i"
 done

@@ -15,7 +15,6 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "oracles/methods/method.hpp"
-#include "reports/run/history.hpp"
 #include "reports/run/tally_table.hpp"
 
 namespace cyl {
@@ -87,8 +86,6 @@ std::string format_summary(const RunData& run) {
   }
   std::string text = escaped_controls(value_of(run.config, "fuzzing"), "\n");
   text += fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
-  const History history = compare_with_earlier(run);
-  if (history.runs + history.unreadable > 0) text += format_history(history) + '\n';
   std::uint64_t findings = 0;  // as the page counts them: all that follow
   for (const GroupRecord& g : run.groups) findings += g.count;
   text += fmt::format("findings: {}\n", grouped(findings));
