@@ -366,11 +366,7 @@ void add_campaign(Program& program) {
   command.option("--corpus DIR", arguments->corpus,
                  "corpus of a fuzz run; its pairs alternate with drawn ones, and --fuzz starts from it");
   command.section("Methods");
-  command
-      .option(
-          "--methods LIST", arguments->methods,
-          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
-      .default_text("all");
+  add_methods_option(command, arguments->methods);
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
   command.examples(

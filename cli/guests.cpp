@@ -79,6 +79,14 @@ void set_claim(Guest& guest, const std::vector<std::string>& claims) {
 
 }  // namespace
 
+void add_methods_option(Command& command, std::string& list) {
+  command
+      .option(
+          "--methods LIST", list,
+          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
+      .default_text("all");
+}
+
 void add_guest_options(Command& command, GuestOptions& options) {
   command
       .option("--plugin FILE", options.plugins,

@@ -20,6 +20,8 @@ struct GuestOptions {
 };
 
 void add_guest_options(Command& command, GuestOptions& options);
+/// Adds --methods, whose list select_methods() reads.
+void add_methods_option(Command& command, std::string& list);
 
 /// Methods, the guests last.
 struct MethodSet {

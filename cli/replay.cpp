@@ -190,11 +190,7 @@ void add_replay(Program& program) {
               "RUN (all its findings), RUN:ID, FILE (cases), FILE:LINE, or '-' for standard input")
       .required();
   command.section("Methods");
-  command
-      .option(
-          "--methods LIST", arguments->methods,
-          "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt")
-      .default_text("all");
+  add_methods_option(command, arguments->methods);
   command
       .option("--laws LIST", arguments->laws,
               "also check these laws, by the numbers that gate --laws lists, such as 1,10")

@@ -244,16 +244,16 @@ void add_findings(json& report, const RunData& run) {
 
   Names names;
   json cases = json::array();
-  std::vector<std::optional<std::size_t>> told_at;
+  std::vector<std::optional<std::size_t>> shown_at;
   for (const Shared& s : shared) {
     json reported = case_of(s, names);
-    told_at.push_back(reported.is_null() ? std::nullopt : std::optional(cases.size()));
+    shown_at.push_back(reported.is_null() ? std::nullopt : std::optional(cases.size()));
     if (!reported.is_null()) cases.push_back(std::move(reported));
   }
   json findings = json::array();
   for (const std::size_t i : worst_first(run)) {
     const FindingRecord& f = records[i];
-    if (!told_at[case_at[i]]) continue;
+    if (!shown_at[case_at[i]]) continue;
     const auto cause = cause_of.find(f.id);
     findings.push_back({{"id", f.id},
                         {"method", f.method},
@@ -262,7 +262,7 @@ void add_findings(json& report, const RunData& run) {
                         {"family", f.family},
                         {"cause", cause == cause_of.end() ? json() : json(cause->second)},
                         {"margin", margin_json(f.margin)},
-                        {"case", *told_at[case_at[i]]}});
+                        {"case", *shown_at[case_at[i]]}});
     if (!f.reason.empty()) findings.back()["reason"] = f.reason;
   }
   std::uint64_t total = 0;

@@ -141,6 +141,18 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
 
+TEST_F(ReportData, AGuestIsALibraryOfItsOwn) {
+  std::vector<MethodRecord> asked;
+  for (const auto& [name, library] : {std::pair("decide", "decide"), std::pair("mujoco-tol1e-10", "mujoco"),
+                                      std::pair("mujoco-js", "mujoco-js"), std::pair("mine-2", "mine")})
+    asked.push_back({name, "1", 0, 0, "", 1, library});
+  RunStore::create(folder / "guests", {{"seed", "1"}}, asked);
+  std::vector<std::string> libraries;
+  const auto report = parse_ordered_json(report_json(read_run(folder / "guests", families())));
+  for (const auto& m : report["methods"]) libraries.push_back(m["library"]);
+  EXPECT_EQ(libraries, (std::vector<std::string>{"ours", "mujoco", "mujoco-js", "mine"}));
+}
+
 TEST_F(ReportData, TheCommandBringsTheGuests) {
   const auto command_of = [&](const std::vector<std::string>& methods) {
     const fs::path run = folder / std::to_string(methods.size());

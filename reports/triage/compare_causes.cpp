@@ -199,10 +199,11 @@ std::string what_changed(const std::vector<Cause>& causes) {
     const std::string word = status == Recurrence::rare ? "too rare to judge" : to_string(status);
     text += text.empty() ? counted(static_cast<std::uint64_t>(n), word + " cause")
                          : fmt::format(", {} {}", n, word);
+    if (status != Recurrence::fresh) continue;
     const auto beyond = std::ranges::count_if(causes, [](const Cause& b) {
       return b.status == Recurrence::fresh && b.severity == Severity::contract;
     });
-    if (status == Recurrence::fresh && beyond < n) text += fmt::format(" ({} beyond a claim)", beyond);
+    if (beyond < n) text += fmt::format(" ({} beyond a claim)", beyond);
   }
   if (const auto n = std::ranges::count_if(causes, is_of_new_families); n > 0)
     text +=
