@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/solid_kind.hpp"
+#include "corpus/pairs/support.hpp"
 
 namespace cyl {
 namespace {
@@ -21,10 +22,8 @@ Wide3 wide(const Vector3& v) { return v.cast<long double>(); }
 long double gap_along(const Pair& p, const Vector3& direction) {
   const Wide3 d = wide(direction).normalized();
   long double gap = std::abs(d.dot(wide(p.b.center) - wide(p.a.center)));
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    const Wide3 w = wide(c->axis).normalized();
-    gap -= c->radius * d.cross(w).norm() + c->height / 2.0L * std::abs(d.dot(w)) + c->rounding;
-  }
+  for (const Cylinder* c : {&p.a, &p.b})
+    gap -= core_support(terms_of<long double>(*c), lifted<long double>(d)) + c->rounding;
   return gap;
 }
 

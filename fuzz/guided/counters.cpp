@@ -9,6 +9,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/guided/visited.hpp"
 #include "oracles/trial/contact.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -40,14 +41,14 @@ void count_exponent(std::uint8_t (&counters)[exponent_count], double x) {
   counters[std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1)] = 1;
 }
 
-double margin_of(const Pair& pair, const Distance& measured) {
+double margin_of(const Pair& pair, const MeasuredDistance& measured) {
   const double size = size_of(pair);
   return size > 0 ? std::fabs(measured.value) / size : measured.value == 0 ? 0 : 1;
 }
 
 }  // namespace
 
-Stratum stratum_of(const Pair& pair, const Distance& measured) {
+Stratum stratum_of(const Pair& pair, const MeasuredDistance& measured) {
   return {feature_along(pair, measured.direction), margin_decade(margin_of(pair, measured)),
           angle_class(axes_angle(pair))};
 }
@@ -74,7 +75,7 @@ std::string to_string(const Stratum& s) {
   return std::string(to_string(s.feature)) + ' ' + to_string(*s.angle) + " 1e-" + std::to_string(s.decade);
 }
 
-Stratum count_geometry(const Pair& pair, const Distance& measured, bool finely) {
+Stratum count_geometry(const Pair& pair, const MeasuredDistance& measured, bool finely) {
   const AxesAngle axes = axes_angle(pair);
   const double margin = margin_of(pair, measured);
   const Stratum s = stratum_of(pair, measured);

@@ -10,13 +10,12 @@
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/cylinder.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 
-/// Returns the stratum by the solver's own distance: a guide, no proof. Never of containment. `measured` is
-/// distance(pair.a, pair.b), not `invalid`.
-Stratum stratum_of(const Pair& pair, const Distance& measured);
+/// Returns the stratum by an approximate distance: a guide, no proof. Never of containment. The pair is
+/// legal.
+Stratum stratum_of(const Pair& pair, const MeasuredDistance& measured);
 
 /// Returns whether a stratum can occur. D is along or perpendicular to an axis within flat_tol = t.
 /// 1. cap-cap: D is along both axes, so their angle is below 2t. That is parallel to < 1e-7, and the next
@@ -38,7 +37,7 @@ bool is_moderate(const Pair& pair);
 
 /// Counts the stratum of a moderate pair, and returns it. If `finely`, it also counts the features with the
 /// signed binary exponent of the margin, and the decade of the axes' angle.
-Stratum count_geometry(const Pair& pair, const Distance& measured, bool finely);
+Stratum count_geometry(const Pair& pair, const MeasuredDistance& measured, bool finely);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);

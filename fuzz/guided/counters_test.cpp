@@ -13,7 +13,7 @@ TEST(Strata, OfContactsBuiltCanOccur) {
     for (std::uint64_t i = 0; i < 50; ++i) {
       RandomStream stream("counters_test", 2, i);
       const Pair pair = draw_contact(static_cast<ContactKind>(kind), stream, i).pair;
-      const Stratum s = stratum_of(pair, distance(pair.a, pair.b));
+      const Stratum s = stratum_of(pair, approximate_distance(pair));
       EXPECT_TRUE(can_occur(s)) << to_string(s);
     }
   EXPECT_FALSE(can_occur({ContactFeature::cap_cap, 0, AngleClass::right}));
@@ -22,14 +22,14 @@ TEST(Strata, OfContactsBuiltCanOccur) {
 
 TEST(Strata, TellAnglesAndMarginsApart) {
   Pair p{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 2}, 1, 2}};
-  EXPECT_EQ(to_string(stratum_of(p, distance(p.a, p.b))), "side-side parallel 1e-0");
+  EXPECT_EQ(to_string(stratum_of(p, approximate_distance(p))), "side-side parallel 1e-0");
   p.b.axis = {0, 1e-10, 1};
-  EXPECT_EQ(stratum_of(p, distance(p.a, p.b)).angle, AngleClass::within_1e_7);
+  EXPECT_EQ(stratum_of(p, approximate_distance(p)).angle, AngleClass::within_1e_7);
   p.b.axis = {0, 1, 0};
   p.b.center = {2 + 0x1p-40, 0, 0};
-  EXPECT_EQ(to_string(stratum_of(p, distance(p.a, p.b))), "side-side 90 1e-12");
+  EXPECT_EQ(to_string(stratum_of(p, approximate_distance(p))), "side-side 90 1e-12");
   p.b.center = {2, 0, 0};
-  EXPECT_EQ(stratum_of(p, distance(p.a, p.b)).decade, 16);
+  EXPECT_EQ(stratum_of(p, approximate_distance(p)).decade, 16);
 }
 
 TEST(Strata, OfModeratePairsAreNotOwedToOneHugeSolid) {

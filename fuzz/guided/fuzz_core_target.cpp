@@ -47,7 +47,8 @@ class Core {
       const Claim claim = methods_[m]->claim();
       promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
     }
-    FuzzJudge fuzz_judge(pair, answers_, promised, sink_, &measured);
+    const MeasuredDistance own = measured_of(measured);
+    FuzzJudge fuzz_judge(pair, answers_, promised, sink_, &own);
     for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     count_iterations(answers_[decide_].steps);

@@ -4,6 +4,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
+#include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/shown_distance.hpp"
 
@@ -22,14 +23,14 @@ RandomStream draws_of(const Pair& pair) {
 }  // namespace
 
 FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-                     const Distance* measured, bool finely)
-    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
+                     const MeasuredDistance* own, bool finely)
+    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink), own_(own) {
   trial_.truth = prove_in_double(trial_.pair, offered);
   count_execution();
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = prove_exactly(trial_.pair, offered, wide_bits_cap);
-  measured_ = measured ? *measured : distance(trial_.pair.a, trial_.pair.b);
+  measured_ = approximate_distance(trial_.pair);
   const Stratum stratum = count_geometry(trial_.pair, measured_, finely);
   count_stage(trial_.truth);
   if (trial_.truth.verdict == Verdict::undecided) sink_.add_undecided(trial_.pair, stratum);
@@ -67,7 +68,8 @@ void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer
 }
 
 void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answer) {
-  const Enclosure shown = shown_distance(trial_.pair, measured_);
+  const Pair& pair = trial_.pair;
+  const Enclosure shown = shown_distance(pair, own_ ? *own_ : measured_of(distance(pair.a, pair.b)));
   if (!std::isfinite(shown.lo)) return;
   const Enclosure off = error_bound_of(shown, answer);
   count_badness(Badness::error, off.hi / answer.error_bound);

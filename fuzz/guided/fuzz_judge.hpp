@@ -12,7 +12,6 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 
@@ -27,9 +26,9 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class FuzzJudge {
  public:
   /// Judges in double with the returned witnesses, and beyond double if `must` or by a random share. Counts
-  /// the geometry (`finely`: counters.hpp). `measured`: the distance of the pair, if the caller has it.
+  /// the geometry (`finely`: counters.hpp). `own`: what the solver measured, if the caller has it.
   FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-            const Distance* measured = nullptr, bool finely = true);
+            const MeasuredDistance* own = nullptr, bool finely = true);
   FuzzJudge(const FuzzJudge&) = delete;
   FuzzJudge& operator=(const FuzzJudge&) = delete;
 
@@ -51,7 +50,8 @@ class FuzzJudge {
   Trial trial_;
   RandomStream draws_;
   FindingSink& sink_;
-  Distance measured_;
+  const MeasuredDistance* own_;
+  MeasuredDistance measured_;
   bool enclose_ = false;
 };
 

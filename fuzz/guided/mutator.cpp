@@ -9,7 +9,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/methods/adapter.hpp"
-#include "solver/distance.hpp"
+#include "oracles/referee/referee.hpp"
 
 namespace cyl {
 namespace {
@@ -46,15 +46,15 @@ void turn_to_perpendicular(Pair& p, RandomStream& s) {
 // reach it, and two do.
 void touch(Pair& p) {
   for (int i = 0; i < 2; ++i) {
-    const Distance d = distance(p.a, p.b);
-    if (d.verdict == Verdict::invalid) return;
+    const MeasuredDistance d = approximate_distance(p);
+    if (d.direction.isZero(0)) return;
     p.b.center -= d.value * d.direction;
   }
 }
 
 void slide_to_touching(Pair& p, RandomStream& s) {
   touch(p);
-  const Distance d = distance(p.a, p.b);
+  const MeasuredDistance d = approximate_distance(p);
   switch (s.below(4)) {
     case 0:
       return;
@@ -69,8 +69,8 @@ void slide_to_touching(Pair& p, RandomStream& s) {
 }
 
 void slide_along_contact(Pair& p, RandomStream& s) {
-  const Distance d = distance(p.a, p.b);
-  if (d.verdict == Verdict::invalid || !(length_of(d.direction) > 0.5)) return;
+  const MeasuredDistance d = approximate_distance(p);
+  if (!(length_of(d.direction) > 0.5)) return;
   const Vector3 aside = s.perpendicular(d.direction);
   p.b.center += (tenth(s) * size_of(p)) * aside;
   touch(p);

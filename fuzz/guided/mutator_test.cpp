@@ -77,7 +77,8 @@ TEST(Mutator, TurnsAxesToEveryDecadeOfTheAngle) {
 
 TEST(Mutator, SlidesToEveryDecadeOfTheMargin) {
   std::map<std::size_t, int> decades;
-  look_at("slide_to_touching", [&](const Pair& p) { ++decades[stratum_of(p, distance(p.a, p.b)).decade]; });
+  look_at("slide_to_touching",
+          [&](const Pair& p) { ++decades[stratum_of(p, approximate_distance(p)).decade]; });
   for (std::size_t d = 1; d <= 14; ++d) EXPECT_GT(decades[d], 0) << d;
   EXPECT_GT(decades[16] + decades[15], 40);
 }

@@ -8,7 +8,6 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -93,7 +92,7 @@ PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, c
       small > 0 ? std::clamp(std::log10(std::asin(small) / (pi / 4)), -most_decades, 0.0) : -most_decades;
   decades_ = across < std::abs(along) ? decades : -decades;
 
-  const Distance d = distance(start.a, start.b);
+  const MeasuredDistance d = measure_with_points(start);
   on_a_ = d.on_a;
   on_b_ = d.on_b;
   gap_ = d.value * d.direction;

@@ -15,10 +15,10 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "fuzz/guided/mutator.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -115,8 +115,8 @@ struct Ray {
 std::optional<Ray> ray_of(const Pair& pair) {
   Ray ray{pair, {0, 0, 0}, size_of(pair)};
   for (int i = 0; i < 2; ++i) {
-    const Distance d = distance(ray.touching.a, ray.touching.b);
-    if (d.verdict == Verdict::invalid || !(d.direction.norm() > 0.5)) return {};
+    const MeasuredDistance d = approximate_distance(ray.touching);
+    if (!(d.direction.norm() > 0.5)) return {};
     ray.direction = d.direction;
     ray.touching.b.center -= d.value * d.direction;
   }
@@ -128,7 +128,7 @@ std::optional<Ray> ray_of(const Pair& pair) {
 Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
   if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
   const double said = answer.distance, most = allowed_error(claim, trial.pair);
-  Enclosure real = shown_distance(trial.pair, distance(trial.pair.a, trial.pair.b));
+  Enclosure real = shown_distance(trial.pair, measure_with_points(trial.pair));
   if (trial.truth.verdict == Verdict::touching)
     real = {0, 0};
   else if (trial.meets() || by_referee) {
@@ -202,7 +202,7 @@ class WorstSearch {
                 starts_part * static_cast<double>(options_.evaluation_cap) ||
             elapsed() >= starts_part * options_.budget)
           break;
-        if (likely_sought(start, distance(start.a, start.b)) == of_it) try_start(start);
+        if (likely_sought(start, approximate_distance(start)) == of_it) try_start(start);
       }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -296,7 +296,7 @@ class WorstSearch {
 
   /// Asks about the pair itself and about others of its ray, and returns all of them.
   std::vector<Probe> ask_along(const Pair& pair, const Ray& ray, int per_decade) {
-    std::vector<Probe> probes{{pair, distance(pair.a, pair.b).value / ray.size}};
+    std::vector<Probe> probes{{pair, approximate_distance(pair).value / ray.size}};
     for (int i = per_decade * decades_up; i >= -per_decade * decades_down; --i) {
       const double margin = std::pow(10, static_cast<double>(i) / per_decade);
       probes.push_back({ray.at(margin), margin});
@@ -337,15 +337,15 @@ class WorstSearch {
     if (failure == Failure::crash) ++breaks_;
     if (failure == Failure::hang) breaks_ += crash_cap / hang_cap + 1;
     if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
-    if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) return;
+    if (!likely_sought(probe.pair, approximate_distance(probe.pair))) return;
     if (sought_.also && !sought_.also(probe.pair)) return;
     worst_.failed = FailedPair{probe.pair, failure, probe.answer.reason};
   }
 
-  /// Returns whether the wanted features meet, by the solver. It is fast, and proved later if it matters.
-  bool likely_sought(const Pair& pair, const Distance& d) const {
+  /// Returns whether the wanted features meet, approximately. That is fast, and proved later if it matters.
+  bool likely_sought(const Pair& pair, const MeasuredDistance& d) const {
     if (!sought_.feature) return true;
-    if (d.verdict == Verdict::invalid) return false;
+    if (d.direction.isZero(0)) return false;
     return feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
   }
 
@@ -355,12 +355,12 @@ class WorstSearch {
     return gap >= claimed ? beyond + std::log10(margin) : std::log10(gap / claimed);
   }
 
-  /// The value by the solver, which is fast.
+  /// The value by the approximate distance, which is fast.
   double likely_value(const Probe& probe) const {
     if (probe.answer.status != Status::answered) return nothing_wrong;
     if (options_.objective != Objective::margin) {
       const double score = score_of(probe, false).value;
-      const bool counts = score > 0 && likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b));
+      const bool counts = score > 0 && likely_sought(probe.pair, approximate_distance(probe.pair));
       return counts ? std::log10(score) : nothing_wrong;
     }
     const Verdict said = probe.answer.verdict;
@@ -368,8 +368,8 @@ class WorstSearch {
                                         : said == Verdict::intersecting || said == Verdict::touching;
     if (!wrong || (sought_.kind && (*sought_.kind == FindingKind::wrong_intersecting) != (probe.margin > 0)))
       return nothing_wrong;
-    const Distance d = distance(probe.pair.a, probe.pair.b);
-    if (std::abs(d.value) <= d.error || (d.value < 0) != (probe.margin < 0)) return nothing_wrong;
+    const MeasuredDistance d = approximate_distance(probe.pair);
+    if ((d.value < 0) != (probe.margin < 0)) return nothing_wrong;
     if (!likely_sought(probe.pair, d)) return nothing_wrong;
     const double size = size_of(probe.pair);
     return value_of(std::abs(d.value) / size, size);

@@ -14,9 +14,9 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/methods/own_answers.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 using Reach = std::function<double(const Pair&, double margin)>;
 std::unique_ptr<Method> faulty(Reach wrong_up_to, Claim claim = {.source = "planted"}) {
   const auto ask = [wrong_up_to = std::move(wrong_up_to)](const Pair& pair) {
-    const double margin = distance(pair.a, pair.b).value / size_of(pair);
+    const double margin = approximate_distance(pair).value / size_of(pair);
     const bool wrong = std::abs(margin) < wrong_up_to(pair, margin);
     return answered((margin > 0) != wrong ? Verdict::disjoint : Verdict::intersecting);
   };
@@ -108,7 +108,7 @@ TEST(Worst, WhoIsRightIsNotBlamed) {
 
 TEST(Worst, NothingOutsideTheStratumCounts) {
   const auto method = faulty([](const Pair& pair, double margin) {
-    return feature_along(pair, distance(pair.a, pair.b).direction) == ContactFeature::side_rim && margin > 0
+    return feature_along(pair, approximate_distance(pair).direction) == ContactFeature::side_rim && margin > 0
                ? most
                : 0;
   });
@@ -269,7 +269,7 @@ TEST(PairChart, WhereItIsFineLengthsBecomeZeroAndMarginsChangeByDecades) {
   x = {};
   x[PairChart::dimensions - 3] = -3;
   const Pair near = chart.pair(x);
-  EXPECT_NEAR(distance(near.a, near.b).value, 1e-3 * distance(start.a, start.b).value, 1e-15);
+  EXPECT_NEAR(approximate_distance(near).value, 1e-3 * approximate_distance(start).value, 1e-15);
   EXPECT_EQ(PairChart(start, {}, {}).low()[PairChart::dimensions - 3], 0);
 }
 
@@ -322,13 +322,13 @@ TEST(PairChart, WhatMeetsStaysWhatMeetsAsLengthsChange) {
   for (const Pair& start : drawn_starts({}, 10)) {
     const auto pair = bring_into({}, start);
     if (!pair || std::min({pair->a.radius, pair->a.height, pair->b.radius, pair->b.height}) < 0.1) continue;
-    const Distance before = distance(pair->a, pair->b);
+    const MeasuredDistance before = approximate_distance(*pair);
     if (!(before.value > 1e-6)) continue;
     ++apart;
     PairChart::Point x{};
     x[1] = 0.3, x[2] = -0.4, x[3] = -0.2, x[4] = 0.5;
     const Pair p = PairChart(*pair, {}, {}).pair(x);
-    EXPECT_NEAR(distance(p.a, p.b).value / size_of(p), before.value / size_of(*pair), 1e-12);
+    EXPECT_NEAR(approximate_distance(p).value / size_of(p), before.value / size_of(*pair), 1e-12);
   }
   EXPECT_GT(apart, 100);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <nlopt.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "corpus/pairs/support.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -47,53 +47,49 @@ constexpr double basin_step_tol = 0x1p-20;
 /// A pair scaled by a power of two so that its largest length is near 1, with the best direction seen so
 /// far.
 struct Problem {
-  Vector3 axis[2];
-  double radius[2];
-  double half_height[2];
-  Vector3 delta;
+  Terms<double> a, b;
+  Vec3<double> delta;
   int exponent = 0;  ///< a length of the pair is 2^exponent lengths of the problem
 
   int chart = 0;
   double best = std::numeric_limits<double>::infinity();
-  Vector3 best_direction{0, 0, 1};
+  Vec3<double> best_direction{0, 0, 1};
 };
 
 // The offset may overflow, so half of it is formed first.
 Problem scale(const Pair& pair) {
-  const Cylinder* const solids[] = {&pair.a, &pair.b};
   const Vector3 half_delta = 0.5 * pair.b.center - 0.5 * pair.a.center;
   double largest = half_delta.cwiseAbs().maxCoeff();
-  for (const Cylinder* c : solids) largest = std::max({largest, c->radius, c->height});
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    largest = std::max({largest, c->radius, c->height, c->rounding});
 
   Problem p;
   p.exponent = largest > 0 ? std::ilogb(largest) : 0;
   const auto scaled = [&](double x) { return std::scalbn(x, -p.exponent); };
-  for (int i = 0; i < 2; ++i) {
-    p.axis[i] = unit_axis(solids[i]->axis);
-    p.radius[i] = scaled(solids[i]->radius);
-    p.half_height[i] = scaled(solids[i]->height) / 2;
-  }
-  p.delta = 2 * half_delta.unaryExpr(scaled);
+  const auto terms = [&](const Cylinder& c) {
+    return terms_of<double>({c.center, c.axis, scaled(c.radius), scaled(c.height), scaled(c.rounding)});
+  };
+  p.a = terms(pair.a);
+  p.b = terms(pair.b);
+  p.delta = lifted<double>(Vector3(2 * half_delta.unaryExpr(scaled)));
   return p;
 }
 
-Vector3 direction_of(int chart, const double* x) {
-  Vector3 d;
+Vec3<double> direction_of(int chart, const double* x) {
+  double d[3];
   d[chart] = 1;
   d[(chart + 1) % 3] = x[0];
   d[(chart + 2) % 3] = x[1];
-  return d.normalized();
+  const Vec3<double> v{d[0], d[1], d[2]};
+  return v / norm(v);
 }
 
 // Evaluates f(D)/|D| of Equation (6) with D on a face of the cube |x|, |y|, |z| <= 1. Because f(-D) = f(D),
-// three faces are the whole sphere, and no chart has a pole. |P D| is the sine between D and the axis. It is
-// taken as a cross product, which does not cancel near the axis.
+// three faces are the whole sphere, and no chart has a pole.
 double evaluate(unsigned, const double* x, double*, void* data) {
   Problem& p = *static_cast<Problem*>(data);
-  const Vector3 d = direction_of(p.chart, x);
-  double f = -std::abs(d.dot(p.delta));
-  for (int i = 0; i < 2; ++i)
-    f += p.radius[i] * d.cross(p.axis[i]).norm() + p.half_height[i] * std::abs(d.dot(p.axis[i]));
+  const Vec3<double> d = direction_of(p.chart, x);
+  const double f = support_gap(p.a, p.b, p.delta, d);
   if (std::isnan(f)) return HUGE_VAL;
   if (f < p.best) {
     p.best = f;
@@ -138,7 +134,7 @@ void minimise(Problem& p, const Setting& s) {
     const Optimizer local = make_optimizer(NLOPT_LN_NELDERMEAD, p, polish_reach, s.local, s.stop_at_sign);
     nlopt_set_initial_step1(local.get(), step);
     nlopt_set_xtol_abs1(local.get(), polish_step_tol);
-    const Vector3 d = p.best_direction;
+    const Vector3 d(p.best_direction.x, p.best_direction.y, p.best_direction.z);
     d.cwiseAbs().maxCoeff(&p.chart);
     x[0] = d[(p.chart + 1) % 3] / d[p.chart];
     x[1] = d[(p.chart + 2) % 3] / d[p.chart];
@@ -194,6 +190,7 @@ class Nlopt final : public Method {
         .assumed = true};
   }
   unsigned share() const override { return setting_.share; }
+  bool supports(SolidKind) const override { return true; }
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
@@ -206,8 +203,8 @@ class Nlopt final : public Method {
     answer.distance = -std::scalbn(p.best, p.exponent);
     answer.has_distance = std::isfinite(answer.distance) && !(setting_.stop_at_sign && p.best < 0);
     if (p.best < 0) {
-      if (p.best_direction.dot(p.delta) < 0) p.best_direction = -p.best_direction;
-      answer.set_direction(p.best_direction);
+      const Vec3<double>& d = p.best_direction;
+      answer.set_direction((dot(d, p.delta) < 0 ? -1 : 1) * Vector3(d.x, d.y, d.z));
     }
     return answer;
   }

@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/vec3.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/referee/vec3.hpp"
 
 namespace cyl {
 namespace {

@@ -56,19 +56,6 @@ Hull own_hull(const Cylinder& c) {
   return both(c.height == 0 ? Hull::plane : Hull::space, c.radius == 0 ? Hull::line : Hull::space);
 }
 
-template <class I>
-I length(const Vec3<I>& v) {
-  return sqrt(square(v.x) + square(v.y) + square(v.z));
-}
-
-// f of the cores for a direction D: radius |D x w| + height/2 |D.w| of both solids, less |D.delta|.
-template <class I>
-I support_gap_of(const Vec3<I>& d, const Vec3<I>& w0, const I& radius0, const I& half0, const Vec3<I>& w1,
-                 const I& radius1, const I& half1, const Vec3<I>& delta) {
-  return radius0 * length(cross(d, w0)) + half0 * abs(dot(d, w0)) + radius1 * length(cross(d, w1)) +
-         half1 * abs(dot(d, w1)) - abs(dot(d, delta));
-}
-
 }  // namespace
 
 template <class R>
@@ -85,18 +72,18 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
     const Vec3<double> center = scaled(plain(c.center), -exponent_, exact);
     s.center = {center.x, center.y, center.z};
     s.radius = scaled(c.radius, -exponent_, exact);
-    s.height = scaled(c.height, -exponent_, exact);
+    s.half = R(scaled(c.height, -exponent_, exact)) / 2;
+    s.rounding = scaled(c.rounding, -exponent_, exact);
+    s.rounded = c.rounding != 0;
     const Vec3<double> w = plain(c.axis);
     const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
-    s.unit_axis = axis / length(axis);
+    s.axis = axis / norm(axis);
     s.hull = own_hull(c);
     return s;
   };
   a_ = solid(a);
   b_ = solid(b);
   delta_ = lift<I>(b_.center) - lift<I>(a_.center);
-  if (is_rounded(pair))
-    contact_distance_ = I(scaled(a.rounding, -exponent_, exact)) + I(scaled(b.rounding, -exponent_, exact));
   usable_ = exact;
 }
 
@@ -115,14 +102,24 @@ bool BasicFilter<R>::separates(const double direction[3]) const {
 template <class R>
 auto BasicFilter<R>::support_gap(const Vec3<I>& d) const -> I {
   if (!usable_) return I::everything();
-  const I f = support_gap_of(d, a_.unit_axis, I(a_.radius), I(a_.height / 2), b_.unit_axis, I(b_.radius),
-                             I(b_.height / 2), delta_);
-  return contact_distance_.hi > 0 ? f + contact_distance_ * length(d) : f;
+  return cyl::support_gap<I>(a_, b_, delta_, d);
 }
 
 template <class R>
 bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
   return support_gap(lift<I>(direction)).hi < 0;
+}
+
+template <class R>
+bool BasicFilter<R>::is_in(const Solid& s, Hull hull, const Vec3<I>& at) {
+  return (level(hull) || abs(dot(at, s.axis)).hi <= s.half.lo) &&
+         (thin(hull) || norm(cross(at, s.axis)).hi <= s.radius.lo);
+}
+
+template <class R>
+bool BasicFilter<R>::is_strictly_in(const Solid& s, Hull hull, const Vec3<I>& at) {
+  return (level(hull) || abs(dot(at, s.axis)).hi < s.half.lo) &&
+         (thin(hull) || norm(cross(at, s.axis)).hi < s.radius.lo);
 }
 
 template <class R>
@@ -135,8 +132,7 @@ bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   if (!exact) return false;
   for (const Solid* s : {&a_, &b_}) {
     const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
-    if (!(abs(dot(x, s->unit_axis)).hi <= s->height / 2)) return false;
-    if (!(length(cross(x, s->unit_axis)).hi <= s->radius)) return false;
+    if (!is_in(*s, Hull::space, x)) return false;
   }
   return true;
 }
@@ -158,7 +154,7 @@ template <class R>
 auto BasicFilter<R>::moved(const Solid& s, Hull hull, const Vec3<I>& from) -> Vec3<I> {
   if (hull == Hull::space) return from;
   if (hull == Hull::center) return Vec3<I>{};
-  const Vec3<I> along = dot(from, s.unit_axis) * s.unit_axis;
+  const Vec3<I> along = dot(from, s.axis) * s.axis;
   return hull == Hull::line ? along : from - along;
 }
 
@@ -181,14 +177,10 @@ bool BasicFilter<R>::come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const {
 
 template <class R>
 bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const {
-  const auto inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
-    return (level(hull) || abs(dot(at, s.unit_axis)).hi <= s.height / 2) &&
-           (thin(hull) || length(cross(at, s.unit_axis)).hi <= s.radius);
-  };
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
   const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
-  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) &&
-         length(delta_ + y - x).hi <= contact_distance_.lo;
+  return usable_ && is_in(a_, hull_a, x) && is_in(b_, hull_b, y) &&
+         norm(delta_ + y - x).hi <= (a_.rounding + b_.rounding).lo;
 }
 
 // The points move by vectors that are known only as intervals. The exact unit axes give the point that is
@@ -199,25 +191,21 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
 template <class R>
 bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
-  const auto strictly_inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
-    return (level(hull) || abs(dot(at, s.unit_axis)).hi < s.height / 2) &&
-           (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
-  };
   if (hull_a != Hull::space && hull_b != Hull::space) {
     const bool swap = hull_b != Hull::plane;  // now `second` lies in a plane
     const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
     const Hull hull = swap ? hull_b : hull_a;
     if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
-    const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
+    const Vec3<I>&w0 = first.axis, &w1 = second.axis;
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
     const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first solid
     Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
     y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything if the two may be parallel
-    return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
+    return is_strictly_in(first, hull, y) && is_strictly_in(second, Hull::plane, y - to_second);
   }
   if (hull_a != Hull::space) x = moved(a_, hull_a, x);
   if (hull_b != Hull::space) x = moved(b_, hull_b, x - delta_) + delta_;
-  return strictly_inside(a_, hull_a, x) && strictly_inside(b_, hull_b, x - delta_);
+  return is_strictly_in(a_, hull_a, x) && is_strictly_in(b_, hull_b, x - delta_);
 }
 
 template class BasicFilter<double>;
@@ -242,22 +230,9 @@ Rational3 exact(const ExactVector& v) {
 
 int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
   const PrecisionScope precision(bits);
-  auto interval = [](const Rational3& v) {
-    return Vec3<MpInterval>{MpInterval(v.x), MpInterval(v.y), MpInterval(v.z)};
-  };
-  auto unit = [&](const Cylinder& c) {
-    const Vec3<MpInterval> w = lift<MpInterval>(plain(c.axis));
-    return w / length(w);
-  };
-  const MpInterval two(2.0);
-  const MpInterval f =
-      support_gap_of(interval(direction), unit(pair.a), MpInterval(pair.a.radius),
-                     MpInterval(pair.a.height) / two, unit(pair.b), MpInterval(pair.b.radius),
-                     MpInterval(pair.b.height) / two, interval(exact(pair.b.center) - exact(pair.a.center)));
-  if (is_rounded(pair)) {
-    const MpInterval grown = f + MpInterval(contact_distance_of(pair)) * length(interval(direction));
-    return grown.negative() ? -1 : grown.positive() ? 1 : 0;
-  }
+  const auto delta = exact(pair.b.center) - exact(pair.a.center);
+  const MpInterval f = support_gap(terms_of<MpInterval>(pair.a), terms_of<MpInterval>(pair.b),
+                                   lift<MpInterval>(delta), lift<MpInterval>(direction));
   return f.negative() ? -1 : f.positive() ? 1 : 0;
 }
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "corpus/pairs/certificate.hpp"
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/interval.hpp"
-#include "oracles/referee/vec3.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -33,8 +33,8 @@ class BasicFilter {
   int exponent() const { return exponent_; }
   using I = BasicInterval<R>;
   /// Unit axes, and b's centre relative to a's in the filter's unit.
-  const Vec3<I>& axis_of_a() const { return a_.unit_axis; }
-  const Vec3<I>& axis_of_b() const { return b_.unit_axis; }
+  const Vec3<I>& axis_of_a() const { return a_.axis; }
+  const Vec3<I>& axis_of_b() const { return b_.axis; }
   const Vec3<I>& delta() const { return delta_; }
   /// Encloses f(direction) of the solids in the filter's unit. Returns everything if the filter is not
   /// usable.
@@ -59,20 +59,19 @@ class BasicFilter {
   bool come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const;
 
  private:
-  struct Solid {
-    Vec3<R> center;  // in the filter's unit
-    Vec3<I> unit_axis;
-    R radius, height;
+  struct Solid : Terms<I> {  // in the filter's unit
+    Vec3<R> center;
     Hull hull;
   };
   bool close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const;
   bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
+  static bool is_in(const Solid& s, Hull hull, const Vec3<I>& at);
+  static bool is_strictly_in(const Solid& s, Hull hull, const Vec3<I>& at);
   static Vec3<I> moved(const Solid& s, Hull hull, const Vec3<I>& from);
   bool usable_ = false;
   int exponent_ = 0;
   Solid a_, b_;
   Vec3<I> delta_;
-  I contact_distance_;  // both roundings together
 };
 
 using Filter = BasicFilter<double>;

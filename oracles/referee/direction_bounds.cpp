@@ -85,12 +85,7 @@ std::array<Vec, 3> DirectionBounds::likely() const {
 }
 
 double DirectionBounds::value(const Vec& d) const {
-  double f = -dot(d, delta_);
-  for (const Solid& s : solids_) {
-    const double t = dot(d, s.axis);
-    f += s.half * std::fabs(t) + s.radius * length(d - t * s.axis);
-  }
-  return f;
+  return core_support(solids_[0], d) + core_support(solids_[1], d) - dot(d, delta_);
 }
 
 // The sum of the least values of f's terms, each by the range of the angle to its axis or to delta.

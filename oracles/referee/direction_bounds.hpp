@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/search.hpp"
-#include "oracles/referee/vec3.hpp"
 
 namespace cyl {
 
@@ -108,10 +108,7 @@ class DirectionBounds {
  private:
   template <class Consider>
   void each_kink_near(const Vec& start, double sine, const Consider& consider) const;
-  struct Solid {
-    Vec axis;
-    double radius, half;
-  };
+  using Solid = Terms<double>;
   using Model = DirectionModel;
   using Kinks = DirectionKinks;
   struct Frame;

@@ -242,5 +242,30 @@ TEST(Enclosure, CoversItsOwnRounding) {
   }
 }
 
+// It steers the harness and may err. So only the share of pairs on which it errs is held.
+TEST(ApproximateDistance, IsInTheEnclosureOnNearlyAllPairs) {
+  int pairs = 0, off = 0, apart = 0, points_off = 0;
+  for (const Family& family : families()) {
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Pair pair = family.generate(7, i);
+      const Enclosure truth = enclose_distance(pair, judge_verdict(pair));
+      const MeasuredDistance d = measure_with_points(pair);
+      const double slack = 1e-9 * (size_of(pair) + (pair.b.center - pair.a.center).stableNorm());
+      if (!std::isfinite(slack)) continue;
+      ++pairs;
+      off += d.value < truth.lo - slack || d.value > truth.hi + slack;
+      if (truth.lo <= 0) continue;
+      ++apart;
+      const Vector3 way = pair.b.center - pair.a.center + d.on_b - d.on_a;
+      points_off += std::abs(way.stableNorm() - d.value) > slack;
+    }
+  }
+  EXPECT_GT(pairs, 1000);
+  EXPECT_LE(off, pairs / 200);
+  EXPECT_LE(points_off, apart / 100);
+  const Pair invalid{{}, {{0, 0, 0}, {0, 0, 0}, 1, 1}};
+  EXPECT_TRUE(measure_with_points(invalid).direction.isZero(0));
+}
+
 }  // namespace
 }  // namespace cyl

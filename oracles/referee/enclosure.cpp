@@ -79,7 +79,7 @@ class Minimum {
     }
   }
 
-  void find() {
+  void find(std::size_t most_cells) {
     constexpr double everything = -std::numeric_limits<double>::infinity();
     // f(D) = f(-D) - 2 D.delta, so the half of the sphere towards b is enough. Face 2 is in its middle.
     for (const int face : {2, 0, 1, 3, 4})
@@ -87,7 +87,7 @@ class Minimum {
         for (const double t : {-0.5, 0.5})
           if ((face == 2 || t > 0) && !least_.is_found()) add({face, s, t, 0.5, everything, {}});
     while (!queue_.empty() && !least_.is_found() && least_.best - queue_.top().below > least_.width &&
-           least_.cells < cell_cap) {
+           least_.cells < most_cells) {
       Cell c = queue_.top();
       queue_.pop();
       if (!c.tried && c.half < coarse_tol) {
@@ -176,7 +176,7 @@ double way_to_both(const SearchPair<double>& p, const Vec& x) {
 // and two directions. One goes from one point to the other. The other is perpendicular to both rims there,
 // which is exact if the points are too close for the first.
 struct Nearby {
-  double apart;
+  Nearest<double> points;
   std::array<Vec, 2> directions;
 };
 
@@ -187,7 +187,7 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
   const Vec way = n.on_b - n.on_a, between = length(way) > 0 ? way : p.delta;
   Vec square = cross(cross(p.axis0, n.on_a), cross(p.axis1, n.on_b - p.delta));
   if (dot(square, between) < 0) square = -1.0 * square;
-  return {n.apart, {normalized(between), normalized(length(square) > 0 ? square : between)}};
+  return {n, {normalized(between), normalized(length(square) > 0 ? square : between)}};
 }
 
 // Encloses |distance| if one guess shows that it is within the given width. If the solids are apart, their
@@ -228,6 +228,36 @@ AttainedDistance shrunk_by_roundings(const Pair& pair, const Truth& truth, doubl
   return found;
 }
 
+// Narrows the least f to a width relative to the size, or until so many cells were bounded.
+LeastValue least_value(const SearchPair<double>& p, const DirectionBounds& bounds, bool disjoint,
+                       double relative_width, std::size_t most_cells) {
+  const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
+  const Vec c = cross(p.axis0, p.axis1);
+  if (size == 0) {
+    const double apart = length(p.delta);
+    // not covered: points in one place touch, and the gate asks for no distance of touching pairs
+    return {0, -apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
+  }
+  if (c.x == 0 && c.y == 0 && c.z == 0) return parallel(p);
+  LeastValue f{std::max(relative_width * size, bound_error * bounds.reach())};
+  Minimum minimum(bounds, p.delta, f);
+  if (disjoint) {
+    const auto from = [&](const Vec& start) {
+      if (f.is_found()) return;
+      const Nearby n = nearest_from(p, start);
+      f.floor_at(-n.points.apart);
+      minimum.guess(n.directions);
+    };
+    from({0, 0, 0});
+    for (const Vec& corner : crossings_of_rims(p)) from(corner);
+    minimum.descend();
+  }
+  for (const Vec& likely : bounds.likely()) f.take(bounds.value(likely), likely);
+  if (!f.is_found()) narrow_by_cosines(bounds, p, f);
+  if (!f.is_found()) minimum.find(most_cells);
+  return f;
+}
+
 }  // namespace
 
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
@@ -236,34 +266,9 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   if (is_rounded(pair)) return shrunk_by_roundings(pair, truth, relative_width);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
-  const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
-  const Vec c = cross(p.axis0, p.axis1);
   const DirectionBounds bounds(p);
   const double slack = bound_error * bounds.reach();
-  LeastValue f{std::max(relative_width * size, slack)};
-  if (size == 0) {
-    const double apart = length(p.delta);
-    // not covered: points in one place touch, and the gate asks for no distance of touching pairs
-    f = {0, -apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
-  } else if (c.x == 0 && c.y == 0 && c.z == 0) {
-    f = parallel(p);
-  } else {
-    Minimum minimum(bounds, p.delta, f);
-    if (truth.verdict == Verdict::disjoint) {
-      const auto from = [&](const Vec& start) {
-        if (f.is_found()) return;
-        const Nearby n = nearest_from(p, start);
-        f.floor_at(-n.apart);
-        minimum.guess(n.directions);
-      };
-      from({0, 0, 0});
-      for (const Vec& corner : crossings_of_rims(p)) from(corner);
-      minimum.descend();
-    }
-    for (const Vec& likely : bounds.likely()) f.take(bounds.value(likely), likely);
-    if (!f.is_found()) narrow_by_cosines(bounds, p, f);
-    if (!f.is_found()) minimum.find();
-  }
+  LeastValue f = least_value(p, bounds, truth.verdict == Verdict::disjoint, relative_width, cell_cap);
   f.floor = std::min(f.floor, f.best);
   const Vec& d = f.direction;
   const std::array<double, 3> direction{d.x, d.y, d.z};
@@ -283,6 +288,52 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
   if (is_rounded(pair)) return attain_distance(pair, truth, relative_width).distance;
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
+}
+
+// The value is -f of the best direction found, so an error of the direction counts by its square only.
+MeasuredDistance approximate_distance(const Pair& pair) {
+  constexpr std::size_t measured_cell_cap = 64;
+  if (!is_legal(pair)) return {};
+  int exponent = 0;
+  const SearchPair<double> p = double_pair(pair, exponent);
+  const DirectionBounds bounds(p);
+  const Found<double> found = search(p, 53);
+  const bool apart = found.has_direction && bounds.value(normalized(found.direction)) < 0;
+  LeastValue f = least_value(p, bounds, apart, apart ? gap_width_tol : depth_width_tol, measured_cell_cap);
+  if (found.has_direction) {
+    const Vec guess = normalized(found.direction);
+    f.take(bounds.value(guess), guess);
+  }
+  constexpr double largest = std::numeric_limits<double>::max();
+  const double value = std::ldexp(-f.best, exponent) - pair.a.rounding - pair.b.rounding;
+  return {std::clamp(value, -largest, largest), {f.direction.x, f.direction.y, f.direction.z}, {}, {}};
+}
+
+MeasuredDistance measure_with_points(const Pair& pair) {
+  MeasuredDistance measured = approximate_distance(pair);
+  if (measured.direction.isZero(0)) return measured;
+  int exponent = 0;
+  SearchPair<double> p = double_pair(pair, exponent);
+  const Vec d = lifted<double>(measured.direction);
+  // If the cores overlap, b moves until they are a little apart, to see which points face each other.
+  constexpr double parted_tol = 0x1p-10;  // of the reach
+  constexpr int measured_rounds_cap = 16;
+  const DirectionBounds cores(p);
+  if (const double depth = cores.value(d); depth >= 0)
+    p.delta = p.delta + (depth + parted_tol * cores.reach()) * d;
+  const DirectionBounds bounds(p);
+  const Terms<double> a{normalized(p.axis0), p.radius0, p.half0}, b{normalized(p.axis1), p.radius1, p.half1};
+  Nearest<double> near{farthest(a, d), p.delta + farthest(b, -1.0 * d), 0};
+  const double most = -bounds.value(d) + bound_error * bounds.reach();
+  for (int round = 0; round < measured_rounds_cap && (round == 0 || near.apart > most); ++round)
+    near = refine_nearest(p, 53, near.on_a, near.on_b);
+  const auto point = [&](const Vec& v, double rounding) {
+    const Vector3 in_scene(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
+    return Vector3(in_scene + rounding * measured.direction);
+  };
+  measured.on_a = point(near.on_a, pair.a.rounding);
+  measured.on_b = point(near.on_b - p.delta, -pair.b.rounding);
+  return measured;
 }
 
 // A width that is relative to the size may be wider than the distance. Then the certificate itself has a

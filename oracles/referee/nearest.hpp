@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/search.hpp"
-#include "oracles/referee/vec3.hpp"
 
 namespace cyl {
 
@@ -31,11 +31,6 @@ using std::abs;
 using std::sqrt;
 
 template <class R>
-R length(const Vec3<R>& v) {
-  return R(sqrt(dot(v, v)));
-}
-
-template <class R>
 struct Solid {
   Vec3<R> center, axis;  // unit
   R radius, half;
@@ -44,7 +39,7 @@ struct Solid {
     const Vec3<R> d = x - center;
     R along = dot(d, axis);
     Vec3<R> across = d - along * axis;
-    const R beside = length(across);
+    const R beside = norm(across);
     if (along > half) along = half;
     if (along < -half) along = -half;
     if (beside > radius) across = R(radius / beside) * across;
@@ -70,7 +65,7 @@ Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
   const Vec3<R> d = x - s.center;
   const R along = dot(d, s.axis), zero(0.0);
   Vec3<R> u = d - along * s.axis;
-  const R beside = length(u);
+  const R beside = norm(u);
   const R end = along < zero ? R(-s.half) : s.half;
   Place<R> p;
   if (part == Part::cap) {
@@ -81,7 +76,7 @@ Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
     const Vec3<R> other{R(x_least ? 1.0 : 0.0), R(!x_least && y_least ? 1.0 : 0.0),
                         R(!x_least && !y_least ? 1.0 : 0.0)};
     Vec3<R> first = cross(s.axis, other);
-    first = first / length(first);
+    first = first / norm(first);
     p.tangent = {first, cross(s.axis, first)};
     p.count = 2;
     return p;
@@ -145,11 +140,11 @@ template <class R>
 class Search {
  public:
   Search(const SearchPair<R>& p, int bits) : bits_(bits) {
-    const auto unit = [](const Vec3<R>& w) { return w / length(w); };
+    const auto unit = [](const Vec3<R>& w) { return w / norm(w); };
     const R zero(0.0);
     a_ = {{zero, zero, zero}, unit(p.axis0), p.radius0, p.half0};
     b_ = {p.delta, unit(p.axis1), p.radius1, p.half1};
-    const R size = a_.radius + a_.half + b_.radius + b_.half + length(p.delta);
+    const R size = a_.radius + a_.half + b_.radius + b_.half + norm(p.delta);
     const R digits(std::ldexp(1.0, -std::min(bits / 2 + 4, 1000)));
     settled_ = (size * digits) * (size * digits);
     for (int left = bits / 2 + 4 - 1000; left > 0; left -= 500)
@@ -182,14 +177,14 @@ class Search {
     const Vec3<R> d = x - s.center;
     const R along = dot(d, s.axis);
     const bool at_cap = !(abs(along) < nearly * s.half);
-    const bool at_side = !(length(d - along * s.axis) < nearly * s.radius);
+    const bool at_side = !(norm(d - along * s.axis) < nearly * s.radius);
     return !at_cap ? Part::side : at_side ? Part::rim : Part::cap;
   }
 
   // `x` is on a or near it. Takes the nearest point of a, and the point of b nearest to that.
   void take(const Vec3<R>& x) {
     const Vec3<R> on_a = a_.nearest(x), on_b = b_.nearest(on_a);
-    const R apart = length(on_b - on_a);
+    const R apart = norm(on_b - on_a);
     if (!started_ || apart < best_.apart) best_ = {on_a, on_b, apart};
     started_ = true;
   }

@@ -85,6 +85,18 @@ struct AttainedDistance {
 /// Costs as much as the enclosure. Touching pairs are searched too.
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width);
 
+/// The harness sorts, shrinks, mutates and searches by this. It is not proved, and it is independent of
+/// the solver under test.
+struct MeasuredDistance {
+  double value = 0;                      ///< the gap, or minus a depth that may not be the least
+  Vector3 direction{0, 0, 0};            ///< of length 1, from a to b; 0 for an invalid pair
+  Vector3 on_a{0, 0, 0}, on_b{0, 0, 0};  ///< the points that face each other, from the centre of their solid
+};
+/// Leaves the points 0. Cost: 8 us.
+MeasuredDistance approximate_distance(const Pair& pair);
+/// The same with the points. Cost: 12 us.
+MeasuredDistance measure_with_points(const Pair& pair);
+
 /// Returns the verdict that a witness proves: `disjoint`, `intersecting`, or `undecided` if it proves
 /// nothing. A witness in hulls proves nothing if its two hulls have no common point.
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer);

@@ -78,13 +78,8 @@ std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rati
 
 /// The point of a's core that lies farthest along the direction, in multiprecision, from a's centre.
 Vec3<MpFloat> farthest(const SearchPair<MpFloat>& p, const std::array<double, 3>& direction) {
-  const Vec3<MpFloat> d{MpFloat(direction[0]), MpFloat(direction[1]), MpFloat(direction[2])};
-  const Vec3<MpFloat> w = p.axis0 / sqrt(dot(p.axis0, p.axis0));
-  const MpFloat along = dot(d, w);
-  const Vec3<MpFloat> across = d - along * w;
-  const MpFloat beside = sqrt(dot(across, across));
-  const Vec3<MpFloat> end = (along < MpFloat(0) ? MpFloat(0) - p.half0 : p.half0) * w;
-  return beside > MpFloat(0) ? end + (p.radius0 / beside) * across : end;
+  const Terms<MpFloat> a{p.axis0 / norm(p.axis0), p.radius0, p.half0};
+  return farthest(a, lifted<MpFloat>(direction));
 }
 
 /// The nearest points that double finds, in a unit of 2^exponent.

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <vector>
 
-#include "oracles/referee/vec3.hpp"
+#include "base/vec3.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/multiprecision.hpp"
-#include "oracles/referee/vec3.hpp"
 
 namespace cyl {
 namespace {
@@ -14,28 +14,10 @@ using Vec = Vec3<MpFloat>;
 
 constexpr int miss_bits = 512;
 
-template <class V>
-Vec lifted(const V& v) {
-  return {MpFloat(v[0]), MpFloat(v[1]), MpFloat(v[2])};
-}
-
-MpFloat length(const Vec& v) { return sqrt(dot(v, v)); }
-
-Vec unit_axis_of(const Cylinder& c) {
-  const Vec w = lifted(c.axis);
-  return w / length(w);
-}
-
-/// Half the width of a solid along a direction of length 1.
-MpFloat half_width(const Cylinder& c, const Vec& d) {
-  const Vec w = unit_axis_of(c);
-  return MpFloat(c.radius) * length(cross(d, w)) + MpFloat(c.height) / MpFloat(2) * abs(dot(d, w));
-}
-
 /// Returns how far a point lies beyond the caps or beyond the wall, the greater of the two.
-MpFloat beyond(const Cylinder& c, const Vec& point) {
-  const Vec x = point - lifted(c.center), w = unit_axis_of(c);
-  return std::max(abs(dot(x, w)) - MpFloat(c.height) / MpFloat(2), length(cross(x, w)) - MpFloat(c.radius));
+MpFloat most_beyond(const Cylinder& c, const Vec& point) {
+  const auto [caps, wall] = beyond(terms_of<MpFloat>(c), point - lifted<MpFloat>(c.center));
+  return std::max(caps, wall);
 }
 
 }  // namespace
@@ -48,18 +30,19 @@ std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer)
   if (!plain || !finite(answer.head) || !finite(answer.tail)) return {};
   const PrecisionScope precision(miss_bits);
   const MpFloat contact_distance = MpFloat(pair.a.rounding) + MpFloat(pair.b.rounding);
-  const Vec given = lifted(answer.head) + lifted(answer.tail);
+  const Vec given = lifted<MpFloat>(answer.head) + lifted<MpFloat>(answer.tail);
   if (answer.witness == CertificateKind::point)
-    return std::max(beyond(pair.a, given), beyond(pair.b, given)).to_double();
+    return std::max(most_beyond(pair.a, given), most_beyond(pair.b, given)).to_double();
   if (answer.witness == CertificateKind::points && finite(answer.other_head) && finite(answer.other_tail)) {
-    const Vec other = lifted(answer.other_head) + lifted(answer.other_tail);
-    return std::max({beyond(pair.a, given), beyond(pair.b, other), length(given - other) - contact_distance})
+    const Vec other = lifted<MpFloat>(answer.other_head) + lifted<MpFloat>(answer.other_tail);
+    return std::max({most_beyond(pair.a, given), most_beyond(pair.b, other),
+                     norm(given - other) - contact_distance})
         .to_double();
   }
-  if (answer.witness != CertificateKind::direction || !(length(given) > MpFloat(0))) return {};
-  const Vec d = given / length(given), between = lifted(pair.b.center) - lifted(pair.a.center);
-  return (half_width(pair.a, d) + half_width(pair.b, d) + contact_distance - abs(dot(d, between)))
-      .to_double();
+  if (answer.witness != CertificateKind::direction || !(norm(given) > MpFloat(0))) return {};
+  const Vec d = given / norm(given),
+            between = lifted<MpFloat>(pair.b.center) - lifted<MpFloat>(pair.a.center);
+  return support_gap(terms_of<MpFloat>(pair.a), terms_of<MpFloat>(pair.b), between, d).to_double();
 }
 
 }  // namespace cyl

@@ -9,7 +9,6 @@
 
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/contact.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -68,7 +67,7 @@ int aspect_bin(const Pair& pair) {
 int margin_bin(const Pair& pair, Verdict truth, double size) {
   if (truth == Verdict::touching) return touching_bin;
   // Two points that are apart are infinitely many sizes apart.
-  return margin_decade(size > 0 ? std::abs(distance(pair.a, pair.b).value) / size
+  return margin_decade(size > 0 ? std::abs(approximate_distance(pair).value) / size
                                 : std::numeric_limits<double>::infinity());
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "solver/distance.hpp"
+#include "oracles/referee/referee.hpp"
 
 namespace cyl {
 namespace {
@@ -69,9 +69,9 @@ bool must_decide(DecisionScope promised, Trial& proved) {
 }
 
 double estimated_margin(const Pair& pair) {
-  const double gap = distance(pair.a, pair.b).value;
+  const double gap = approximate_distance(pair).value;
   if (gap > 0) return gap / size_of(pair);
-  return greatest_margin(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
+  return greatest_margin(pair, [](const Pair& inner) { return approximate_distance(inner).value <= 0; });
 }
 
 double certified_margin(Trial& proved) {

@@ -15,7 +15,6 @@
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/decide.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -131,7 +130,7 @@ TEST(Mechanism, WhatFailsOtherwiseIsNoCure) {
     if (size_of(pair) < 1e-4) return failed_answer(Failure::reported, "too small");
     MethodAnswer answer = answered(Verdict::intersecting);
     answer.has_distance = true;
-    answer.distance = 0.98 * distance(pair.a, pair.b).value;
+    answer.distance = 0.98 * approximate_distance(pair).value;
     return answer;
   }));
   const Failing failing{0, FindingKind::distance_outside, crossing(1)};
@@ -147,7 +146,7 @@ TEST(Mechanism, ADistanceThatIsOffAsMuchAtEverySizeIsNoFixedLength) {
                                 [](const Pair& pair) {
                                   MethodAnswer answer = answered(Verdict::disjoint);
                                   answer.has_distance = true;
-                                  answer.distance = 0.98 * distance(pair.a, pair.b).value;
+                                  answer.distance = 0.98 * approximate_distance(pair).value;
                                   return answer;
                                 },
                                 {.claim = {.absolute = 1, .source = "this test"}}));

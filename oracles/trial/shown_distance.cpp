@@ -1,49 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/trial/shown_distance.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "corpus/pairs/support.hpp"
 
 namespace cyl {
 namespace {
 
 /// The error of some forty operations in long double, relative to the lengths in them.
 constexpr long double wide_error = 0x1p-57L;
-using Wide = Eigen::Matrix<long double, 3, 1>;
+using Wide = Vec3<long double>;
 
-/// One solid in long double: its unit axis, its support, and how far an offset from its centre is outside.
-struct WideSolid {
-  explicit WideSolid(const Cylinder& c)
-      : axis(c.axis.cast<long double>().normalized()),
-        radius(c.radius),
-        half(static_cast<long double>(c.height) / 2),
-        rounding(c.rounding) {}
-  long double support(const Wide& d) const {
-    return radius * d.cross(axis).norm() + half * std::abs(d.dot(axis)) + rounding * d.norm();
-  }
-  long double outside(const Wide& x) const {
-    const long double along = std::abs(x.dot(axis)), across = x.cross(axis).norm();
-    return std::max(0.0L,
-                    std::hypot(std::max(0.0L, along - half), std::max(0.0L, across - radius)) - rounding);
-  }
-  Wide axis;
-  long double radius, half, rounding;
-};
+/// Returns how far an offset from the solid's centre is outside.
+long double outside(const Terms<long double>& s, const Wide& x) {
+  const auto [caps, wall] = beyond(s, x);
+  return std::max(0.0L, std::hypot(std::max(0.0L, caps), std::max(0.0L, wall)) - s.rounding);
+}
 
 }  // namespace
 
-Enclosure shown_distance(const Pair& pair, const Distance& measured) {
-  const WideSolid a(pair.a), b(pair.b);
-  const Wide delta = pair.b.center.cast<long double>() - pair.a.center.cast<long double>(),
-             u = measured.direction.cast<long double>(), x = measured.on_a.cast<long double>(),
-             y = measured.on_b.cast<long double>();
+Enclosure shown_distance(const Pair& pair, const MeasuredDistance& measured) {
+  const auto a = terms_of<long double>(pair.a), b = terms_of<long double>(pair.b);
+  const Wide delta = lifted<long double>(pair.b.center) - lifted<long double>(pair.a.center),
+             u = lifted<long double>(measured.direction), x = lifted<long double>(measured.on_a),
+             y = lifted<long double>(measured.on_b);
   const long double slack =
-      wide_error * (a.radius + a.half + a.rounding + b.radius + b.half + b.rounding + delta.norm());
-  const long double least = (u.dot(delta) - a.support(u) - b.support(u)) / u.norm() - slack;
+      wide_error * (a.radius + a.half + a.rounding + b.radius + b.half + b.rounding + norm(delta));
+  const long double least = (dot(u, delta) - support(a, u) - support(b, u)) / norm(u) - slack;
   const long double most =
-      measured.value > 0 ? (delta + y - x).norm() + a.outside(x) + b.outside(y) + slack : 0;
+      measured.value > 0 ? norm(delta + y - x) + outside(a, x) + outside(b, y) + slack : 0;
   constexpr long double largest = std::numeric_limits<double>::max();
   if (!(std::abs(least) < largest && most < largest))
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

@@ -20,7 +20,7 @@ TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItShows) {
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Pair pair = family.generate(11, i);
       const Distance d = distance(pair.a, pair.b);
-      const Enclosure shown = shown_distance(pair, d);
+      const Enclosure shown = shown_distance(pair, measured_of(d));
       if (!std::isfinite(shown.lo)) continue;
       const MethodAnswer answer = answer_of(pair, d);
       EXPECT_LE(error_bound_of(shown, answer).hi, answer.error_bound) << family.name << format_pair(pair);
@@ -30,7 +30,7 @@ TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItShows) {
 
 TEST(ShownDistance, IsWideWhereDirectionOrPointsAreNoGood) {
   const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 1}, 1, 2}};
-  Distance d = distance(pair.a, pair.b);
+  MeasuredDistance d = measure_with_points(pair);
   EXPECT_NEAR(shown_distance(pair, d).lo, 1, 1e-15);
   EXPECT_NEAR(shown_distance(pair, d).hi, 1, 1e-15);
   d.direction = {0.6, 0.8, 0};

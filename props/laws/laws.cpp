@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "corpus/pairs/support.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -76,15 +77,12 @@ Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
 
 double shown_by(const Pair& pair, const Vector3& u) {
   const Vector3 delta = pair.b.center - pair.a.center;
-  double supports = 0, lengths = delta.norm();
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    const Vector3 w = prepare(*c).unit_axis;
-    supports += c->radius * u.cross(w).norm() + c->height / 2 * std::fabs(u.dot(w));
-    lengths += c->radius + c->height / 2 + c->rounding;
-    supports += c->rounding;
-  }
+  double lengths = delta.norm();
+  for (const Cylinder* c : {&pair.a, &pair.b}) lengths += c->radius + c->height / 2 + c->rounding;
   // |u| is 1 within 4 roundings, which half of the second bound covers.
-  return std::fabs(u.dot(delta)) - supports - 2 * separation_error * lengths;
+  return -support_gap(terms_of<double>(pair.a), terms_of<double>(pair.b), lifted<double>(delta),
+                      lifted<double>(u)) -
+         2 * separation_error * lengths;
 }
 
 bool is_in_range(const Pair& pair) {

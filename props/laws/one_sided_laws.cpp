@@ -8,8 +8,9 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/referee.hpp"
 #include "props/laws/law_groups.hpp"
-#include "solver/distance.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
@@ -94,14 +95,18 @@ constexpr double proxy_error = 0x1p-45;
 
 double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
+Enclosure enclosed_distance(const Cylinder& a, const Cylinder& b) {
+  const Pair pair{a, b};
+  return enclose_distance(pair, judge_verdict(pair), gap_width_tol);
+}
+
 std::optional<Violation> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
   const Cylinder &a = c.pair.a, &b = c.pair.b;
   const double lost = proxy_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
   if (says_meet(c.first)) {
     const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
-    const Distance around = distance(capsule_around(a), capsule_around(b));
-    const double capsules = around.value - around.error;
+    const double capsules = enclosed_distance(capsule_around(a), capsule_around(b)).lo;
     if (std::max(spheres, capsules) <= lost) return {};
     const char* which = spheres > lost ? "spheres around" : "capsules around";
     return Violation{verdict_text(c.first) + ", but the " + which + " the solids are apart",
@@ -109,8 +114,7 @@ std::optional<Violation> break_proxies(const LawCase& c) {
   }
   const Cylinder in_a = capsule_inside(a), in_b = capsule_inside(b);
   if (in_a.rounding < 0 || in_b.rounding < 0) return {};
-  const Distance within = distance(in_a, in_b);
-  if (within.value + within.error >= -lost) return {};
+  if (enclosed_distance(in_a, in_b).hi >= -lost) return {};
   return Violation{verdict_text(c.first) + ", but the capsules inside the solids meet",
                    severity_on(c, c.pair)};
 }

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl::moves {
 namespace {
@@ -64,7 +64,7 @@ Pair with(Pair p, Change change) {
 // - a) or of the support at the D that attains the maximum. It is D_i for b's centre and -1 for a
 // rounding. It is minus the sine of the angle between D and the axis for a radius, and minus half the cosine
 // for a height.
-double slope(const Distance& d, const Pair& p, std::size_t which) {
+double slope(const MeasuredDistance& d, const Pair& p, std::size_t which) {
   if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
   if (which > 6) return (which == 7 ? p.a : p.b).rounding == 0 ? 0 : -1;  // a solid stays without rounding
   const Cylinder& c = which < 5 ? p.a : p.b;
@@ -170,7 +170,7 @@ std::vector<double> simpler_numbers(double x) {
 
 void add_at_distance(const Pair& p, double kept, Pairs& out) {
   if (!is_legal(p)) return;
-  const Distance now = distance(p.a, p.b);
+  const MeasuredDistance now = approximate_distance(p);
   Pair copy = p;
   const std::size_t end = 3 + lengths(copy).size();
   for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 3}, {3, end}}) {
@@ -180,13 +180,13 @@ void add_at_distance(const Pair& p, double kept, Pairs& out) {
     Pair q = p;
     double& x = best < 3 ? q.b.center[static_cast<Eigen::Index>(best)] : *lengths(q)[best - 3];
     double off = now.value - kept;
-    Distance at = now;
+    MeasuredDistance at = now;
     for (int step = 0; step < newton_cap && off != 0; ++step) {
       const double before = x, by = slope(at, q, best);
       if (by == 0) break;
       x -= off / by;
       if (x == before || !is_legal(q)) break;
-      at = distance(q.a, q.b);
+      at = approximate_distance(q);
       off = at.value - kept;
     }
     if (is_legal(q) && std::fabs(off) <= kept_part_tol * std::fabs(kept)) out.push_back(q);
@@ -227,7 +227,7 @@ Pairs translations(const Pair& p) {
 
 Pairs frames(const Pair& p) {
   Pairs out;
-  const Vector3 n = distance(p.a, p.b).direction, delta = p.b.center - p.a.center;
+  const Vector3 n = approximate_distance(p).direction, delta = p.b.center - p.a.center;
   const auto add = [&](const Vector3& up, const Vector3& side) {
     const Frame frame(up, side);
     if (!frame.turn.allFinite()) return;

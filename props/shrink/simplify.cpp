@@ -9,8 +9,8 @@
 #include <set>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/referee.hpp"
 #include "props/shrink/moves.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -65,7 +65,7 @@ class Search {
     const Pairs pairs = make();
     if (ask(pairs)) return true;
     if (!may_keep_distance) return false;
-    const double kept = distance(best_.a, best_.b).value;
+    const double kept = approximate_distance(best_).value;
     if (kept == 0 || !(std::fabs(kept) < near_margin * size_of(best_))) return false;
     Pairs at_distance;
     for (const Pair& p : pairs) add_at_distance(p, kept, at_distance);

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "oracles/methods/fake_method_test.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/mechanism.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 std::unique_ptr<Method> blurred(std::string name, double tolerance, double place = 0) {
   const auto ask = [=](const Pair& pair) {
     const double blur = pair.a.center.norm() >= place ? tolerance : 0;
-    return answered(distance(pair.a, pair.b).value <= blur ? Verdict::intersecting : Verdict::disjoint);
+    return answered(approximate_distance(pair).value <= blur ? Verdict::intersecting : Verdict::disjoint);
   };
   return fake_method(std::move(name), ask, {.claim = {.absolute = tolerance / 100, .source = "this test"}});
 }
@@ -173,9 +173,10 @@ std::vector<std::unique_ptr<Method>> blind(std::function<bool(double angle)> at)
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(fake_method("blind", [at = std::move(at)](const Pair& pair) {
     const Vector3 a = pair.a.axis.normalized(), b = pair.b.axis.normalized();
-    const bool near = distance(pair.a, pair.b).value <= 0.01 * size_of(pair);
+    const bool near = approximate_distance(pair).value <= 0.01 * size_of(pair);
     const bool fails = near && at(std::atan2(a.cross(b).norm(), std::abs(a.dot(b))));
-    return answered(fails || distance(pair.a, pair.b).value <= 0 ? Verdict::intersecting : Verdict::disjoint);
+    return answered(fails || approximate_distance(pair).value <= 0 ? Verdict::intersecting
+                                                                   : Verdict::disjoint);
   }));
   return methods;
 }
@@ -192,7 +193,7 @@ Pair square() {
   for (int i = 0; i < 50; ++i) {
     const double t = (low + high) / 2;
     pair.b.center = {t, t, t};
-    (distance(pair.a, pair.b).value > 0.01 ? high : low) = t;
+    (approximate_distance(pair).value > 0.01 ? high : low) = t;
   }
   return pair;
 }

@@ -11,7 +11,6 @@
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "reports/export/export_program.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -89,7 +88,7 @@ std::string distance_claim(const Trial& asked, const Claim& claim) {
     if (asked.truth.verdict != Verdict::disjoint || !(said > tolerance)) return {};
     Cylinder a = asked.pair.a, b = asked.pair.b;
     a.rounding = b.rounding = 0;
-    const Distance nearest = distance(a, b);
+    const MeasuredDistance nearest = measure_with_points({a, b});
     const auto p = point_in(a, a.center + nearest.on_a), q = point_in(b, b.center + nearest.on_b);
     if (!p || !q) return {};
     const Rational3 between = *p - *q;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/distance.hpp"
+#include "oracles/referee/referee.hpp"
 
 namespace cyl {
 namespace {
@@ -31,11 +31,9 @@ CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Encl
   }
   if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
     reported.direction = attained.direction;
-  const Distance nearest = distance(pair.a, pair.b);
+  const MeasuredDistance nearest = measure_with_points(pair);
   const Vector3 a = pair.a.center + nearest.on_a, b = pair.b.center + nearest.on_b;
-  if (nearest.verdict != Verdict::invalid && nearest.verdict != Verdict::undecided && a.allFinite() &&
-      b.allFinite())
-    reported.nearest = {a, b};
+  if (!nearest.direction.isZero(0) && a.allFinite() && b.allFinite()) reported.nearest = {a, b};
   return reported;
 }
 

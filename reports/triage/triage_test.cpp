@@ -21,7 +21,6 @@
 #include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/triage_store.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "oracles/referee/referee.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -44,7 +43,8 @@ std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const Cau
   options.domain = domain_of(cause.mechanism, cause.starts);
   Asker asker(methods.methods, caps);
   const auto of_the_cause = [&](const Pair& pair) {
-    if ((cause.kind == FindingKind::wrong_intersecting) != (distance(pair.a, pair.b).value > 0)) return false;
+    if ((cause.kind == FindingKind::wrong_intersecting) != (approximate_distance(pair).value > 0))
+      return false;
     return find_cause(methods, {cause.method, cause.kind, pair}, Severity::contract, {}, asker) == cause.key;
   };
   const Worst worst = worst_of(methods.methods[cause.method], cause.starts,

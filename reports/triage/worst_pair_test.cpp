@@ -10,7 +10,6 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -21,7 +20,7 @@ using Methods = std::vector<std::unique_ptr<Method>>;
 Methods planted(std::function<double(const Pair&)> wrong_up_to) {
   Methods methods;
   methods.push_back(fake_method("planted", [wrong_up_to = std::move(wrong_up_to)](const Pair& pair) {
-    const double margin = distance(pair.a, pair.b).value / size_of(pair);
+    const double margin = approximate_distance(pair).value / size_of(pair);
     return answered(margin > wrong_up_to(pair) ? Verdict::disjoint : Verdict::intersecting);
   }));
   return methods;
