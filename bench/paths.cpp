@@ -102,7 +102,7 @@ Path turning_path(Turn turn, bool gap, std::uint64_t seed) {
   const Vector3 n = s.unit_vector();
   const Vector3 u = s.perpendicular(n);
   const Vector3 v = n.cross(u);
-  Cylinder a, b;
+  Solid a, b;
   a.radius = s.between(1, 2);
   a.height = s.between(3, 4);
   b.radius = s.between(0.5, 0.9);

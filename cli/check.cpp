@@ -20,8 +20,10 @@
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/methods/contained.hpp"
+#include "oracles/referee/half_space.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/compare.hpp"
@@ -107,7 +109,7 @@ Enclosure shifted(const Enclosure& d, const Interval& length) {
 /// it at a relative width.
 bool is_within_rounding(const Pair& pair, const std::function<Enclosure(double)>& distance) {
   double error = 0;
-  for (const Cylinder* c : {&pair.a, &pair.b})
+  for (const Solid* c : {&pair.a, &pair.b})
     for (const double x : {c->center.x(), c->center.y(), c->center.z(), c->radius, c->height, c->rounding})
       error += decimal_rounding_error * std::abs(x);
   for (const double width : decisive_widths) {
@@ -118,10 +120,13 @@ bool is_within_rounding(const Pair& pair, const std::function<Enclosure(double)>
   return true;
 }
 
-/// Returns the pair whose verdict answers the question: the clearance is added to the rounding of a, because
-/// all roundings count alike.
+/// Returns the solid that a clearance grows: a, or b if a is a half-space.
+auto& growing(auto& pair) { return is_half_space(pair.a) ? pair.b : pair.a; }
+
+/// Returns the pair whose verdict answers the question: the clearance is added to one rounding, because all
+/// roundings count alike.
 Pair widened(Pair pair, double clearance) {
-  if (clearance > 0) pair.a.rounding += clearance;
+  if (clearance > 0) growing(pair).rounding += clearance;
   return pair;
 }
 
@@ -143,6 +148,10 @@ Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
   if (truth.verdict == Verdict::disjoint && attained.direction != std::array{0.0, 0.0, 0.0}) {
     truth.certificate.kind = CertificateKind::direction;
     truth.certificate.vector.head = attained.direction;
+    if (has_half_space(pair)) {  // only the normal itself separates
+      const Vector3 n = direction_of_half_space(pair);
+      truth.certificate.vector.head = {n.x(), n.y(), n.z()};
+    }
   }
   return beyond;
 }
@@ -167,7 +176,7 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
                          clearance_member(options) + (rounded ? "\"within_rounding\":true," : ""))};
   const Interval added = options.clearance < 0
                              ? Interval(options.clearance)
-                             : Interval(pair.a.rounding) - Interval(c.value->pair.a.rounding);
+                             : Interval(growing(pair).rounding) - Interval(growing(c.value->pair).rounding);
   const Certificate& proof = truth.certificate;
   return {truth.verdict,
           fmt::format("{}: {}{}{}{}", label(c), in_words(truth.verdict, options.clearance),
@@ -232,13 +241,13 @@ class Checker {
   int exit_code() const { return invalid_ ? exit_invalid_input : undecided_ ? exit_undecided : exit_pass; }
 
  private:
-  /// Returns the line, with an error if the solid a is too large for the clearance.
+  /// Returns the line, with an error if the solid that grows is too large for the clearance.
   CaseLine checked(CaseLine line) const {
     if (!line.value || options_.clearance == 0) return line;
-    const Cylinder a = widened(line.value->pair, options_.clearance).a;
-    if (find_defect(a) == Defect::none) return line;
-    return {line.line, std::nullopt,
-            fmt::format("line {}: the clearance: {}", line.line, to_string(find_defect(a)))};
+    const Pair wide = widened(line.value->pair, options_.clearance);
+    const Defect defect = std::max(find_defect(wide.a), find_defect(wide.b));
+    if (defect == Defect::none) return line;
+    return {line.line, std::nullopt, fmt::format("line {}: the clearance: {}", line.line, to_string(defect))};
   }
 
   void answer(const std::vector<CaseLine>& batch, const std::string& file) {

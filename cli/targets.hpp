@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "corpus/store/run_store.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -57,13 +57,13 @@ Certificate direction_of(const Vector3& d) {
   return {CertificateKind::direction, exact_vector(head, no_tail), {}};
 }
 
-Hull hull_of(const Cylinder& c) {
+Hull hull_of(const Solid& c) {
   if (c.radius == 0) return c.height == 0 ? Hull::center : Hull::line;
   return c.height == 0 ? Hull::plane : Hull::space;
 }
 
 /// Returns a point of the core that is close to the centre plus the offset.
-std::optional<ExactVector> point_in(const Cylinder& c, const Vector3& offset) {
+std::optional<ExactVector> point_in(const Solid& c, const Vector3& offset) {
   for (const double share : {1.0, 1 - 0x1p-50, 1 - 0x1p-44, 1 - 0x1p-36, 1 - 0x1p-28}) {
     ExactVector x;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -78,7 +78,7 @@ std::optional<ExactVector> point_in(const Cylinder& c, const Vector3& offset) {
 
 /// Returns two points of the cores, and an upper bound of their distance. Nothing if none are found.
 std::optional<std::pair<Certificate, double>> nearest_points(const Pair& p) {
-  Cylinder a = p.a, b = p.b;
+  Solid a = p.a, b = p.b;
   a.rounding = b.rounding = 0;
   const Distance near = distance(a, b);
   const auto x = point_in(a, near.on_a), y = point_in(b, near.on_b);
@@ -140,7 +140,7 @@ std::string corners_text(const std::vector<Vector3>& corners) {
 }
 
 /// Writes numbers that JSON does not have as strings.
-std::string solid(const Cylinder& c, const std::string& more = "") {
+std::string solid(const Solid& c, const std::string& more = "") {
   const auto number = [](double x) {
     return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"';
   };
@@ -150,7 +150,7 @@ std::string solid(const Cylinder& c, const std::string& more = "") {
                      c.rounding == 0 ? "" : ",\"rounding\":" + number(c.rounding), more);
 }
 
-std::string numbers_in_c(const Cylinder& c) {
+std::string numbers_in_c(const Solid& c) {
   std::string text;
   for (const double x : numbers_of(c))
     text += fmt::format("{}{}", text.empty() ? "{" : ",", format_double(x));
@@ -169,7 +169,7 @@ std::optional<Vector> invalid_vector(const Pair& pair) {
 
 std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
   if (!is_legal(pair)) return {};
-  for (Cylinder* c : {&pair.a, &pair.b}) {  // no -0, because readers of JSON lose it
+  for (Solid* c : {&pair.a, &pair.b}) {  // no -0, because readers of JSON lose it
     c->center += Vector3::Zero();
     c->axis += Vector3::Zero();
   }
@@ -305,7 +305,7 @@ class Source {
 
   Pair spoiled(std::uint64_t k) const {
     Pair pair = of({"random"}, k + (1U << 20U));
-    Cylinder& c = k % 2 ? pair.b : pair.a;
+    Solid& c = k % 2 ? pair.b : pair.a;
     const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                           -1};
     const std::uint64_t what = k % 10;

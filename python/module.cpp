@@ -51,8 +51,8 @@ class Pairs {
     shape_.assign(longer.array.shape(), longer.array.shape() + longer.array.ndim() - 1);
     size = longer.array.size() / static_cast<py::ssize_t>(longer.width);
   }
-  Cylinder a(py::ssize_t i) const { return cylinder_of(a_.data + i * a_.step, a_.width); }
-  Cylinder b(py::ssize_t i) const { return cylinder_of(b_.data + i * b_.step, b_.width); }
+  Solid a(py::ssize_t i) const { return cylinder_of(a_.data + i * a_.step, a_.width); }
+  Solid b(py::ssize_t i) const { return cylinder_of(b_.data + i * b_.step, b_.width); }
   bool single() const { return shape_.empty(); }
   /// Returns an array with one number per pair, or with `width` numbers per pair.
   template <class Number>

@@ -209,17 +209,17 @@ std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints)
   return poses;
 }
 
-void place(const Scene& scene, std::span<const Pose> poses, std::vector<Cylinder>& placed) {
+void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed) {
   placed.resize(scene.bodies.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Cylinder& c = scene.bodies[i].solid;
+    const Solid& c = scene.bodies[i].solid;
     const Pose& pose = poses[scene.bodies[i].link];
     placed[i] = {pose * c.center, pose.linear() * c.axis, c.radius, c.height, c.rounding};
   }
 }
 
-std::vector<Cylinder> place(const Scene& scene, std::span<const double> joints) {
-  std::vector<Cylinder> placed;
+std::vector<Solid> place(const Scene& scene, std::span<const double> joints) {
+  std::vector<Solid> placed;
   place(scene, pose_links(scene, joints), placed);
   return placed;
 }

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -54,7 +54,7 @@ struct BoxShape {
 struct Body {
   std::string name;
   std::size_t link;
-  Cylinder solid;  ///< in the link's frame
+  Solid solid;  ///< in the link's frame
   /// MJCF checks two bodies if the type of one and the affinity of the other share a bit.
   unsigned type = 1, affinity = 1;
   /// The shape that the solid bounds. A body that is clear of the solid is clear of it; if near, nothing is
@@ -136,7 +136,7 @@ bool stands_still(const Scene& scene);
 
 /// Forward kinematics: the pose of every link, and the bodies in the root's frame.
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);
-void place(const Scene& scene, std::span<const Pose> poses, std::vector<Cylinder>& placed);
-std::vector<Cylinder> place(const Scene& scene, std::span<const double> joints);
+void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed);
+std::vector<Solid> place(const Scene& scene, std::span<const double> joints);
 
 }  // namespace cyl

@@ -339,6 +339,6 @@ Answer decide(const Prepared& a, const Prepared& b) noexcept {
   return (a.ordinary & b.ordinary) ? decide_cores<true>(a, b) : decide_other(a, b);
 }
 
-Answer decide(const Cylinder& a, const Cylinder& b) noexcept { return decide(prepare(a), prepare(b)); }
+Answer decide(const Solid& a, const Solid& b) noexcept { return decide(prepare(a), prepare(b)); }
 
 }  // namespace cyl

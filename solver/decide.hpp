@@ -3,8 +3,8 @@
 // The mathematics, in the symbols of the code: derivation.md.
 #pragma once
 
-#include "solver/cylinder.hpp"
 #include "solver/detail/iteration_cap.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -47,7 +47,7 @@ inline constexpr double underflow_error =
 
 /// Checks the cylinder and normalises its axis of any length. Call it once for each solid: intersect() then
 /// costs a third as much. Never throws; the defect is in the result.
-Prepared prepare(const Cylinder& c) noexcept;
+Prepared prepare(const Solid& c) noexcept;
 
 /// Which certificate an answer carries.
 enum class Proof : unsigned char { none, direction, point, points };
@@ -77,7 +77,7 @@ struct Answer {
 /// divisions. If a side meets a rim, they also add two steps on average, each of two roots and three
 /// divisions.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
-Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
+Verdict intersect(const Solid& a, const Solid& b) noexcept;
 
 /// The same decision with its proof: `disjoint` with a direction, or `intersecting` with a point. The proved
 /// gap or overlap exceeds the bound of the rounding errors. Otherwise the verdict is `undecided` (or
@@ -92,7 +92,7 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 /// Cost: three times that of intersect(), twice if the axes are parallel. It takes up to 0.3 ms within 1e-11
 /// of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
-Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
+Answer decide(const Solid& a, const Solid& b) noexcept;
 
 /// Whether the solids come within a clearance of each other: the answer of intersect() or decide() after
 /// `clearance` is added to the field `rounding` of one solid. The verdict is `invalid` if the clearance is

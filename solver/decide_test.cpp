@@ -22,14 +22,14 @@ class Stream : public Numbers {
       if (v.norm() > 0.1 && v.norm() < 1) return v / v.norm();
     }
   }
-  Cylinder cylinder() {
+  Solid cylinder() {
     return {Vector3(between(-1, 1), between(-1, 1), between(-1, 1)), direction(), between(0.1, 2),
             between(0.1, 4)};
   }
 };
 
 // Returns the point of a solid farthest in direction d, from its centre, or any of several.
-Vector3 support(const Cylinder& c, const Vector3& d, Stream& random) {
+Vector3 support(const Solid& c, const Vector3& d, Stream& random) {
   const Vector3 w = c.axis.normalized();
   const double along = d.dot(w);
   const Vector3 radial = d - along * w;
@@ -40,7 +40,7 @@ Vector3 support(const Cylinder& c, const Vector3& d, Stream& random) {
 }
 
 // A pair at the given signed distance, in units of its size, along d.
-Pair at_distance(Cylinder a, Cylinder b, const Vector3& d, double relative_gap, Stream& random) {
+Pair at_distance(Solid a, Solid b, const Vector3& d, double relative_gap, Stream& random) {
   const double size = a.radius + a.height + b.radius + b.height;
   b.center = a.center + support(a, d, random) - support(b, -d, random) + d * (relative_gap * size);
   return {a, b};
@@ -50,7 +50,7 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
   Stream random(20261121);
   int decided[2] = {0, 0}, undecided = 0;
   for (int i = 0; i < 40000; ++i) {
-    Cylinder a = random.cylinder(), b = random.cylinder();
+    Solid a = random.cylinder(), b = random.cylinder();
     if (i % 3 == 1) a.radius *= 1e-4;  // needles
     if (i % 3 == 2) b.height *= 1e-4;  // coins
     const Vector3 w0 = a.axis, w1 = b.axis;
@@ -86,7 +86,7 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
 TEST(Decide, NearlyParallelAxesAtAnyAngle) {
   Stream random(7);
   for (int i = 0; i < 8000; ++i) {
-    Cylinder a = random.cylinder(), b = random.cylinder();
+    Solid a = random.cylinder(), b = random.cylinder();
     b.axis = a.axis + random.direction() * std::pow(10, -2 - i % 15);
     if (i % 2) b.axis = -b.axis;
     const bool apart = i % 4 < 2;
@@ -108,7 +108,7 @@ TEST(Decide, TinyHugeAndFarPairs) {
     for (int i = 0; i < 200; ++i) {
       Pair p =
           at_distance(random.cylinder(), random.cylinder(), random.direction(), i % 2 ? 1e-6 : -1e-6, random);
-      for (Cylinder* c : {&p.a, &p.b}) {
+      for (Solid* c : {&p.a, &p.b}) {
         c->center *= unit;
         c->radius *= unit;
         c->height *= unit;
@@ -118,15 +118,15 @@ TEST(Decide, TinyHugeAndFarPairs) {
           << unit << " " << i;
     }
   }
-  const Cylinder far_left = upright(-1.7e308, 0, 0, 1, 2), far_right = upright(1.7e308, 0, 0, 1e308, 2);
+  const Solid far_left = upright(-1.7e308, 0, 0, 1, 2), far_right = upright(1.7e308, 0, 0, 1e308, 2);
   EXPECT_EQ(decide(far_left, far_right).verdict, Verdict::disjoint);  // the centres' difference overflows
-  const Cylinder speck = upright(0, 0, 0, 5e-324, 5e-324);
+  const Solid speck = upright(0, 0, 0, 5e-324, 5e-324);
   EXPECT_EQ(decide(speck, speck).verdict, Verdict::intersecting);
 }
 
 TEST(Decide, NoPointBeyondTheLargestDouble) {
-  const Cylinder a{Vector3(-1e308, 0, 0), Vector3(1, 0, 2), 1.7e308, 1.7e308};
-  const Cylinder b{Vector3(1.29e308, 0, 0), Vector3(1, 0, 0), 1.75e308, 1e308};
+  const Solid a{Vector3(-1e308, 0, 0), Vector3(1, 0, 2), 1.7e308, 1.7e308};
+  const Solid b{Vector3(1.29e308, 0, 0), Vector3(1, 0, 0), 1.75e308, 1e308};
   const Answer answer = decide(a, b);
   EXPECT_TRUE(answer.point_tail.allFinite());
   EXPECT_NE(answer.verdict, Verdict::disjoint);
@@ -168,12 +168,11 @@ TEST(Decide, ProvesGapsAtAxesSquareButForARounding) {
 
 // z rounds to r0 + r1: the slope of F is noise far out, and the search must see that it is.
 TEST(Decide, EndsWhereTheSlopeIsRounding) {
-  const Cylinder a{Vector3(0, 0, 0),
-                   Vector3(-0x1.bc7ef9e954412p-1, -0x1.75cb3e842c151p-2, 0x1.584e98e3a88d7p-2),
-                   0x1.472ac2e4c35b8p-3, 0x1.88dd11025c14ep-1};
-  const Cylinder b{Vector3(0x1.0546e5371aedbp-1, 0x1.47f69de9f6e2dp-5, -0x1.b75759a1d8b39p-4),
-                   Vector3(-0x1.bf2b2e4b125e3p-1, -0x1.85b7e51f68ab1p-2, 0x1.3737acbb0fab1p-2),
-                   0x1.a229711c88df8p-7, 0x1.c30eac1384af2p-3};
+  const Solid a{Vector3(0, 0, 0), Vector3(-0x1.bc7ef9e954412p-1, -0x1.75cb3e842c151p-2, 0x1.584e98e3a88d7p-2),
+                0x1.472ac2e4c35b8p-3, 0x1.88dd11025c14ep-1};
+  const Solid b{Vector3(0x1.0546e5371aedbp-1, 0x1.47f69de9f6e2dp-5, -0x1.b75759a1d8b39p-4),
+                Vector3(-0x1.bf2b2e4b125e3p-1, -0x1.85b7e51f68ab1p-2, 0x1.3737acbb0fab1p-2),
+                0x1.a229711c88df8p-7, 0x1.c30eac1384af2p-3};
   EXPECT_LT(decide(a, b).iterations, 60);
 }
 
@@ -227,7 +226,7 @@ TEST(Decide, UndecidedOnlyWithinItsWord) {
     const Vector3 n = random.direction(), u = n.cross(random.direction()).normalized(), v = n.cross(u);
     const double between = angle();
     const Vector3 turned = std::cos(between) * u + std::sin(between) * v;
-    Cylinder a = random.cylinder(), b = random.cylinder();
+    Solid a = random.cylinder(), b = random.cylinder();
     for (double* length : {&a.radius, &a.height, &b.radius, &b.height})
       if (i % 2) *length = decades(-6);
     a.center = Vector3(0, 0, 0);
@@ -242,7 +241,7 @@ TEST(Decide, UndecidedOnlyWithinItsWord) {
     }
     Pair inner = common;
     const double ball = 1e-13 * (a.radius + a.height + b.radius + b.height);
-    for (Cylinder* c : {&inner.a, &inner.b}) {
+    for (Solid* c : {&inner.a, &inner.b}) {
       c->radius -= ball;
       c->height -= 2 * ball;
     }
@@ -285,11 +284,11 @@ TEST(Decide, ProvesThatThinSolidsMeetJustInsideASide) {
 // Solids without inner points: what they share is known by the lines and planes they lie in.
 TEST(Decide, ProvesThatFlatSolidsMeet) {
   const Vector3 oblique(0.3, -0.5, 0.7), other(0.9, 0.1, -0.2);
-  const Cylinder solid{Vector3(0.1, 0.2, 0.3), oblique, 1, 2}, segment{Vector3(0.12, 0.2, 0.31), other, 0, 3},
+  const Solid solid{Vector3(0.1, 0.2, 0.3), oblique, 1, 2}, segment{Vector3(0.12, 0.2, 0.31), other, 0, 3},
       disk{Vector3(0, 0.1, 0.2), other, 1, 0}, tilted{Vector3(0.1, 0.2, 0.3), oblique, 1, 0},
       point{Vector3(0.3, 0.1, 0.2), other, 0, 0}, thin{Vector3(0.2, 0, 0.4), other, 1e-17, 3};
   const struct {
-    Cylinder a, b;
+    Solid a, b;
     Hull hull_a, hull_b;
   } cases[] = {{segment, solid, Hull::line, Hull::space},  {disk, solid, Hull::plane, Hull::space},
                {segment, tilted, Hull::line, Hull::plane}, {disk, tilted, Hull::plane, Hull::plane},

@@ -58,6 +58,6 @@ struct Distance {
 /// 2. Exact under scaling by powers of two.
 /// Cost: 13 times intersect() if apart. 50 times if overlapping, with decide() in it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;
-Distance distance(const Cylinder& a, const Cylinder& b) noexcept;
+Distance distance(const Solid& a, const Solid& b) noexcept;
 
 }  // namespace cyl

@@ -184,7 +184,7 @@ TEST(Distance, SmallRimsAndSquareAxes) {
 
 // One search starts on a saddle, by symmetry: if it stayed there, the answer would be 0.002 too deep.
 TEST(Distance, SaddleIsLeft) {
-  const Distance d = distance(Cylinder{{-1, 2, 1}, {0, 0, -2}, 3, 2}, Cylinder{{-1, 0, 1}, {-1, 0, 2}, 3, 2});
+  const Distance d = distance(Solid{{-1, 2, 1}, {0, 0, -2}, 3, 2}, Solid{{-1, 0, 1}, {-1, 0, 2}, 3, 2});
   EXPECT_NEAR(d.value, -3.2336479117, 1e-9);
 }
 
@@ -344,13 +344,12 @@ TEST(Distance, LeastDepthIsNoDeeperThanAnyKnown) {
 
 // By caps, by sides, of parallel solids; of two capsules whose segments are apart.
 TEST(Distance, SaysWhetherADepthIsLeast) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  EXPECT_TRUE(distance(a, Cylinder{{0.3, 0.1, 1.9}, {0, 0.1, 1}, 0.2, 2}).least);
-  EXPECT_TRUE(distance(a, Cylinder{{1.5, 0, 0}, {0, 1, 0}, 1, 2}).least);
-  EXPECT_TRUE(distance(a, Cylinder{{1, 0, 0.5}, {0, 0, 1}, 1, 2}).least);
-  EXPECT_FALSE(distance(a, Cylinder{{5, 0, 0}, {0, 1, 0}, 1, 2}).least);
-  EXPECT_TRUE(
-      distance(Cylinder{{0, 0, 0}, {0, 0, 1}, 0, 2, 1}, Cylinder{{1, 0, 0}, {0, 1, 0}, 0, 2, 1}).least);
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  EXPECT_TRUE(distance(a, Solid{{0.3, 0.1, 1.9}, {0, 0.1, 1}, 0.2, 2}).least);
+  EXPECT_TRUE(distance(a, Solid{{1.5, 0, 0}, {0, 1, 0}, 1, 2}).least);
+  EXPECT_TRUE(distance(a, Solid{{1, 0, 0.5}, {0, 0, 1}, 1, 2}).least);
+  EXPECT_FALSE(distance(a, Solid{{5, 0, 0}, {0, 1, 0}, 1, 2}).least);
+  EXPECT_TRUE(distance(Solid{{0, 0, 0}, {0, 0, 1}, 0, 2, 1}, Solid{{1, 0, 0}, {0, 1, 0}, 0, 2, 1}).least);
 }
 
 }  // namespace

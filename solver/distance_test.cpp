@@ -18,7 +18,7 @@ class Stream : public Numbers {
   Vector3 vector(double limit) {
     return {between(-limit, limit), between(-limit, limit), between(-limit, limit)};
   }
-  Cylinder cylinder() { return {vector(1), vector(1), between(0, 1), between(0, 3)}; }
+  Solid cylinder() { return {vector(1), vector(1), between(0, 1), between(0, 3)}; }
   // Every shape, in every pose, that has cases of its own.
   Pair pair(int i) {
     Pair p{cylinder(), cylinder()};
@@ -33,7 +33,7 @@ class Stream : public Numbers {
   }
 };
 
-Cylinder lying(double x, double y, double z, double radius, double height) {
+Solid lying(double x, double y, double z, double radius, double height) {
   return {Vector3(x, y, z), Vector3(1, 0, 0), radius, height};
 }
 
@@ -46,7 +46,7 @@ struct Known {
 const Vector3 any(0, 0, 0);
 
 TEST(Distance, PairsKnownOnPaper) {
-  const Cylinder unit = upright(0, 0, 0, 1, 2);
+  const Solid unit = upright(0, 0, 0, 1, 2);
   const Known all[] = {
       // Parallel: faces, sides, rims at a 3-4-5 corner, inside one another.
       {{unit, upright(0.5, 0, 5, 1, 2)}, 3, {0, 0, 1}},
@@ -150,7 +150,7 @@ TEST(Distance, ErrorHoldsTheWidthBetweenPlaneAndPoints) {
 
 // If only the heights differ, they alone decide which solid is first.
 TEST(Distance, SwapOfSolidsAboutOneCentre) {
-  const Cylinder a = upright(1, 2, 3, 1, 2), b = upright(1, 2, 3, 1, 4);
+  const Solid a = upright(1, 2, 3, 1, 2), b = upright(1, 2, 3, 1, 4);
   const Distance d = distance(a, b), back = distance(b, a);
   EXPECT_EQ(d.direction, -back.direction);
   EXPECT_EQ(d.on_a, back.on_b);
@@ -159,7 +159,7 @@ TEST(Distance, SwapOfSolidsAboutOneCentre) {
 
 // The lowest direction is next to the axis of a, and the point of the pole is exactly on the rim.
 TEST(Distance, MinimumBesideAStationaryPole) {
-  const Cylinder askew{Vector3(2, -1, -3), Vector3(-1, 0, -2), 3, 6};
+  const Solid askew{Vector3(2, -1, -3), Vector3(-1, 0, -2), 3, 6};
   const Distance d = distance(askew, upright(3, 1, 0, 3, 4));
   EXPECT_GE(d.value, -2.99999914);  // the axis itself gives -3
   EXPECT_LE(d.value, -2.99999911);
@@ -197,7 +197,7 @@ TEST(Distance, LawsHoldBitForBit) {
     (i % 2 ? reversed.a : reversed.b).axis *= -1;
     ASSERT_TRUE(same(d, distance(reversed.a, reversed.b), 1)) << "reversal, pair " << i;
     const double unit = std::ldexp(1, i % 2 ? 150 : -900);
-    for (Cylinder* c : {&p.a, &p.b}) {
+    for (Solid* c : {&p.a, &p.b}) {
       c->center *= unit;
       c->radius *= unit;
       c->height *= unit;
@@ -208,30 +208,30 @@ TEST(Distance, LawsHoldBitForBit) {
 
 TEST(Distance, TinyHugeAndFarPairs) {
   for (const double unit : {1e-300, 1e-160, 1e-20, 1e20, 1e160, 1e300}) {
-    const Cylinder a = upright(0, 0, 0, unit, 2 * unit);
+    const Solid a = upright(0, 0, 0, unit, 2 * unit);
     const Distance d = distance(a, lying(6 * unit, 0, 5 * unit, unit, 2 * unit));
     EXPECT_NEAR(d.value / unit, 5, 1e-13) << unit;
     EXPECT_EQ(d.verdict, Verdict::disjoint);
     EXPECT_NEAR(distance(a, lying(0, 0, 1.5 * unit, unit, 2 * unit)).value / unit, -0.5, 1e-13) << unit;
   }
   const double most = std::numeric_limits<double>::max();
-  for (const Cylinder& other : {upright(most, most, most, 1, 2), lying(most, most, most, most, most)}) {
+  for (const Solid& other : {upright(most, most, most, 1, 2), lying(most, most, most, most, most)}) {
     const Distance d = distance(upright(-most, -most, -most, 1, 2), other);
     EXPECT_EQ(d.verdict, Verdict::disjoint);
     EXPECT_LE(d.value, most);  // cut off there
     EXPECT_GT(d.value, most / 8);
   }
-  const Cylinder speck = upright(0, 0, 0, 5e-324, 5e-324);
+  const Solid speck = upright(0, 0, 0, 5e-324, 5e-324);
   EXPECT_EQ(distance(speck, speck).verdict, Verdict::intersecting);
   EXPECT_TRUE(std::isfinite(distance(speck, lying(0, 0, 0, 1e308, 5e-324)).value));
 }
 
 TEST(Distance, BadInputIsInvalid) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const Cylinder good = upright(0, 0, 0, 1, 2);
-  for (const Cylinder& bad : {upright(nan, 0, 0, 1, 2), upright(0, 0, 0, nan, 2), upright(0, 0, 0, -1, 2),
-                              upright(0, 0, 0, 1, inf), Cylinder{Vector3(0, 0, 0), Vector3(0, 0, 0), 1, 2},
-                              Cylinder{Vector3(0, 0, 0), Vector3(0, nan, 1), 1, 2}}) {
+  const Solid good = upright(0, 0, 0, 1, 2);
+  for (const Solid& bad :
+       {upright(nan, 0, 0, 1, 2), upright(0, 0, 0, nan, 2), upright(0, 0, 0, -1, 2), upright(0, 0, 0, 1, inf),
+        Solid{Vector3(0, 0, 0), Vector3(0, 0, 0), 1, 2}, Solid{Vector3(0, 0, 0), Vector3(0, nan, 1), 1, 2}}) {
     EXPECT_EQ(distance(bad, good).verdict, Verdict::invalid);
     EXPECT_EQ(distance(good, bad).verdict, Verdict::invalid);
   }
@@ -252,8 +252,8 @@ TEST(Distance, AllocatesNothing) {
 // Coaxial but for a rounding: any direction square to the axis will do, but square it must be.
 // Half of the least double between two disks.
 TEST(Distance, AGapBelowAllDoublesIsNotZero) {
-  const Cylinder disk{{0, 0, 0}, {3, -4, 12}, 0.9, 0};
-  const Cylinder beside{{0, -2 * std::numeric_limits<double>::denorm_min(), 0}, {3, -4, 12}, 0.8, 0};
+  const Solid disk{{0, 0, 0}, {3, -4, 12}, 0.9, 0};
+  const Solid beside{{0, -2 * std::numeric_limits<double>::denorm_min(), 0}, {3, -4, 12}, 0.8, 0};
   const Distance d = distance(disk, beside);
   EXPECT_EQ(d.verdict, d.value > 0 ? Verdict::disjoint : Verdict::intersecting);
   EXPECT_LE(std::fabs(d.value), d.error);
@@ -262,7 +262,7 @@ TEST(Distance, AGapBelowAllDoublesIsNotZero) {
 TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
   const Vector3 w(1, 1, 2);
   for (const double radius : {0.0, 0.25}) {
-    const Cylinder a{Vector3(0, 0, 0), w, radius, 1}, b{w, w, radius / 2, 5};
+    const Solid a{Vector3(0, 0, 0), w, radius, 1}, b{w, w, radius / 2, 5};
     const Distance d = distance(a, b);
     EXPECT_GE(d.direction.dot(b.center - a.center), -1e-15);
     EXPECT_LE(std::fabs(d.direction.dot(w)), 1e-15);
@@ -305,19 +305,19 @@ TEST(Distance, DeepestPointsLieInTheirSolids) {
 // Found by a campaign. f is flat from the poles to the circles; depths in 113 bits, by a search over
 // directions.
 TEST(Distance, FindsTheDepthInAFlatValley) {
-  const Cylinder a{{2.1620297199287264, -2.4687042190803603, 1.256769312395855},
-                   {0.5086679462676531, 0.8609627869076851, 0},
-                   1.1578625628677526,
-                   0.4788928469533734},
+  const Solid a{{2.1620297199287264, -2.4687042190803603, 1.256769312395855},
+                {0.5086679462676531, 0.8609627869076851, 0},
+                1.1578625628677526,
+                0.4788928469533734},
       b{{3.625019602821091, -2.4024347995372226, 1.2567694051985225},
         {0.508667177555022, 0.8609632410725654, 1.7791759813279657e-07},
         0.06800865597854862,
         1.1235701581616409};
   EXPECT_NEAR(distance(a, b).value, -1.20425892e-12, 1e-16);
-  const Cylinder c{{0, 0, 0},
-                   {0.9671522631386378, 0.007889216095092846, -0.25407530414272045},
-                   0.003876462523378664,
-                   8.413680357385453e-06},
+  const Solid c{{0, 0, 0},
+                {0.9671522631386378, 0.007889216095092846, -0.25407530414272045},
+                0.003876462523378664,
+                8.413680357385453e-06},
       d{{0.004584573012102359, 0.03925209595696156, 0.025074067402078515},
         {0.9671522631468801, 0.007889216108005715, -0.2540753041109447},
         0.04289753561431928,
@@ -328,7 +328,7 @@ TEST(Distance, FindsTheDepthInAFlatValley) {
 TEST(Distance, DirectionIsOfUnitLengthWhereSquaresVanish) {
   for (const Vector3& off : {Vector3(3e-162, 1e-162, 0), Vector3(1e-160, 3.3e-161, 0)})
     for (const double radius : {0.0, 0.5}) {
-      const Cylinder a{Vector3(0, 0, 0), Vector3(0, 0, 1), radius, 1}, b{off, a.axis, radius, 1};
+      const Solid a{Vector3(0, 0, 0), Vector3(0, 0, 1), radius, 1}, b{off, a.axis, radius, 1};
       EXPECT_NEAR(distance(a, b).direction.norm(), 1, 4e-16);
     }
 }
@@ -345,7 +345,7 @@ TEST(Distance, UnitsDoNotShowWhereALowestPointIsAtAnEnd) {
   EXPECT_LE(here.iterations, 12);
   for (const double unit : {0x1p-3, 0x1p-1, 0x1p5, 0x1p-20}) {
     Pair p = pair;
-    for (Cylinder* c : {&p.a, &p.b}) {
+    for (Solid* c : {&p.a, &p.b}) {
       c->center *= unit;
       c->radius *= unit;
       c->height *= unit;

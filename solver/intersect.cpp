@@ -84,6 +84,6 @@ Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
                                            : intersect_shallow(as_it_is(a, b).couple());
 }
 
-Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }
+Verdict intersect(const Solid& a, const Solid& b) noexcept { return intersect(prepare(a), prepare(b)); }
 
 }  // namespace cyl

@@ -29,8 +29,8 @@ std::vector<Prepared> crowd(int count) {
   auto unit = [&] { return numbers.unit(); };
   std::vector<Prepared> solids;
   for (int i = 0; i < count; ++i) {
-    Cylinder c{Vector3(4 * unit(), 4 * unit(), 4 * unit()), Vector3(unit() - 0.5, unit() - 0.5, unit() - 0.5),
-               unit(), 2 * unit()};
+    Solid c{Vector3(4 * unit(), 4 * unit(), 4 * unit()), Vector3(unit() - 0.5, unit() - 0.5, unit() - 0.5),
+            unit(), 2 * unit()};
     if (i % 5 == 1) c.axis = Vector3(1, 1, 1) + Vector3(unit(), unit(), unit()) * std::pow(10, -i % 18);
     if (i % 7 == 1) c.axis = Vector3(0, 0, i % 2 ? 1 : -1);
     if (i % 11 == 1) c.radius *= 1e-4;
@@ -76,8 +76,8 @@ TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
 
 // The square axes of intersect_test, in every lane.
 TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
-  const Cylinder a{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2};
-  const Cylinder b{Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2};
+  const Solid a{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2};
+  const Solid b{Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2};
   const std::vector<Prepared> first(16, prepare(a)), second(16, prepare(b));
   for (const Instructions instructions : runnable())
     for (const Verdict said : ask_all(first, second, instructions))

@@ -6,8 +6,9 @@
 
 namespace cyl {
 
-Prepared prepare(const Cylinder& c) noexcept {
+Prepared prepare(const Solid& c) noexcept {
   Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, false, false, c.rounding};
+  if (p.defect == Defect::none && c.shape != Shape::cylinder) p.defect = Defect::not_a_cylinder;
   if (p.defect != Defect::none) return p;
   // Scales by powers of two. The largest coordinate comes to [1, 2), of the largest doubles to [2, 4), and
   // of subnormal ones to [2^-51, 1]. So squares neither overflow nor vanish.

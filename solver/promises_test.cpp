@@ -41,7 +41,7 @@ double reach_of(const Pair& pair) {
 }
 
 /// How far the point, which counts from the solid's centre, is outside the solid.
-double outside(const Cylinder& c, const Vector3& x) {
+double outside(const Solid& c, const Vector3& x) {
   const Vector3 w = c.axis.stableNormalized();
   const double along = x.dot(w);
   return std::max(std::fabs(along) - c.height / 2, (x - along * w).norm() - c.radius);
@@ -49,7 +49,7 @@ double outside(const Cylinder& c, const Vector3& x) {
 
 double gap_along(const Pair& pair, const Vector3& d) {
   double f = -std::fabs(d.dot(pair.b.center - pair.a.center));
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
+  for (const Solid* c : {&pair.a, &pair.b}) {
     const Vector3 w = c->axis.stableNormalized();
     f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
   }
@@ -85,7 +85,7 @@ void measure(const Pair& pair, Work& work) {
     expect(near, "distances: a deepest point outside its solid");
     expect((way - d.value * d.direction).norm() <= 2 * slack, "distances: points not along the direction");
     // Each deepest in the other: at the end of its solid along the direction.
-    const auto lacks = [&](const Cylinder& c, const Vector3& x, const Vector3& u) {
+    const auto lacks = [&](const Solid& c, const Vector3& x, const Vector3& u) {
       const Vector3 w = c.axis.stableNormalized();
       return c.radius * u.cross(w).norm() + c.height / 2 * std::fabs(u.dot(w)) - u.dot(x);
     };
@@ -137,7 +137,7 @@ void touch_exactly(std::uint64_t index) {
   Pair pair;
   pair.a.axis = stream.coordinate_axis();
   pair.b.axis = stream.sign() * pair.a.axis;
-  for (Cylinder* c : {&pair.a, &pair.b}) {
+  for (Solid* c : {&pair.a, &pair.b}) {
     for (double& x : c->center) x = stream.integer(-5, 5);
     c->radius = stream.integer(0, 4);
     c->height = 2 * stream.integer(0, 3);

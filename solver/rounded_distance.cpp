@@ -75,6 +75,6 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   return out;
 }
 
-Distance distance(const Cylinder& a, const Cylinder& b) noexcept { return distance(prepare(a), prepare(b)); }
+Distance distance(const Solid& a, const Solid& b) noexcept { return distance(prepare(a), prepare(b)); }
 
 }  // namespace cyl

@@ -19,8 +19,8 @@
 namespace cyl {
 namespace {
 
-Cylinder ball(Vector3 center, double rounding) { return {center, {0, 0, 1}, 0, 0, rounding}; }
-Cylinder capsule(Vector3 center, Vector3 axis, double length, double rounding) {
+Solid ball(Vector3 center, double rounding) { return {center, {0, 0, 1}, 0, 0, rounding}; }
+Solid capsule(Vector3 center, Vector3 axis, double length, double rounding) {
   return {center, axis, 0, length, rounding};
 }
 
@@ -32,7 +32,7 @@ TEST(Rounded, BallsMeetWhereTheirRadiiReach) {
 }
 
 TEST(Rounded, CapsulesMeetAtSidesAndEnds) {
-  const Cylinder lying = capsule({0, 0, 0}, {1, 0, 0}, 4, 0.5);
+  const Solid lying = capsule({0, 0, 0}, {1, 0, 0}, 4, 0.5);
   EXPECT_EQ(intersect(lying, capsule({0, 0, 0.99}, {0, 1, 0}, 4, 0.5)), Verdict::intersecting);
   EXPECT_EQ(intersect(lying, capsule({0, 0, 1.01}, {0, 1, 0}, 4, 0.5)), Verdict::disjoint);
   EXPECT_EQ(intersect(lying, capsule({0, 3.99, 0}, {1, 1, 0}, 2, 3.2)), Verdict::intersecting);
@@ -40,14 +40,14 @@ TEST(Rounded, CapsulesMeetAtSidesAndEnds) {
   EXPECT_NEAR(distance(lying, capsule({0, 2, 0}, {1, 0, 0}, 9, 0.5)).value, 1, 1e-15);
 }
 
-Cylinder segment(const Vector3& from, const Vector3& to) {
+Solid segment(const Vector3& from, const Vector3& to) {
   const Vector3 along = to - from;
   return {(from + to) / 2, along.isZero(0) ? Vector3(0, 0, 1) : along, 0, along.norm()};
 }
 
 TEST(Rounded, SegmentsAreMeasured) {
   const Vector3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  const auto expect = [](const Cylinder& a, const Cylinder& b, double real) {
+  const auto expect = [](const Solid& a, const Solid& b, double real) {
     EXPECT_NEAR(distance(a, b).value, real, 2e-15) << format_pair({a, b});
   };
   expect(segment(-x, x), segment(z - y, z + y), 1);                       // crossing at a height
@@ -110,7 +110,7 @@ TEST(Rounded, SegmentsAreMeasuredWithinTheReturnedError) {
 
 // The distance from a rim is not the distance from a wall or a cap.
 TEST(Rounded, EdgesOfRoundedCylindersAreRound) {
-  const Cylinder standing{{0, 0, 0}, {0, 0, 1}, 1, 2, 0.5};
+  const Solid standing{{0, 0, 0}, {0, 0, 1}, 1, 2, 0.5};
   const double diagonal = 1 + 0.5 * std::numbers::sqrt2 / 2 + 0.5 * std::numbers::sqrt2 / 2;
   EXPECT_EQ(intersect(standing, ball({diagonal - 1e-9, 0, diagonal - 1e-9}, 0.5)), Verdict::intersecting);
   EXPECT_EQ(intersect(standing, ball({diagonal + 1e-9, 0, diagonal + 1e-9}, 0.5)), Verdict::disjoint);
@@ -130,7 +130,7 @@ TEST(Rounded, AClearanceCountsAsARounding) {
 TEST(Rounded, WhatIsNoRoundingIsInvalid) {
   constexpr double infinity = std::numeric_limits<double>::infinity(),
                    nan = std::numeric_limits<double>::quiet_NaN(), most = std::numeric_limits<double>::max();
-  const Cylinder unit{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid unit{{0, 0, 0}, {0, 0, 1}, 1, 2};
   const auto defect = [&](double rounding, double radius = 1) {
     return find_defect({{0, 0, 0}, {0, 0, 1}, radius, 2, rounding});
   };
@@ -175,7 +175,7 @@ TEST(Rounded, PointsOfTheDistanceFitItsValue) {
 
 // A gap within rounding that decide() proves.
 TEST(Rounded, IntersectingIsNotSaidOfWhatIsProvedApart) {
-  const Cylinder needle{
+  const Solid needle{
       {0, 0, 0}, {0.63829364458279914, 0.43000605652707169, 0.63849511715849805}, 0, 8.6828981611252587},
       pill{{-2.7731874026589098, -1.8647780275510879, -2.7726289548422853},
            {0.6382936445827998, 0.43000605652708579, 0.63849511715848795},
@@ -193,7 +193,7 @@ TEST(Rounded, IntersectingIsNotSaidOfWhatIsProvedApart) {
 // Lengths beside which the cores vanish, or which overflow in sum.
 TEST(Rounded, NoRoundingIsTooLarge) {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
-  const Cylinder dust{{0, 0, 0}, {1, 0, 0}, 0, tiny, 1}, needle{{0, 0, 0}, {1, 0, 0}, 1e-100, 1e-100, 0};
+  const Solid dust{{0, 0, 0}, {1, 0, 0}, 0, tiny, 1}, needle{{0, 0, 0}, {1, 0, 0}, 1e-100, 1e-100, 0};
   const Pair overlapping[] = {{dust, dust},
                               {ball({0, 0, 0}, 1), ball({1e-320, 0, 0}, 1)},
                               {ball({0, 0, 0}, 1e300), needle},
@@ -207,7 +207,7 @@ TEST(Rounded, NoRoundingIsTooLarge) {
     EXPECT_TRUE(std::isfinite(d.value) && std::isfinite(d.error)) << format_pair(p);
   }
   // The sum of the roundings and the distance of the cores overflow, both.
-  const Cylinder far{{-1.7e308, 1.7e308, 1.7e308}, {0, 0, 1}, 0, 0, 1.2e308},
+  const Solid far{{-1.7e308, 1.7e308, 1.7e308}, {0, 0, 1}, 0, 0, 1.2e308},
       beyond{{1.7e308, -1.7e308, -1.7e308}, {0, 0, 1}, 0, 0, 1.2e308};
   EXPECT_EQ(decide(far, beyond).verdict, Verdict::disjoint);
   EXPECT_EQ(intersect(far, beyond), Verdict::disjoint);
@@ -226,7 +226,7 @@ TEST(Rounded, NoRoundingIsTooLarge) {
 TEST(Rounded, TheDistanceMayBeADoubleWhereThatOfTheCoresIsNone) {
   for (const auto& [first, second] :
        {std::pair{1e308, 1e308}, std::pair{1.7e308, 0.0}, std::pair{1e308, 1.7e308}}) {
-    const Cylinder a = ball({0, 0, 0}, first), b = ball({1.7e308, 1.7e308, 0}, second);
+    const Solid a = ball({0, 0, 0}, first), b = ball({1.7e308, 1.7e308, 0}, second);
     const double truth = static_cast<double>(std::sqrt(2.0L) * 1.7e308L - first - second);
     const Distance d = distance(a, b);
     EXPECT_EQ(d.verdict, truth > 0 ? Verdict::disjoint : Verdict::intersecting) << first;
@@ -238,7 +238,7 @@ TEST(Rounded, TheDistanceMayBeADoubleWhereThatOfTheCoresIsNone) {
 
 // The points of this certificate lose bits on their way back into the scene's unit.
 TEST(Rounded, SubnormalSolidsThatOverlapAreProvedTo) {
-  const Cylinder grain{{0, 0, 0}, {1, 2, 3}, 1e-319, 1e-319},
+  const Solid grain{{0, 0, 0}, {1, 2, 3}, 1e-319, 1e-319},
       ground{{4e-315, 0, 5e-315}, {0, 1, 1}, 4e-315, 5e-315, 2.7e-315};
   EXPECT_EQ(decide(grain, ground).verdict, Verdict::intersecting);
 }

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 // Counts allocations, so that a test can require none. Not inlined, because gcc would report a mismatch of
 // malloc and free through new and delete.
@@ -52,7 +52,7 @@ class Numbers {
 
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-inline Cylinder upright(double x, double y, double z, double radius, double height) {
+inline Solid upright(double x, double y, double z, double radius, double height) {
   return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
 }
 
@@ -64,7 +64,7 @@ inline double reach_of(const Pair& p) {
 inline double support_gap(const Pair& p, const Vector3& direction) {
   const Wide d = direction.cast<long double>();
   long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
-  for (const Cylinder* c : {&p.a, &p.b}) {
+  for (const Solid* c : {&p.a, &p.b}) {
     const Wide w = c->axis.cast<long double>().normalized();
     f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
   }
@@ -72,7 +72,7 @@ inline double support_gap(const Pair& p, const Vector3& direction) {
 }
 
 // How far a point, from the solid's centre, is outside: 0 within.
-inline double outside(const Cylinder& c, const Vector3& offset) {
+inline double outside(const Solid& c, const Vector3& offset) {
   const Wide x = offset.cast<long double>(), w = c.axis.cast<long double>().normalized();
   const long double along = std::fabs(x.dot(w)) - c.height / 2, across = x.cross(w).norm() - c.radius;
   return static_cast<double>(std::max(0.0L, std::max(along, across)));

@@ -5,7 +5,7 @@
 #   oracles   every method, compare and the readers behind them; everything
 # The fifth, `python`, is in python/python.cmake.
 # Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
-# "solver/cylinder.hpp" in it are both found.
+# "solver/solid.hpp" in it are both found.
 
 # Which objects are in which library: every library is made of whole rooms, but for `exact`, which the readers belong to.
 function(daylight_objects_of result)

@@ -58,7 +58,7 @@ mv first moved
 mkdir only_solver
 cat >only_solver/consumer.cpp <<'END'
 #include <daylight/solver/intersect_batch.hpp>
-int main() { return cyl::intersect(cyl::Cylinder{}, cyl::Cylinder{}) == cyl::Verdict::intersecting ? 0 : 1; }
+int main() { return cyl::intersect(cyl::Solid{}, cyl::Solid{}) == cyl::Verdict::intersecting ? 0 : 1; }
 END
 sed 's/exact/solver/g' CMakeLists.txt >only_solver/CMakeLists.txt
 built_by_cmake "$PWD/moved" only_solver

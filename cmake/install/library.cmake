@@ -24,7 +24,7 @@ function(daylight_library name)
 endfunction()
 
 daylight_library(solver OBJECTS $<TARGET_OBJECTS:daylight_solver> LINKS Eigen3::Eigen
-  HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
+  HEADERS solver/solid.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
 
 configure_file(cmake/install/daylight-config.cmake.in ${CMAKE_BINARY_DIR}/library/daylight-config.cmake @ONLY)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/enum_words.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

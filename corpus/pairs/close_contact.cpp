@@ -256,14 +256,14 @@ void draw_lengths(RandomStream& s, CloseKind kind, Pair& p) {
     p.a.radius = s.between(0.1, 2);
     p.b.radius = p.a.radius * within(s, 1, 4);
   } else if (kind == CloseKind::rods) {
-    for (Cylinder* c : {&p.a, &p.b}) c->radius = s.between(0.05, 0.5), c->height = s.between(0.5, 2);
+    for (Solid* c : {&p.a, &p.b}) c->radius = s.between(0.05, 0.5), c->height = s.between(0.5, 2);
   }
   if (std::all_of(lengths.begin(), lengths.end(), [](const double* x) { return *x == 0; })) p.a.radius = 1;
 }
 
 /// Sets the axis of a solid whose outward normal at the contact is `n`. `e` is the direction of the axis in
 /// the plane of contact. Returns the contact relative to the centre of the solid.
-Vector3 set_solid(RandomStream& s, Cylinder& solid, Part part, const Vector3& n, const Vector3& e,
+Vector3 set_solid(RandomStream& s, Solid& solid, Part part, const Vector3& n, const Vector3& e,
                   const Turn& tilt) {
   const Vector3 towards = tilt.cosine * n + tilt.sine * e, radial = tilt.sine * n - tilt.cosine * e;
   const double where = place(s);

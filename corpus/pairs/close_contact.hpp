@@ -13,7 +13,7 @@
 #include "base/enum_words.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/stratum.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

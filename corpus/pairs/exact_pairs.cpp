@@ -43,7 +43,7 @@ Pair rods_beyond_the_largest(RandomStream& s) {
   Pair p;
   const Vector3 u = s.coordinate_axis(), v = beside(s, u);
   double side = 1;
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     const double aside = side * dyadic(s);
     c->axis = 4 * u - aside * v;
     c->center = 0x1.fcp1023 * u + (aside * unit) * v;  // 2^1024 less 2 units, 4 units from the crossing
@@ -58,7 +58,7 @@ Pair far_apart(RandomStream& s) {
   Pair p;
   const Vector3 u = s.coordinate_axis();
   double side = 0x1p1022;
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     c->axis = s.unit_vector();
     c->radius = 0x1p1018 * dyadic(s);
     c->height = 0x1p1018 * dyadic(s);
@@ -70,7 +70,7 @@ Pair far_apart(RandomStream& s) {
 
 Pair of_the_smallest(RandomStream& s) {
   Pair p;
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-8, 8) * 0x1p-1074;
     c->axis = s.coin() ? s.coordinate_axis() : s.unit_vector();
     c->radius = s.integer(0, 8) * 0x1p-1074;
@@ -81,7 +81,7 @@ Pair of_the_smallest(RandomStream& s) {
 
 /// Returns the step from a's centre to b's at which the solids touch.
 Vector3 touch_exactly(RandomStream& s, std::uint64_t kind, Pair& p) {
-  Cylinder &a = p.a, &b = p.b;
+  Solid &a = p.a, &b = p.b;
   a.axis = s.coordinate_axis();
   const Vector3 u = a.axis, v = beside(s, u);
   b.axis = s.sign() * u;
@@ -118,7 +118,7 @@ Vector3 touch_exactly(RandomStream& s, std::uint64_t kind, Pair& p) {
 
 Pair draw_on_lattice(RandomStream& s, std::uint64_t) {
   Pair p;
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-3, 3);
     c->axis = lattice_axis(s);
     c->radius = s.integer(1, 3);
@@ -131,7 +131,7 @@ Pair draw_beside_lattice(RandomStream& s, std::uint64_t index) {
   const double dust = dusts[index % dusts.size()];
   const std::uint64_t shapes = index / dusts.size() % 4;
   Pair p = draw_on_lattice(s, index);
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     const bool disk = shapes == 1 || (shapes == 3 && c == &p.a);
     const bool needle = shapes == 2 || (shapes == 3 && c == &p.b);
     c->radius = disk ? 4 : needle ? 0.125 : 1;

@@ -25,17 +25,17 @@ constexpr std::array<double, 12> scales{1e-300, 1e-200, 1e-150, 1e-100, 1e-50, 1
                                         1e-10,  1e10,   1e20,   1e50,   1e100, 1e150};
 constexpr std::array<double, 9> axis_lengths{1e-150, 1e-100, 1e-50, 1e-10, 1, 1e10, 1e50, 1e100, 1e149};
 
-double reach(const Cylinder& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4); }
+double reach(const Solid& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4); }
 
-Cylinder draw_solid(RandomStream& s) {
-  Cylinder c;
+Solid draw_solid(RandomStream& s) {
+  Solid c;
   c.axis = s.unit_vector();
   c.radius = s.within_decades(moderate);
   c.height = s.within_decades(moderate);
   return c;
 }
 
-void draw_center(RandomStream& s, Cylinder& c) {
+void draw_center(RandomStream& s, Solid& c) {
   for (int i = 0; i < 3; ++i) c.center[i] = s.between(-1, 1);
 }
 
@@ -122,14 +122,14 @@ Pair axes_crossing(RandomStream& s, std::uint64_t) {
 
 Pair needles(RandomStream& s, std::uint64_t) {
   Pair p = random_pair(s);
-  for (Cylinder* c : {&p.a, &p.b}) c->radius = c->height * s.within_decades(slender);
+  for (Solid* c : {&p.a, &p.b}) c->radius = c->height * s.within_decades(slender);
   cross_over(s, p);
   return p;
 }
 
 Pair disks(RandomStream& s, std::uint64_t) {
   Pair p = random_pair(s);
-  for (Cylinder* c : {&p.a, &p.b}) c->height = c->radius * s.within_decades(slender);
+  for (Solid* c : {&p.a, &p.b}) c->height = c->radius * s.within_decades(slender);
   scatter(s, p);
   return p;
 }
@@ -182,7 +182,7 @@ Pair coins_edge_to_edge(RandomStream& s, std::uint64_t index) {
 // little as 1e-16.
 Pair points(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
-  Cylinder& point = index % 3 == 0 ? p.a : p.b;
+  Solid& point = index % 3 == 0 ? p.a : p.b;
   point.radius = point.height = 0;
   scatter(s, p);
   if (index % 3 == 2) {
@@ -248,7 +248,7 @@ Pair far(RandomStream& s, std::uint64_t index) {
 Pair tiny_and_huge(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
   const double scale = scales[index % scales.size()];
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     c->center *= scale;
     c->radius *= scale;
     c->height *= scale;
@@ -276,7 +276,7 @@ Pair mixed_scale(RandomStream& s, std::uint64_t index) {
 
 Pair raw_axes(RandomStream& s, std::uint64_t) {
   Pair p = random_pair(s);
-  for (Cylinder* c : {&p.a, &p.b}) c->axis *= s.within_decades(axis_lengths);
+  for (Solid* c : {&p.a, &p.b}) c->axis *= s.within_decades(axis_lengths);
   return p;
 }
 
@@ -373,6 +373,30 @@ constexpr std::array rounded_entries{
           draw_unequal},
 };
 
+template <HalfSpaceKind kind>
+Pair half_space_pair(RandomStream& s, std::uint64_t index) {
+  return draw_half_space(kind, s, index);
+}
+
+constexpr std::array half_space_entries{
+    Entry{"half_space_sphere", "a half-space and a ball",
+          rounded_pair<SolidKind::half_space, SolidKind::sphere>},
+    Entry{"half_space_capsule", "a half-space and a capsule",
+          rounded_pair<SolidKind::half_space, SolidKind::capsule>},
+    Entry{"half_space_cylinder", "a half-space and a cylinder",
+          rounded_pair<SolidKind::half_space, SolidKind::cylinder>},
+    Entry{"half_space_rounded", "a half-space and a rounded cylinder",
+          rounded_pair<SolidKind::half_space, SolidKind::rounded>},
+    Entry{"half_space_tilted", "a plane up to 1e-3 rad from along or square to the axis",
+          half_space_pair<HalfSpaceKind::tilted>},
+    Entry{"half_space_thin", "a plane and a solid that is flat, thin or nearly so",
+          half_space_pair<HalfSpaceKind::thin>},
+    Entry{"half_space_far", "a plane and a solid 1e2 to 1e12 from the origin",
+          half_space_pair<HalfSpaceKind::far>},
+    Entry{"half_space_normal", "normals of length 1e-300 to 1e300",
+          half_space_pair<HalfSpaceKind::scaled_normal>},
+};
+
 template <const auto& some, std::size_t i>
 Pair generate(std::uint64_t seed, std::uint64_t index) {
   RandomStream stream(some[i].name, seed, index);
@@ -386,12 +410,15 @@ constexpr std::array<Family, some.size()> make_families(std::index_sequence<i...
 
 // The families of a campaign: first those without rounding.
 constexpr auto drawn = [] {
-  std::array<Family, entries.size() + close_entries.size() + rounded_entries.size()> all;
+  std::array<Family,
+             entries.size() + close_entries.size() + rounded_entries.size() + half_space_entries.size()>
+      all;
   auto next = all.begin();
   const auto add = [&](const auto& some) { next = std::ranges::copy(some, next).out; };
   add(make_families<entries>(std::make_index_sequence<entries.size()>()));
   add(make_families<close_entries>(std::make_index_sequence<close_entries.size()>()));
   add(make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>()));
+  add(make_families<half_space_entries>(std::make_index_sequence<half_space_entries.size()>()));
   return all;
 }();
 
@@ -399,7 +426,12 @@ constexpr auto drawn = [] {
 
 std::span<const Family> families() { return std::span(drawn).first<entries.size() + close_entries.size()>(); }
 std::span<const Family> close_families() { return families().last<close_entries.size()>(); }
-std::span<const Family> rounded_families() { return std::span(drawn).last<rounded_entries.size()>(); }
+std::span<const Family> rounded_families() {
+  return std::span(drawn)
+      .last<rounded_entries.size() + half_space_entries.size()>()
+      .first<rounded_entries.size()>();
+}
+std::span<const Family> half_space_families() { return std::span(drawn).last<half_space_entries.size()>(); }
 std::span<const Family> campaign_families() { return drawn; }
 
 const Family* find_family(std::string_view name) {

@@ -9,14 +9,14 @@
 #include <span>
 #include <string_view>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
 struct Family {
   std::string_view name;     ///< e.g. "axes_nearly_parallel"
   std::string_view summary;  ///< one line for --help and the page
-  /// Legal cylinders, in no unit of this world. Any seed and index will do. Throws nothing.
+  /// Legal solids, in no unit of this world. Any seed and index will do. Throws nothing.
   Pair (*generate)(std::uint64_t seed, std::uint64_t index);
 };
 
@@ -26,7 +26,9 @@ std::span<const Family> families();
 std::span<const Family> close_families();
 /// The combinations of a sphere, a capsule, a cylinder and a rounded cylinder, without two cylinders.
 std::span<const Family> rounded_families();
-/// The families of a campaign: first families(), then rounded_families().
+/// A half-space with each of them, and at the ends of the range.
+std::span<const Family> half_space_families();
+/// The families of a campaign: families(), rounded_families(), half_space_families().
 std::span<const Family> campaign_families();
 /// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15". Pairs have that margin as a gap
 /// (even index) or a penetration (odd index; at 1e-01 only gaps). They have the features of solids in general

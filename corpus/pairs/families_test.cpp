@@ -23,11 +23,11 @@ using Wide = long double;
 using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 
 Wide3 wide(const Vector3& v) { return v.cast<Wide>(); }
-Wide3 unit_axis(const Cylinder& c) { return (wide(c.axis) / wide(c.axis).stableNorm()).eval(); }
+Wide3 unit_axis(const Solid& c) { return (wide(c.axis) / wide(c.axis).stableNorm()).eval(); }
 Wide size_of(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
 
 /// Returns the greatest x.m over the solid, with x relative to its centre.
-Wide support(const Cylinder& c, const Wide3& m) {
+Wide support(const Solid& c, const Wide3& m) {
   const Wide3 w = unit_axis(c);
   return c.radius * m.cross(w).norm() + Wide(c.height) / 2 * std::abs(m.dot(w));
 }
@@ -38,7 +38,7 @@ Wide gap_along(const Pair& p, const Wide3& m) {
 }
 
 /// How far x is outside the solid, along its axis or radially.
-Wide excess(const Cylinder& c, const Wide3& x) {
+Wide excess(const Solid& c, const Wide3& x) {
   const Wide3 w = unit_axis(c), d = x - wide(c.center);
   const Wide along = d.dot(w);
   return std::max<Wide>(std::abs(along) - Wide(c.height) / 2, (d - along * w).norm() - c.radius);
@@ -50,7 +50,7 @@ Wide cosine(const Pair& p) { return unit_axis(p.a).dot(unit_axis(p.b)); }
 /// Returns the distance of the closest points, or 0 if the solids meet. It projects from solid to solid. A
 /// small value proves nothing.
 Wide crude_distance(const Pair& p) {
-  const auto project = [](const Cylinder& c, const Wide3& x) {
+  const auto project = [](const Solid& c, const Wide3& x) {
     const Wide3 w = unit_axis(c), d = x - wide(c.center);
     const Wide along = std::clamp<Wide>(d.dot(w), -Wide(c.height) / 2, Wide(c.height) / 2);
     Wide3 radial = d - d.dot(w) * w;
@@ -139,7 +139,7 @@ TEST(Families, RandomIntersectsAboutHalfTheTime) {
   constexpr int n = 300;
   for (std::uint64_t i = 0; i < n; ++i) {
     const Pair p = draw("random", i);
-    for (const Cylinder& c : {p.a, p.b})
+    for (const Solid& c : {p.a, p.b})
       for (double length : {c.radius, c.height}) ASSERT_TRUE(length >= 0.1 && length < 10);
     near += crude_distance(p) < 1e-3L * size_of(p);
   }
@@ -203,7 +203,7 @@ TEST(Families, TouchAtTheMarginTheyName) {
 /// Returns which features meet. For each solid, n is orthogonal (side), parallel (cap) or neither (rim).
 std::string features(const Contact& c) {
   std::string out;
-  for (const Cylinder& s : {c.pair.a, c.pair.b}) {
+  for (const Solid& s : {c.pair.a, c.pair.b}) {
     const Wide along = std::abs(unit_axis(s).dot(wide(c.normal)));
     out += along < 1e-15L ? 's' : along > 1 - 1e-15L ? 'c' : along > 0.2L && along < 0.97L ? 'r' : '?';
   }
@@ -266,13 +266,13 @@ TEST(Families, HaveTheAnglesTheyName) {
 }
 
 TEST(Families, HaveTheShapesTheyName) {
-  const auto needle = [](const Cylinder& c) {
+  const auto needle = [](const Solid& c) {
     return c.radius >= 1e-6 * c.height && c.radius < 1.001e-2 * c.height;
   };
-  const auto disk = [](const Cylinder& c) {
+  const auto disk = [](const Solid& c) {
     return c.height >= 1e-6 * c.radius && c.height < 1.001e-2 * c.radius;
   };
-  const auto point = [](const Cylinder& c) { return c.radius == 0 && c.height == 0; };
+  const auto point = [](const Solid& c) { return c.radius == 0 && c.height == 0; };
   std::array<int, 3> segment_count{}, flat_count{}, point_count{};
   int equal_points = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
@@ -304,7 +304,7 @@ TEST(Families, HaveThePosesTheyName) {
   for (std::uint64_t i = 0; i < 600; ++i) {
     Pair p = draw("contained", i);
     const bool inside_a = p.a.radius > p.b.radius && p.a.height > p.b.height;
-    const Cylinder &outer = inside_a ? p.a : p.b, &inner = inside_a ? p.b : p.a;
+    const Solid &outer = inside_a ? p.a : p.b, &inner = inside_a ? p.b : p.a;
     a_inside += !inside_a;
     // The inner solid's extent along the outer axis, and across it from the outer axis.
     const Wide3 w = unit_axis(outer), d = wide(inner.center) - wide(outer.center);
@@ -348,7 +348,7 @@ TEST(Families, HaveTheScalesTheyName) {
 
     p = draw("mixed_scale", i);
     const bool a_small = p.a.radius < p.b.radius;
-    const Cylinder &small = a_small ? p.a : p.b, &big = a_small ? p.b : p.a;
+    const Solid &small = a_small ? p.a : p.b, &big = a_small ? p.b : p.a;
     const double factor = big.radius / small.radius,
                  exponent = std::pow(10.0, 3 + static_cast<double>(i % 10));
     ASSERT_TRUE(factor > exponent / 100 && factor < exponent * 100) << i;
@@ -375,13 +375,13 @@ TEST(Families, StandOnTheLattice) {
   std::set<std::array<double, 2>> shapes;
   for (std::uint64_t i = 0; i < 600; ++i) {
     Pair p = draw("lattice", i);
-    for (const Cylinder& c : {p.a, p.b}) {
+    for (const Solid& c : {p.a, p.b}) {
       for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3) && whole(c.axis[k], 2));
       ASSERT_TRUE(whole(c.radius, 3) && c.radius > 0 && whole(c.height, 6) && c.height > 0);
     }
     p = draw("lattice_dust", i);
     Wide off = 0;
-    for (const Cylinder& c : {p.a, p.b}) {
+    for (const Solid& c : {p.a, p.b}) {
       shapes.insert({c.radius, c.height});
       for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3));
       const Wide3 w = wide(c.axis), lattice = w.array().round();

@@ -7,7 +7,7 @@
 
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/solid_kind.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -18,7 +18,7 @@ bool is_slender(ContactKind kind) {
 enum class Feature { side, rim, cap };
 
 struct Member {
-  Cylinder solid;   // its centre is set at the end
+  Solid solid;      // its centre is set at the end
   Vector3 contact;  // the contact point relative to the centre
 };
 

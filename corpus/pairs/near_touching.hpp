@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "corpus/pairs/random_stream.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

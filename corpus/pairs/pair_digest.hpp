@@ -10,14 +10,15 @@
 
 namespace cyl {
 
-/// Returns a digest of the pair's numbers to the bit, after what went before. Roundings count if there is
-/// one.
+/// Returns a digest of the pair's numbers to the bit, after what went before. Roundings and shapes
+/// count if one is not 0 or not a cylinder.
 inline std::uint64_t digest_of(const Pair& p, std::uint64_t so_far) noexcept {
   const auto add = [&](const auto& numbers) {
     so_far = fnv1a({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}, so_far);
   };
   add(core_numbers_of(p));
   if (is_rounded(p)) add(std::array{p.a.rounding, p.b.rounding});
+  if (has_half_space(p)) add(std::array{p.a.shape, p.b.shape});
   return so_far;
 }
 

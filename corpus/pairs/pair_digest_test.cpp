@@ -9,10 +9,10 @@ namespace cyl {
 namespace {
 
 TEST(PairDigest, EveryNumberChangesTheDigest) {
-  const Cylinder unit{{1, 2, 3}, {4, 5, 6}, 7, 8, 9};
+  const Solid unit{{1, 2, 3}, {4, 5, 6}, 7, 8, 9};
   Pair pair{unit, unit};
   std::set<std::uint64_t> digests{digest_of(pair, 0)};
-  for (Cylinder* c : {&pair.a, &pair.b}) {
+  for (Solid* c : {&pair.a, &pair.b}) {
     for (double* x : numbers_of(*c)) {
       const double before = *x;
       *x += 1;

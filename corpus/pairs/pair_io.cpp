@@ -20,14 +20,46 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// The place of a field's numbers among the numbers of a cylinder.
+/// The place of a field's numbers among the numbers of a solid, with those of a quaternion after them.
 struct Field {
   std::string_view name;
-  std::size_t first, count;
+  std::size_t first, count;  // 0 for a word
 };
-constexpr std::array<Field, 5> cylinder_fields{
-    {{"center", 0, 3}, {"axis", 3, 3}, {"radius", 6, 1}, {"height", 7, 1}, {"rounding", 8, 1}}};
-constexpr std::size_t needed_field_count = 4;  // rounding may be left out
+constexpr std::array<Field, 9> solid_fields{{{"center", 0, 3},
+                                             {"axis", 3, 3},
+                                             {"radius", 6, 1},
+                                             {"height", 7, 1},
+                                             {"rounding", 8, 1},
+                                             {"point", 0, 3},
+                                             {"normal", 3, 3},
+                                             {"quaternion", 9, 4},
+                                             {"shape", 0, 0}}};
+
+/// A shape's name for people. A quaternion may replace an axis.
+struct ShapeForm {
+  std::string_view name;
+  std::string_view fields;  // one letter each, as in letters_of; capital letters may be left out
+  const char* expected;
+};
+constexpr std::string_view letters_of_fields = "carhgpnqs";
+constexpr std::array<ShapeForm, 4> shape_forms{
+    {{"cylinder", "carhG", "center, axis or quaternion, radius, height, and perhaps rounding"},
+     {"capsule", "carh", "center, axis or quaternion, radius, and height between the centers of its ends"},
+     {"sphere", "cr", "center and radius"},
+     {"half_space", "pn", "point and normal"}}};
+
+/// What others call a field, and how to convert it.
+struct ForeignField {
+  std::string_view name;
+  const char* remedy;
+};
+constexpr std::array<ForeignField, 6> foreign_fields{
+    {{"half_height", "give height, which is twice as much"},
+     {"halfHeight", "give height, which is twice as much"},
+     {"length", "give height"},
+     {"rpy", "give axis: (cos r sin p cos y + sin r sin y, cos r sin p sin y - sin r cos y, cos r cos p)"},
+     {"from", "give center, the mean of both end points, axis, their difference, and height, its length"},
+     {"offset", "give point, which is offset * normal / |normal|^2 for the plane normal.x = offset"}}};
 constexpr std::array<std::string_view, 3> guarded_keys{"source", "truth", "note"};
 
 /// The most bytes that an error text repeats from a file.
@@ -92,6 +124,11 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool string(string_t& x) override {
     begin_token();
     if (wanted() != Wanted::text) return accept("a string");
+    if (depth_ == in_cylinder) {
+      form_ = std::ranges::find(shape_forms, x, &ShapeForm::name);
+      return form_ != shape_forms.end() || fail(key_ + ".shape is \"" + shorten(x) +
+                                                "\", expected cylinder, capsule, sphere or half_space");
+    }
     if (key_ == "truth") {
       value.truth = from_word<Verdict>(x);
       return value.truth || fail("truth is \"" + shorten(x) +
@@ -114,19 +151,18 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   bool start_object(std::size_t) override {
     fields_seen_ = {};
+    form_ = shape_forms.begin();
     return open(Wanted::object, "an object");
   }
 
   bool end_object() override {
     begin_token();
     if (skipped_ > 0) return close();
-    if (depth_-- == in_cylinder) {
-      for (std::size_t i = 0; i < needed_field_count; ++i)
-        if (!fields_seen_[i]) return fail(key_ + "." + std::string(cylinder_fields[i].name) + " is missing");
-      return true;
-    }
+    if (depth_-- == in_cylinder) return finish_solid();
     for (const char* needed : {"a", "b"})
       if (!keys_seen_.contains(needed)) return fail(std::string(needed) + " is missing");
+    if (is_half_space(value.pair.a) && is_half_space(value.pair.b))
+      return fail("a and b are both half-spaces");
     return true;
   }
 
@@ -143,8 +179,9 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     if (skipped_ > 0) return close();
     --depth_;
     start_ = list_start_;
-    if (coordinates_ != 3)
-      return fail(subject() + " has " + std::to_string(coordinates_) + " coordinates, expected 3");
+    if (const std::size_t count = solid_fields[field_].count; coordinates_ != count)
+      return fail(subject() + " has " + std::to_string(coordinates_) + " coordinates, expected " +
+                  std::to_string(count));
     return check_field("");
   }
 
@@ -193,21 +230,53 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     if (skipped_ > 0) return Wanted::anything;
     if (depth_ == outside) return Wanted::object;
     if (depth_ == in_list) return Wanted::number;
-    if (depth_ == in_cylinder) return cylinder_fields[field_].count > 1 ? Wanted::list : Wanted::number;
+    if (depth_ == in_cylinder) return kind_of_field();
     if (key_ == "a" || key_ == "b") return Wanted::object;
     const bool text = key_ == "id" || std::ranges::find(guarded_keys, key_) != guarded_keys.end();
     return text ? Wanted::text : Wanted::anything;
   }
 
+  Wanted kind_of_field() const {
+    const std::size_t count = solid_fields[field_].count;
+    return count > 1 ? Wanted::list : count == 1 ? Wanted::number : Wanted::text;
+  }
+
   const char* expected() const {
     constexpr std::array names{"an object", "a list of 3 numbers", "a number", "a string", "anything"};
+    if (wanted() == Wanted::list && solid_fields[field_].count == 4) return "a list of 4 numbers";
     return names[static_cast<std::size_t>(wanted())];
+  }
+
+  /// Checks the fields against the shape, and makes the numbers of a solid from those of a sphere or capsule.
+  bool finish_solid() {
+    const auto has = [&](char letter) { return fields_seen_[letters_of_fields.find(letter)]; };
+    for (std::size_t i = 0; i < letters_of_fields.size(); ++i) {
+      const char letter = letters_of_fields[i];
+      const auto holds = [&](char l) { return form_->fields.find(l) != form_->fields.npos; };
+      const char capital = static_cast<char>(letter - 'a' + 'A');
+      const bool allowed = holds(letter) || holds(capital) || letter == 's' || (letter == 'q' && holds('a'));
+      const bool needed = holds(letter) && !(letter == 'a' && has('q'));
+      const std::string name = key_ + "." + std::string(solid_fields[i].name);
+      if (fields_seen_[i] && !allowed)
+        return fail(name + " is given, but a " + std::string(form_->name) + " has " + form_->expected);
+      if (needed && !fields_seen_[i]) return fail(name + " is missing");
+    }
+    if (has('a') && has('q')) return fail(key_ + " has an axis and a quaternion; give one of them");
+    Solid& s = cylinder();
+    if (has('q')) {
+      const auto& [w, x, y, z] = quaternion_;
+      s.axis = {2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z};
+    }
+    if (form_->name == "capsule" || form_->name == "sphere") s.rounding = std::exchange(s.radius, 0);
+    if (form_->name == "half_space") s.shape = Shape::half_space;
+    const Defect defect = find_defect(s);
+    return defect == Defect::none || fail(key_ + "." + to_string(defect));
   }
 
   std::string subject() const {
     if (depth_ == outside) return "the line";
     if (depth_ == in_line) return shorten(key_);
-    const std::string field = key_ + "." + std::string(cylinder_fields[field_].name);
+    const std::string field = key_ + "." + std::string(solid_fields[field_].name);
     return depth_ == in_list ? field + "[" + std::to_string(coordinates_) + "]" : field;
   }
 
@@ -226,15 +295,18 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool close() { return --skipped_, true; }
 
   bool field_key(const std::string& x) {
-    const auto found = std::ranges::find(cylinder_fields, x, &Field::name);
-    if (found == cylinder_fields.end())
+    const auto found = std::ranges::find(solid_fields, x, &Field::name);
+    if (const auto foreign = std::ranges::find(foreign_fields, x, &ForeignField::name);
+        foreign != foreign_fields.end())
+      return fail(key_ + "." + x + " is not a field of a solid; " + foreign->remedy);
+    if (found == solid_fields.end())
       return fail(key_ + "." + shorten(x) +
-                  " is not a field of a cylinder; expected center, axis, radius, height, rounding");
-    field_ = static_cast<std::size_t>(found - cylinder_fields.begin());
+                  " is not a field of a solid; a cylinder has center, axis, radius, height, rounding");
+    field_ = static_cast<std::size_t>(found - solid_fields.begin());
     return !std::exchange(fields_seen_[field_], true) || fail(subject() + " is given twice");
   }
 
-  Cylinder& cylinder() { return key_ == "a" ? value.pair.a : value.pair.b; }
+  Solid& cylinder() { return key_ == "a" ? value.pair.a : value.pair.b; }
 
   /// `text` has the number's digits if it has a point or an exponent.
   bool number(double x, std::string_view text = {}) {
@@ -242,14 +314,16 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
     if (x == 0 && text_[start_] == '-') x = -0.0;  // the parser makes the integer 0 of "-0"
     if (wanted() != Wanted::number) return accept("a number");
-    const Field& field = cylinder_fields[field_];
+    const Field& field = solid_fields[field_];
     if (depth_ == in_list && coordinates_ == field.count) {
       --depth_;
-      return fail(subject() + " has more than 3 coordinates");
+      return fail(subject() + " has more than " + std::to_string(field.count) + " coordinates");
     }
     if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
       return fail(subject() + " underflows a double (" + shorten(text) + ")");
-    *numbers_of(cylinder())[field.first + (depth_ == in_list ? coordinates_++ : 0)] = x;
+    const std::size_t place = field.first + (depth_ == in_list ? coordinates_++ : 0);
+    (place < cylinder_number_count ? *numbers_of(cylinder())[place]
+                                   : quaternion_[place - cylinder_number_count]) = x;
     return depth_ == in_list || check_field(" (" + format_double(x) + ")");
   }
 
@@ -268,8 +342,10 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::size_t skipped_ = 0;  // open containers with no wanted field
   std::string key_;          // the last key of the line itself
   std::set<std::string, std::less<>> keys_seen_;
-  std::size_t field_ = 0;  // index into cylinder_fields
-  std::array<bool, cylinder_fields.size()> fields_seen_{};
+  std::size_t field_ = 0;  // index into solid_fields
+  std::array<bool, solid_fields.size()> fields_seen_{};
+  const ShapeForm* form_ = shape_forms.begin();
+  std::array<double, 4> quaternion_{};
   std::size_t coordinates_ = 0;
   std::size_t list_start_ = 0;
 };
@@ -281,8 +357,16 @@ void append(std::string& out, std::string_view name, const Vector3& v) {
   out.append(format_double(v.z())).append("]");
 }
 
-void append(std::string& out, const Cylinder& c) {
+void append(std::string& out, const Solid& c) {
   out += '{';
+  if (is_half_space(c)) {
+    out.append("\"shape\":\"half_space\",");
+    append(out, "point", c.center);
+    out += ',';
+    append(out, "normal", c.axis);
+    out += '}';
+    return;
+  }
   append(out, "center", c.center);
   out += ',';
   append(out, "axis", c.axis);

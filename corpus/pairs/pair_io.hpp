@@ -4,7 +4,10 @@
 //
 //   {"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{...},"id":"...","truth":"disjoint"}
 //
-// 1. A cylinder has these four fields, and may have "rounding", which is 0 by default.
+// 1. A cylinder has these four fields, and may have "rounding", which is 0 by default. Other solids name
+//    their shape: {"shape":"sphere","center","radius"}, {"shape":"capsule","center","axis","radius","height"}
+//    and {"shape":"half_space","point","normal"}. "quaternion" [w,x,y,z] may replace an axis, which is then
+//    computed in doubles.
 // 2. A line may also have the strings id, source, truth (a verdict) and note. Other keys of any type are
 //    skipped, but a key within one edit of source, truth or note is an error.
 // 3. Every number is read as the nearest double, with the sign of zero. Integers beyond 2^53 are rounded like
@@ -19,7 +22,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -40,7 +40,7 @@ bool same_bits(double x, double y) {
   return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
 }
 
-bool same_bits(const Cylinder& x, const Cylinder& y) {
+bool same_bits(const Solid& x, const Solid& y) {
   bool same = same_bits(x.radius, y.radius) && same_bits(x.height, y.height);
   for (int i = 0; i < 3; ++i)
     same = same && same_bits(x.center[i], y.center[i]) && same_bits(x.axis[i], y.axis[i]);
@@ -101,7 +101,7 @@ TEST(PairIo, KeepsEveryBitOfEveryDouble) {
       for (;;)
         if (const double x = std::bit_cast<double>(stream.bits()); std::isfinite(x)) return x;
     };
-    for (Cylinder* s : {&c.pair.a, &c.pair.b}) {
+    for (Solid* s : {&c.pair.a, &c.pair.b}) {
       for (int k = 0; k < 3; ++k) s->center[k] = draw(), s->axis[k] = draw();
       s->radius = std::abs(draw());
       s->height = std::abs(draw());
@@ -128,7 +128,7 @@ TEST(PairIo, ReadsNumbersAsTheNearestDouble) {
              R"("radius":1e0,"height":0e-999})"),
       1);
   ASSERT_EQ(line.error, "");
-  const Cylinder& a = line.value->pair.a;
+  const Solid& a = line.value->pair.a;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(a.center[i], -0.0)) << i;
   EXPECT_EQ(a.axis.x(), 9007199254740992.0);
   EXPECT_EQ(a.axis.y(), 18446744073709551616.0);

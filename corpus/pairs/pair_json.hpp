@@ -18,7 +18,9 @@ inline nlohmann::ordered_json vector_json(const Vector3& v) {
   return {number_json(v[0]), number_json(v[1]), number_json(v[2])};
 }
 
-inline nlohmann::ordered_json cylinder_json(const Cylinder& c) {
+inline nlohmann::ordered_json solid_json(const Solid& c) {
+  if (c.shape == Shape::half_space)
+    return {{"shape", "half_space"}, {"point", vector_json(c.center)}, {"normal", vector_json(c.axis)}};
   nlohmann::ordered_json cylinder = {{"center", vector_json(c.center)},
                                      {"axis", vector_json(c.axis)},
                                      {"radius", number_json(c.radius)},
@@ -28,7 +30,7 @@ inline nlohmann::ordered_json cylinder_json(const Cylinder& c) {
 }
 
 inline nlohmann::ordered_json pair_json(const Pair& p) {
-  return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}};
+  return {{"a", solid_json(p.a)}, {"b", solid_json(p.b)}};
 }
 
 /// Returns the output of format_pair() as a value. Numbers without a decimal point are integers. The pair is

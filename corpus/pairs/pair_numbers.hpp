@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -19,12 +19,12 @@ inline constexpr std::size_t core_number_count = 8;
 /// The same, and the rounding.
 inline constexpr std::size_t cylinder_number_count = core_number_count + 1;
 
-inline std::array<double*, cylinder_number_count> numbers_of(Cylinder& c) noexcept {
+inline std::array<double*, cylinder_number_count> numbers_of(Solid& c) noexcept {
   return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1],
           &c.axis[2],   &c.radius,    &c.height,    &c.rounding};
 }
 
-inline std::array<double, cylinder_number_count> numbers_of(const Cylinder& c) noexcept {
+inline std::array<double, cylinder_number_count> numbers_of(const Solid& c) noexcept {
   return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1],
           c.axis[2],   c.radius,    c.height,    c.rounding};
 }
@@ -36,7 +36,7 @@ inline std::array<double, 2 * cylinder_number_count> numbers_of(const Pair& p) n
   return all;
 }
 
-inline std::array<double, core_number_count> core_numbers_of(const Cylinder& c) noexcept {
+inline std::array<double, core_number_count> core_numbers_of(const Solid& c) noexcept {
   return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1], c.axis[2], c.radius, c.height};
 }
 
@@ -48,7 +48,7 @@ inline std::array<double, 2 * core_number_count> core_numbers_of(const Pair& p) 
 }
 
 /// The cylinder of 8 or 9 numbers, the pair of twice as many.
-inline Cylinder cylinder_of(const double* x, std::size_t count) noexcept {
+inline Solid cylinder_of(const double* x, std::size_t count) noexcept {
   return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], count > core_number_count ? x[8] : 0};
 }
 
@@ -58,11 +58,17 @@ inline Pair pair_of(const double* x, std::size_t count) noexcept {
 
 inline bool is_rounded(const Pair& p) noexcept { return p.a.rounding != 0 || p.b.rounding != 0; }
 
+inline bool is_half_space(const Solid& s) noexcept { return s.shape == Shape::half_space; }
+inline bool has_half_space(const Pair& p) noexcept { return is_half_space(p.a) || is_half_space(p.b); }
+
+/// Returns whether both solids are legal, and not both half-spaces.
 inline bool is_legal(const Pair& p) noexcept {
-  return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
+  return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none &&
+         !(is_half_space(p.a) && is_half_space(p.b));
 }
 
-/// The sum of both radii, heights and roundings, rounded, at most the largest double (the unit of margins).
+/// The sum of all radii, heights and roundings, rounded, at most the largest double (the unit of margins). A
+/// half-space adds nothing.
 inline double size_of(const Pair& p) noexcept {
   return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height + (p.a.rounding + p.b.rounding),
                   std::numeric_limits<double>::max());
@@ -72,7 +78,7 @@ inline double size_of(const Pair& p) noexcept {
 struct Extents {
   double along, across;
 };
-inline Extents extents_of(const Cylinder& c) noexcept {
+inline Extents extents_of(const Solid& c) noexcept {
   return {c.height + 2 * c.rounding, 2 * (c.radius + c.rounding)};
 }
 
@@ -82,7 +88,7 @@ inline constexpr double least_ordinary_length = 0.01, most_ordinary_length = 100
 /// Whether a scene in its own unit may hold the pair: such pairs are shown before those at the ends of the
 /// range.
 inline bool is_ordinary(const Pair& p) noexcept {
-  for (const Cylinder* c : {&p.a, &p.b})
+  for (const Solid* c : {&p.a, &p.b})
     for (const double x : {c->radius, c->height, c->rounding})
       if (x != 0 && !(x >= least_ordinary_length && x <= most_ordinary_length)) return false;
   return std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) <= most_ordinary_reach * size_of(p);
@@ -91,7 +97,7 @@ inline bool is_ordinary(const Pair& p) noexcept {
 /// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings.
 template <class Change>
 void for_each_length(Pair& pair, Change change) {
-  for (Cylinder* c : {&pair.a, &pair.b}) {
+  for (Solid* c : {&pair.a, &pair.b}) {
     for (double& x : c->center) change(x);
     change(c->radius);
     change(c->height);

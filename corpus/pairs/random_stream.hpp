@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/fnv.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

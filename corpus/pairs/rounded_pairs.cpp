@@ -17,28 +17,28 @@ constexpr std::array<double, 6> parts{1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> dusts{1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
 constexpr std::array<double, 8> scales{1e-300, 1e-150, 1e-50, 1e-10, 1e10, 1e50, 1e100, 1e150};
 
-bool has_height(SolidKind kind) { return kind != SolidKind::sphere; }
+bool is_bounded(SolidKind kind) { return kind != SolidKind::half_space; }
+bool has_height(SolidKind kind) { return is_bounded(kind) && kind != SolidKind::sphere; }
 bool has_radius(SolidKind kind) { return kind == SolidKind::cylinder || kind == SolidKind::rounded; }
-bool has_rounding(SolidKind kind) { return kind != SolidKind::cylinder; }
+bool has_rounding(SolidKind kind) { return is_bounded(kind) && kind != SolidKind::cylinder; }
 
 /// Draws a solid of this kind, with lengths from `length`.
 template <class Length>
-Cylinder draw_kind(SolidKind kind, RandomStream& s, Length length) {
-  Cylinder c;
+Solid draw_kind(SolidKind kind, RandomStream& s, Length length) {
+  Solid c;
   c.axis = s.unit_vector();
+  if (!is_bounded(kind)) c.shape = Shape::half_space;
   if (has_radius(kind)) c.radius = length();
   if (has_height(kind)) c.height = length();
   if (has_rounding(kind)) c.rounding = length();
   return c;
 }
 
-Cylinder draw_any(SolidKind kind, RandomStream& s) {
+Solid draw_any(SolidKind kind, RandomStream& s) {
   return draw_kind(kind, s, [&] { return s.within_decades(lengths); });
 }
 
-double reach(const Cylinder& c) {
-  return std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding;
-}
+double reach(const Solid& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding; }
 
 void scatter(RandomStream& s, Pair& p) {
   for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
@@ -56,9 +56,14 @@ Pair draw_anywhere(SolidKind a, SolidKind b, RandomStream& s) {
 constexpr double inside_part = 0.6;
 
 /// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim. A
-/// segment is touched inside it or at its end. Returns the contact from the centre.
-Vector3 touch_plane(Cylinder& c, const Vector3& n, RandomStream& s) {
+/// segment is touched inside it or at its end. A half-space lies behind the plane. Returns the contact from
+/// the centre.
+Vector3 touch_plane(Solid& c, const Vector3& n, RandomStream& s) {
   const Vector3 v = s.perpendicular(n), third = n.cross(v);
+  if (is_half_space(c)) {
+    c.axis = n;
+    return s.between(-2, 2) * v;
+  }
   const double half = c.height / 2;
   const std::size_t feature = s.below(c.radius > 0 ? 3 : 2);
   if (feature == 0) {
@@ -97,7 +102,7 @@ Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
   Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
   constexpr std::array<std::array<int, 3>, 6> rational{
       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 4, 0}, {0, 3, -4}, {1, 2, 2}}};  // their lengths are integers
-  for (Cylinder* c : {&p.a, &p.b}) {
+  for (Solid* c : {&p.a, &p.b}) {
     const auto& w = rational[s.below(rational.size())];
     c->axis = Vector3(w[0], w[1], w[2]);
     for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-4, 4);
@@ -134,7 +139,38 @@ Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
   return p;
 }
 
+// What the normal is square to, nearly: a side of the solid or the axes of space.
+constexpr std::array<double, 6> tilts{0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
+constexpr std::array<double, 6> offsets{1e2, 1e4, 1e6, 1e8, 1e10, 1e12};
+constexpr std::array<double, 7> normal_lengths{1e-300, 1e-150, 1e-20, 3, 1e20, 1e150, 1e300};
+
 }  // namespace
+
+Pair draw_half_space(HalfSpaceKind kind, RandomStream& s, std::uint64_t index) {
+  constexpr std::array kinds{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded};
+  Pair p = draw_near(SolidKind::half_space, kinds[s.below(kinds.size())], s, index);
+  switch (kind) {
+    case HalfSpaceKind::tilted: {  // a flat contact that is not quite flat
+      const Vector3 n = p.a.axis;
+      p.b.axis = s.coin() ? n : s.perpendicular(n);
+      p.b.axis += s.pick(tilts) * s.perpendicular(n);
+      break;
+    }
+    case HalfSpaceKind::thin:
+      (s.coin() ? p.b.radius : p.b.height) *= s.coin() ? 0 : s.pick(dusts);
+      break;
+    case HalfSpaceKind::far: {
+      const Vector3 away = s.pick(offsets) * s.unit_vector();
+      p.a.center += away;
+      p.b.center += away;
+      if (s.coin()) p.a.center += s.pick(offsets) * s.perpendicular(p.a.axis);
+      break;
+    }
+    case HalfSpaceKind::scaled_normal:
+      p.a.axis *= s.pick(normal_lengths);
+  }
+  return s.coin() ? p : Pair{p.b, p.a};
+}
 
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
   if (s.coin()) std::swap(a, b);

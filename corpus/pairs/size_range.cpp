@@ -15,7 +15,7 @@ struct Lengths {
 };
 
 /// Returns the least and the greatest of the lengths that are not 0.
-Lengths lengths_of(const Cylinder& c) {
+Lengths lengths_of(const Solid& c) {
   Lengths lengths;
   for (const double x : {c.radius, c.height, c.rounding}) {
     if (x == 0) continue;
@@ -25,15 +25,15 @@ Lengths lengths_of(const Cylinder& c) {
   return lengths;
 }
 
-bool has_zero_length(const Cylinder& c) {
+bool has_zero_length(const Solid& c) {
   const SolidKind kind = kind_of(c);
   return (kind == SolidKind::cylinder && c.radius == 0) ||
          ((kind == SolidKind::cylinder || kind == SolidKind::rounded) && c.height == 0);
 }
 
-double coordinate_of(const Cylinder& c) { return c.center.cwiseAbs().maxCoeff(); }
+double coordinate_of(const Solid& c) { return c.center.cwiseAbs().maxCoeff(); }
 
-double ball_of(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
+double ball_of(const Solid& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
 /// Returns the gap between the balls around the solids, negative if they overlap.
 double gap_of(const Pair& pair) {
@@ -46,7 +46,7 @@ double factor_to(double limit, double length) { return length > limit ? limit / 
 
 }  // namespace
 
-bool SizeRange::holds(const Cylinder& solid) const {
+bool SizeRange::holds(const Solid& solid) const {
   if (!zero_lengths && has_zero_length(solid)) return false;
   if (coordinate_of(solid) > coordinate) return false;
   const Lengths lengths = lengths_of(solid);
@@ -55,7 +55,7 @@ bool SizeRange::holds(const Cylinder& solid) const {
 }
 
 bool SizeRange::holds(const Pair& pair) const {
-  return holds(pair.a) && holds(pair.b) && !(gap_of(pair) > gap);
+  return holds(pair.a) && holds(pair.b) && (has_half_space(pair) || !(gap_of(pair) > gap));
 }
 
 SizeRange common_range(const SizeRange& x, const SizeRange& y) {

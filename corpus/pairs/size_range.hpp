@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -22,7 +22,7 @@ struct SizeRange {
   /// as far apart as these balls.
   double gap = std::numeric_limits<double>::infinity();
 
-  bool holds(const Cylinder& solid) const;
+  bool holds(const Solid& solid) const;
   bool holds(const Pair& pair) const;
   bool operator==(const SizeRange&) const = default;
 };

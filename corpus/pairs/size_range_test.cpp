@@ -8,7 +8,7 @@
 namespace cyl {
 namespace {
 
-Cylinder solid(double radius, double height, double rounding = 0) {
+Solid solid(double radius, double height, double rounding = 0) {
   return {Vector3(1, 0, 0), Vector3(0, 0, 1), radius, height, rounding};
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/enum_words.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -13,11 +13,15 @@ enum class SolidKind : unsigned char {
   sphere,    ///< a point with rounding
   capsule,   ///< a segment with rounding
   cylinder,  ///< without rounding, with any lengths
-  rounded    ///< any other with rounding
+  rounded,   ///< any other with rounding
+  half_space
 };
-constexpr auto words_of(SolidKind) noexcept { return std::array{"sphere", "capsule", "cylinder", "rounded"}; }
+constexpr auto words_of(SolidKind) noexcept {
+  return std::array{"sphere", "capsule", "cylinder", "rounded", "half_space"};
+}
 
-inline SolidKind kind_of(const Cylinder& c) noexcept {
+inline SolidKind kind_of(const Solid& c) noexcept {
+  if (c.shape == Shape::half_space) return SolidKind::half_space;
   if (c.rounding == 0) return SolidKind::cylinder;
   if (c.radius > 0) return SolidKind::rounded;
   return c.height > 0 ? SolidKind::capsule : SolidKind::sphere;

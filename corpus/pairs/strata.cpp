@@ -58,7 +58,7 @@ bool is_slender(ContactKind kind) {
 // of that.
 Pair draw_containment(RandomStream& s, double margin) {
   constexpr double middle_part = 0.3, ball_part = 0.9;
-  Cylinder outer, inner;
+  Solid outer, inner;
   outer.radius = s.between(0.5, 2);
   outer.height = s.between(0.5, 2);
   outer.axis = s.unit_vector();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus/pairs/stratum.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

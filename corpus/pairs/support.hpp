@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "base/vec3.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -39,7 +39,7 @@ struct Terms {
 };
 
 template <class R>
-Terms<R> terms_of(const Cylinder& c) {
+Terms<R> terms_of(const Solid& c) {
   Vec3<R> w = lifted<R>(c.axis);
   // The squares of all other kinds of numbers neither overflow nor vanish.
   if constexpr (std::is_same_v<R, double>) {

@@ -22,7 +22,7 @@ Wide3 wide(const Vector3& v) { return v.cast<long double>(); }
 long double gap_along(const Pair& p, const Vector3& direction) {
   const Wide3 d = wide(direction).normalized();
   long double gap = std::abs(d.dot(wide(p.b.center) - wide(p.a.center)));
-  for (const Cylinder* c : {&p.a, &p.b})
+  for (const Solid* c : {&p.a, &p.b})
     gap -= core_support(terms_of<long double>(*c), lifted<long double>(d)) + c->rounding;
   return gap;
 }
@@ -34,13 +34,13 @@ double as_float(double x) {
 }
 
 Pair cycled(Pair p) {
-  for (Cylinder* c : {&p.a, &p.b})
+  for (Solid* c : {&p.a, &p.b})
     for (Vector3* v : {&c->center, &c->axis}) *v = Vector3((*v)[2], (*v)[0], (*v)[1]);
   return p;
 }
 
 Pair mirrored(Pair p) {
-  for (Cylinder* c : {&p.a, &p.b})
+  for (Solid* c : {&p.a, &p.b})
     for (Vector3* v : {&c->center, &c->axis}) (*v)[0] = 0 - (*v)[0];
   return p;
 }
@@ -85,7 +85,7 @@ std::optional<Vector3> touching_direction(const Pair& p) {
                            Vector3(p.b.axis.cross(delta).cross(p.b.axis))}) {
     if (d.isZero(0) || !d.allFinite() || d.cwiseAbs().maxCoeff() > 1e5) continue;
     bool rational = d == Vector3(d.array().round()) && has_root(d.squaredNorm());
-    for (const Cylinder* c : {&p.a, &p.b})
+    for (const Solid* c : {&p.a, &p.b})
       rational = rational && has_root(c->axis.squaredNorm()) && has_root(d.cross(c->axis).squaredNorm());
     if (rational && std::abs(gap_along(p, d)) <= 0x1p-58L * scale_of(p)) return d;
   }
@@ -102,7 +102,7 @@ bool is_float(const Pair& p) {
 }
 
 bool is_everyday(const Pair& p) {
-  for (const Cylinder* c : {&p.a, &p.b}) {
+  for (const Solid* c : {&p.a, &p.b}) {
     for (const double x : {c->radius, c->height, c->rounding})
       if (x != 0 && (x < 0.1 || x > 10)) return false;
     if (c->center.cwiseAbs().maxCoeff() > 100 || std::abs(c->axis.norm() - 1) > 1e-6) return false;
@@ -119,7 +119,7 @@ std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature
   const auto either = [&](auto has) { return has(p.a) || has(p.b); };
   const Vector3 delta = p.b.center - p.a.center;
   const double size = size_of(p), of_a = p.a.radius + p.a.height + p.a.rounding, of_b = size - of_a;
-  const bool has_axes = !either([](const Cylinder& c) { return c.radius + c.height == 0; });
+  const bool has_axes = !either([](const Solid& c) { return c.radius + c.height == 0; });
   const double off = delta.cross(p.a.axis.stableNormalized()).norm();
   flag(has_axes && angle == AngleClass::parallel, "ParallelAxes");
   flag(has_axes && angle > AngleClass::parallel && angle < AngleClass::generic, "NearlyParallelAxes");
@@ -133,22 +133,22 @@ std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature
   flag(feature == ContactFeature::side_rim || feature == ContactFeature::cap_rim, "RimOnFace");
   flag(result == Verdict::touching, "Touching");
   flag(result != Verdict::touching && margin < 1e-6, "NearlyTouching");
-  flag(either([](const Cylinder& c) { return c.rounding == 0 && c.radius * c.height == 0; }), "Flat");
-  flag(either([](const Cylinder& c) { return c.height > 0 && c.radius > 0 && c.radius < 0.01 * c.height; }),
+  flag(either([](const Solid& c) { return c.rounding == 0 && c.radius * c.height == 0; }), "Flat");
+  flag(either([](const Solid& c) { return c.height > 0 && c.radius > 0 && c.radius < 0.01 * c.height; }),
        "Needle");
-  flag(either([](const Cylinder& c) { return c.radius > 0 && c.height > 0 && c.height < 0.01 * c.radius; }),
+  flag(either([](const Solid& c) { return c.radius > 0 && c.height > 0 && c.height < 0.01 * c.radius; }),
        "Coin");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::sphere; }), "Sphere");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::capsule; }), "Capsule");
-  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::rounded; }), "RoundedEdges");
+  flag(either([](const Solid& c) { return kind_of(c) == SolidKind::sphere; }), "Sphere");
+  flag(either([](const Solid& c) { return kind_of(c) == SolidKind::capsule; }), "Capsule");
+  flag(either([](const Solid& c) { return kind_of(c) == SolidKind::rounded; }), "RoundedEdges");
   flag(size < 1e-3 || size > 1e3, "UnusualSize");
   flag(std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) > 1000 * size, "FarAway");
   flag(std::min(of_a, of_b) > 0 && std::max(of_a, of_b) > 1000 * std::min(of_a, of_b), "MixedSizes");
-  flag(either([](const Cylinder& c) { return std::abs(c.axis.stableNorm() - 1) > 1e-6; }), "AxisOfAnyLength");
+  flag(either([](const Solid& c) { return std::abs(c.axis.stableNorm() - 1) > 1e-6; }), "AxisOfAnyLength");
   return flags;
 }
 
-AxisTurn turn_of(const Cylinder& c, bool in_floats) {
+AxisTurn turn_of(const Solid& c, bool in_floats) {
   Wide3 axis = wide(c.axis).normalized();
   if (axis[2] < 0) axis = -axis;
   const long double w = std::sqrt((1 + axis[2]) / 2);
@@ -164,7 +164,7 @@ AxisTurn turn_of(const Cylinder& c, bool in_floats) {
   return q;
 }
 
-std::vector<Vector3> prism(const Cylinder& c, int sides, bool around) {
+std::vector<Vector3> prism(const Solid& c, int sides, bool around) {
   const Vector3 w = c.axis.normalized(), u = w.unitOrthogonal(), v = w.cross(u);
   const double more = around ? 1 + 0x1p-20 : 1 - 0x1p-20;
   const double r = c.radius * more / (around ? std::cos(std::numbers::pi / sides) : 1);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus/pairs/stratum.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -37,9 +37,9 @@ struct AxisTurn {
   double w, x, y, z;
   long double off;  ///< the most that a point of the solid is off its place by the axis
 };
-AxisTurn turn_of(const Cylinder& solid, bool in_floats);
+AxisTurn turn_of(const Solid& solid, bool in_floats);
 /// Returns the corners of a prism with so many sides, inside or around the core.
-std::vector<Vector3> prism(const Cylinder& solid, int sides, bool around);
+std::vector<Vector3> prism(const Solid& solid, int sides, bool around);
 
 /// A change that rounds no number. Scaling a pair also scales its distance.
 struct ExactChange {

@@ -61,10 +61,9 @@ bool can_occur(const Stratum& s) {
 
 bool is_moderate(const Pair& pair) {
   double largest = 0;
-  for (const Cylinder* c : {&pair.a, &pair.b})
-    largest = std::max({largest, c->radius, c->height, c->rounding});
+  for (const Solid* c : {&pair.a, &pair.b}) largest = std::max({largest, c->radius, c->height, c->rounding});
   const auto fits = [&](double x) { return x == 0 || x * moderate_factor >= largest; };
-  for (const Cylinder* c : {&pair.a, &pair.b})
+  for (const Solid* c : {&pair.a, &pair.b})
     if (!fits(c->radius) || !fits(c->height) || !fits(c->rounding) ||
         !(c->center.cwiseAbs().maxCoeff() <= largest * moderate_factor))
       return false;

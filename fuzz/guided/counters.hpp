@@ -9,7 +9,7 @@
 
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "fuzz/guided/counters.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

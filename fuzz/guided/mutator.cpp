@@ -20,8 +20,8 @@ double tenth(RandomStream& s) {
   return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
 }
 
-Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
-Cylinder& other(Pair& p, const Cylinder& c) { return &c == &p.a ? p.b : p.a; }
+Solid& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
+Solid& other(Pair& p, const Solid& c) { return &c == &p.a ? p.b : p.a; }
 
 double step(double x, RandomStream& s) {
   return std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
@@ -29,14 +29,14 @@ double step(double x, RandomStream& s) {
 
 // Turned axes are of unit length; their lengths are for scale_field.
 void turn_to_parallel(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
   const double sign = s.sign(), tilt = tenth(s);
   c.axis = s.coin() ? Vector3(sign * (w + tilt * aside)) : Vector3(sign * other(p, c).axis);
 }
 
 void turn_to_perpendicular(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
   const double tilt = tenth(s);
   c.axis = s.coin() ? Vector3(aside + tilt * w) : aside;
@@ -107,13 +107,13 @@ void change_field(Pair& p, RandomStream& s) {
 
 void snap_to_grid(Pair& p, RandomStream& s) {
   const int bits = s.integer(0, 10);
-  for (Cylinder* c : {&p.a, &p.b})
+  for (Solid* c : {&p.a, &p.b})
     for (double* x : numbers_of(*c)) *x = std::ldexp(std::nearbyint(std::ldexp(*x, bits)), -bits);
 }
 
 void make_coaxial(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
-  const Cylinder& o = other(p, c);
+  Solid& c = either(p, s);
+  const Solid& o = other(p, c);
   const Vector3 w = unit_axis(o.axis);
   c.axis = s.sign() * o.axis;
   const double ends = (o.height + c.height) / 2, off = 1 + tenth(s);
@@ -121,13 +121,13 @@ void make_coaxial(Pair& p, RandomStream& s) {
 }
 
 void make_equal(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   c = other(p, c);
 }
 
 void make_contained(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
-  const Cylinder& o = other(p, c);
+  Solid& c = either(p, s);
+  const Solid& o = other(p, c);
   const double share = std::fabs(tenth(s));
   c.center = o.center;
   c.radius = o.radius * share;
@@ -139,23 +139,23 @@ void make_contained(Pair& p, RandomStream& s) {
 }
 
 void flatten(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   c.height = s.coin() ? 0 : c.radius * std::fabs(tenth(s));
 }
 
 void thin(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   c.radius = s.coin() ? 0 : c.height * std::fabs(tenth(s));
 }
 
 void round_edges(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   c.rounding = s.coin() ? 0 : (c.radius + c.height + c.rounding) * std::fabs(tenth(s));
 }
 
 /// Makes a capsule or a sphere.
 void round_off(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   c.rounding += c.radius;
   c.radius = 0;
   if (s.coin()) c.height = 0;
@@ -174,7 +174,7 @@ void move_to_origin(Pair& p, RandomStream&) {
 }
 
 void copy_field(Pair& p, RandomStream& s) {
-  Cylinder& c = either(p, s);
+  Solid& c = either(p, s);
   const std::size_t i = s.below(cylinder_number_count);
   *numbers_of(c)[i] = *numbers_of(other(p, c))[i];
 }
@@ -213,7 +213,7 @@ constexpr Move all_moves[] = {
 };
 
 /// The solid with every number that is at fault put right.
-Cylinder legalised(Cylinder c) {
+Solid legalised(Solid c) {
   for (double* x : numbers_of(c))
     if (!std::isfinite(*x)) *x = 1;
   if (c.axis.isZero(0)) c.axis = {0, 0, 1};
@@ -245,8 +245,8 @@ Pair mutate(const Pair& pair, std::uint64_t seed) {
 
 Pair cross_over(const Pair& x, const Pair& y, std::uint64_t seed) {
   RandomStream stream("cross_over", seed, 0);
-  const Cylinder& first = stream.coin() ? x.a : x.b;
-  const Cylinder& second = stream.coin() ? y.a : y.b;
+  const Solid& first = stream.coin() ? x.a : x.b;
+  const Solid& second = stream.coin() ? y.a : y.b;
   Pair p{legalised(first), legalised(second)};
   if (stream.coin()) apply({"slide_to_touching", slide_to_touching}, p, stream);
   return p;

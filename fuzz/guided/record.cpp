@@ -17,11 +17,8 @@
 namespace cyl {
 namespace {
 
-/// The shape of a solid. The other values are for shapes to come.
-enum class ShapeTag : std::uint64_t { cylinder = 0 };
-
 struct SolidRecord {
-  ShapeTag shape = ShapeTag::cylinder;
+  std::uint64_t shape = 0;  ///< a Shape
   std::array<double, cylinder_number_count> numbers;
 };
 using PairRecord = std::array<SolidRecord, 2>;
@@ -30,8 +27,8 @@ static_assert(sizeof(PairRecord) == record_size);
 }  // namespace
 
 Record encode_record(const Pair& pair) {
-  const PairRecord solids{SolidRecord{ShapeTag::cylinder, numbers_of(pair.a)},
-                          SolidRecord{ShapeTag::cylinder, numbers_of(pair.b)}};
+  const PairRecord solids{SolidRecord{static_cast<std::uint64_t>(pair.a.shape), numbers_of(pair.a)},
+                          SolidRecord{static_cast<std::uint64_t>(pair.b.shape), numbers_of(pair.b)}};
   Record record;
   std::memcpy(record.data(), solids.data(), record_size);
   return record;
@@ -42,9 +39,13 @@ std::optional<Pair> decode_record(std::span<const std::uint8_t> bytes) {
   PairRecord solids;
   std::memcpy(solids.data(), bytes.data(), record_size);
   for (const SolidRecord& solid : solids)
-    if (solid.shape != ShapeTag::cylinder) return {};
-  return Pair{cylinder_of(solids[0].numbers.data(), cylinder_number_count),
-              cylinder_of(solids[1].numbers.data(), cylinder_number_count)};
+    if (solid.shape >= words_of(Shape{}).size()) return {};
+  const auto solid_of = [](const SolidRecord& r) {
+    Solid solid = cylinder_of(r.numbers.data(), cylinder_number_count);
+    solid.shape = static_cast<Shape>(r.shape);
+    return solid;
+  };
+  return Pair{solid_of(solids[0]), solid_of(solids[1])};
 }
 
 std::vector<Pair> read_corpus(const std::string& folder) {

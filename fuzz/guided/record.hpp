@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -43,7 +43,7 @@ void scale_lengths(Pair& p, double factor) {
 }
 
 /// Maps a point of `from`, an offset from its centre, to `to`. The axis is that of `from`.
-Vector3 stretched(const Cylinder& from, const Cylinder& to, const Vector3& point) {
+Vector3 stretched(const Solid& from, const Solid& to, const Vector3& point) {
   const Vector3 axis = unit_axis(from.axis), along = axis.dot(point) * axis;
   const auto ratio = [](double x, double y) { return x > 0 ? y / x : 1; };
   return ratio(from.height, to.height) * along + ratio(from.radius, to.radius) * (point - along);
@@ -156,7 +156,7 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
   const Vector3 turn(x[rotation], x[rotation + 1], x[rotation + 2]);
   if (const double by = turn.norm(); by > 0) {
     const Eigen::Matrix3d m = Eigen::AngleAxisd(by, turn / by).toRotationMatrix();
-    for (Cylinder* c : {&p.a, &p.b}) {
+    for (Solid* c : {&p.a, &p.b}) {
       c->axis = m * c->axis;
       c->center = m * c->center;
     }

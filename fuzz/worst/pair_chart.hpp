@@ -10,7 +10,7 @@
 #include <span>
 
 #include "corpus/pairs/stratum.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -4,19 +4,21 @@
 #include <cmath>
 #include <string>
 
+#include "corpus/pairs/pair_numbers.hpp"
+
 namespace cyl {
 
 std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
-  const Defect a = find_defect(pair.a);
-  const Defect b = find_defect(pair.b);
-  if (a == Defect::none && b == Defect::none) return std::nullopt;
+  if (is_legal(pair)) return std::nullopt;
+  const Defect a = find_defect(pair.a), b = find_defect(pair.b);
   MethodAnswer answer;
-  answer.set_reason(a != Defect::none ? std::string("a: ") + to_string(a)
-                                      : std::string("b: ") + to_string(b));
+  answer.set_reason(a != Defect::none   ? std::string("a: ") + to_string(a)
+                    : b != Defect::none ? std::string("b: ") + to_string(b)
+                                        : "both solids are half-spaces");
   return answer;
 }
 
-Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept {
+Solid with_rounded_rims(Solid c, double rounding) noexcept {
   if (c.rounding > 0 || !(rounding > 0 && rounding <= c.radius && 2 * rounding <= c.height)) return c;
   c.radius -= rounding;
   c.height -= 2 * rounding;

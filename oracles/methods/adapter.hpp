@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracles/methods/method.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -18,25 +18,24 @@ namespace cyl {
 std::optional<MethodAnswer> decline_invalid(const Pair& pair);
 
 /// Returns both solids of every pair in a library's own type, made once for many questions.
-template <class Solid>
-std::vector<std::pair<Solid, Solid>> solids_of(
-    std::span<const Pair> pairs,
-    Solid (*make)(const Cylinder&) = [](const Cylinder& c) { return Solid(c); }) {
-  std::vector<std::pair<Solid, Solid>> solids;
+template <class Guest>
+std::vector<std::pair<Guest, Guest>> solids_of(
+    std::span<const Pair> pairs, Guest (*make)(const Solid&) = [](const Solid& c) { return Guest(c); }) {
+  std::vector<std::pair<Guest, Guest>> solids;
   solids.reserve(pairs.size());
   for (const Pair& pair : pairs) solids.emplace_back(make(pair.a), make(pair.b));
   return solids;
 }
 
 /// The same for solids that cannot be copied, for calls that are copied.
-template <class Solid>
-std::shared_ptr<const std::vector<std::pair<Solid, Solid>>> shared_solids_of(std::span<const Pair> pairs) {
-  return std::make_shared<const std::vector<std::pair<Solid, Solid>>>(solids_of<Solid>(pairs));
+template <class Guest>
+std::shared_ptr<const std::vector<std::pair<Guest, Guest>>> shared_solids_of(std::span<const Pair> pairs) {
+  return std::make_shared<const std::vector<std::pair<Guest, Guest>>>(solids_of<Guest>(pairs));
 }
 
 /// Returns the cylinder with its rims rounded inwards by `rounding`. Returns it unchanged if it is too thin
 /// for that, or rounded already.
-Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept;
+Solid with_rounded_rims(Solid c, double rounding) noexcept;
 
 /// Returns axis/|axis| for any finite axis but 0. Each coordinate is right within 2^-51.
 Vector3 unit_axis(const Vector3& axis) noexcept;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -17,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -42,7 +48,7 @@ std::string version_of_bullet() {
 
 btVector3 to_bullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-btTransform pose_of(const Cylinder& c) {
+btTransform pose_of(const Solid& c) {
   const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
   return btTransform({m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)},
                      to_bullet(c.center));
@@ -54,14 +60,17 @@ enum class Rims : unsigned char {
   sharp
 };
 
-/// A margin is Bullet's form of a rounding. Spheres and capsules are a point and a segment with a margin.
-std::unique_ptr<btConvexShape> shape_of(const Cylinder& c, Rims rims) {
+/// Null for a half-space, which is not convex in Bullet's sense. A margin is Bullet's form of a rounding.
+/// Spheres and capsules are a point and a segment with a margin.
+std::unique_ptr<btConvexShape> shape_of(const Solid& c, Rims rims) {
   const double rounding = c.rounding;
   switch (kind_of(c)) {
     case SolidKind::sphere:
       return std::make_unique<btSphereShape>(rounding);
     case SolidKind::capsule:
       return std::make_unique<btCapsuleShapeZ>(rounding, c.height);
+    case SolidKind::half_space:
+      return nullptr;
     case SolidKind::cylinder:
     case SolidKind::rounded:
       break;
@@ -73,8 +82,8 @@ std::unique_ptr<btConvexShape> shape_of(const Cylinder& c, Rims rims) {
 }
 
 template <Rims rims>
-struct Solid {
-  explicit Solid(const Cylinder& c) : shape(shape_of(c, rims)), pose(pose_of(c)) {}
+struct BulletSolid {
+  explicit BulletSolid(const Solid& c) : shape(shape_of(c, rims)), pose(pose_of(c)) {}
 
   std::unique_ptr<btConvexShape> shape;
   btTransform pose;
@@ -98,6 +107,31 @@ std::optional<double> detect(const btConvexShape& a, const btTransform& pose_a, 
     void addContactPoint(const btVector3&, const btVector3&, btScalar d) override { distance = d; }
   } contact;
   detector.getClosestPoints(input, contact, nullptr);
+  return contact.distance;
+}
+
+/// The same for a plane: Bullet's dispatch compares the deepest vertex with it.
+std::optional<double> detect_plane(btConvexShape* a, const btTransform& pose_a, btConvexShape* b,
+                                   const btTransform& pose_b) {
+  struct Contact final : btCollisionWorld::ContactResultCallback {
+    std::optional<double> distance;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+      distance = point.getDistance();
+      return 0;
+    }
+  } contact;
+  btDefaultCollisionConfiguration settings;
+  btCollisionDispatcher dispatcher(&settings);
+  btDbvtBroadphase near;
+  btCollisionWorld world(&dispatcher, &near, &settings);
+  btStaticPlaneShape plane({0, 0, 1}, 0);
+  btCollisionObject first, second;
+  first.setCollisionShape(a ? static_cast<btCollisionShape*>(a) : &plane);
+  second.setCollisionShape(b ? static_cast<btCollisionShape*>(b) : &plane);
+  first.setWorldTransform(pose_a);
+  second.setWorldTransform(pose_b);
+  world.contactPairTest(&first, &second, contact);
   return contact.distance;
 }
 
@@ -136,26 +170,29 @@ class Detector final : public Bullet {
             .source = "btCollisionMargin.h: CONVEX_DISTANCE_MARGIN btScalar(0.04), of each shape"};
   }
   Pair modelled(const Pair& pair) const override {
-    const auto model = [](const Cylinder& c) { return with_rounded_rims(c, shape_of(c, rims)->getMargin()); };
+    const auto model = [](const Solid& c) {
+      return is_half_space(c) ? c : with_rounded_rims(c, shape_of(c, rims)->getMargin());
+    };
     return {model(pair.a), model(pair.b)};
   }
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    return answer_of(measure(Solid<rims>(pair.a), Solid<rims>(pair.b)));
+    return answer_of(measure(BulletSolid<rims>(pair.a), BulletSolid<rims>(pair.b)));
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = shared_solids_of<Solid<rims>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<BulletSolid<rims>>(pairs)](std::size_t i) {
       return verdict_of(measure((*solids)[i].first, (*solids)[i].second));
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = shared_solids_of<Solid<rims>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<BulletSolid<rims>>(pairs)](std::size_t i) {
       return measure((*solids)[i].first, (*solids)[i].second).value_or(no_distance);
     };
   }
 
  private:
-  static std::optional<double> measure(const Solid<rims>& a, const Solid<rims>& b) {
+  static std::optional<double> measure(const BulletSolid<rims>& a, const BulletSolid<rims>& b) {
+    if (!a.shape || !b.shape) return detect_plane(a.shape.get(), a.pose, b.shape.get(), b.pose);
     return detect(*a.shape, a.pose, *b.shape, b.pose);
   }
 };
@@ -177,7 +214,7 @@ class GjkEpa2 final : public Bullet {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     btGjkEpaSolver2::sResults result;
-    if (measure(Solid<Rims::sharp>(pair.a), Solid<Rims::sharp>(pair.b), result))
+    if (measure(BulletSolid<Rims::sharp>(pair.a), BulletSolid<Rims::sharp>(pair.b), result))
       return answer_of(result.distance);
     MethodAnswer answer;
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
@@ -189,14 +226,14 @@ class GjkEpa2 final : public Bullet {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = shared_solids_of<Solid<Rims::sharp>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<BulletSolid<Rims::sharp>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
       if (measure((*solids)[i].first, (*solids)[i].second, result)) return verdict_of(result.distance);
       return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = shared_solids_of<Solid<Rims::sharp>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<BulletSolid<Rims::sharp>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
       const bool found = measure((*solids)[i].first, (*solids)[i].second, result);
       return found ? result.distance : no_distance;
@@ -204,7 +241,7 @@ class GjkEpa2 final : public Bullet {
   }
 
  private:
-  static bool measure(const Solid<Rims::sharp>& a, const Solid<Rims::sharp>& b,
+  static bool measure(const BulletSolid<Rims::sharp>& a, const BulletSolid<Rims::sharp>& b,
                       btGjkEpaSolver2::sResults& result) {
     const btVector3 guess = a.pose.getOrigin() - b.pose.getOrigin();
     return btGjkEpaSolver2::SignedDistance(a.shape.get(), a.pose, b.shape.get(), b.pose, guess, result);
@@ -244,7 +281,7 @@ class HullShape final : public Bullet {
     return verdict_of(detect(a, pose_of(pair.a), b, pose_of(pair.b))) == Verdict::intersecting;
   }
 
-  void fill(btConvexHullShape& hull, const Cylinder& c, double stretch) const {
+  void fill(btConvexHullShape& hull, const Solid& c, double stretch) const {
     hull.setMargin(0);
     const double radius = c.radius * stretch;
     for (int i = 0; i < sides_; ++i) {

@@ -33,7 +33,7 @@ constexpr std::string_view gjk_source =
 
 /// The same point, summed in another order: y, z and x in the place of x, y and z.
 void support_of_other_sums(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
-  Solid turned = *static_cast<const Solid*>(object);
+  CcdSolid turned = *static_cast<const CcdSolid*>(object);
   std::rotate(turned.center, turned.center + 1, turned.center + 3);
   std::rotate(turned.axis, turned.axis + 1, turned.axis + 3);
   ccd_vec3_t d = *direction;
@@ -42,7 +42,7 @@ void support_of_other_sums(const void* object, const ccd_vec3_t* direction, ccd_
   std::rotate(point->v, point->v + 2, point->v + 3);
 }
 
-Solid solid_of(const Cylinder& c) {
+CcdSolid solid_of(const Solid& c) {
   const Vector3 axis = unit_axis(c.axis);
   return {{c.center.x(), c.center.y(), c.center.z()},
           {axis.x(), axis.y(), axis.z()},
@@ -68,7 +68,7 @@ class Ccd final : public Method {
   Ccd(MethodName name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
       : Method(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
-  bool supports(SolidKind) const override { return true; }
+  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
   Claim claim() const override { return claim_; }
 
   MethodAnswer answer(const Pair& pair) override {
@@ -79,13 +79,13 @@ class Ccd final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Solid>(pairs, solid_of)](std::size_t i) {
+    return [this, solids = solids_of<CcdSolid>(pairs, solid_of)](std::size_t i) {
       return collide(solids[i].first, solids[i].second);
     };
   }
 
  private:
-  Verdict collide(const Solid& a, const Solid& b) const {
+  Verdict collide(const CcdSolid& a, const CcdSolid& b) const {
     return intersect_(&a, &b, &settings_) != 0 ? Verdict::intersecting : Verdict::disjoint;
   }
 

@@ -28,7 +28,7 @@ constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60
 
 /// Returns a simple pair of solids of that kind, which are disjoint.
 Pair easy_pair(SolidKind kind) {
-  Cylinder solid{.radius = 1, .height = 2, .rounding = kind == SolidKind::cylinder ? 0.0 : 1.0};
+  Solid solid{.radius = 1, .height = 2, .rounding = kind == SolidKind::cylinder ? 0.0 : 1.0};
   if (kind == SolidKind::sphere) solid.height = 0;
   if (kind == SolidKind::sphere || kind == SolidKind::capsule) solid.radius = 0;
   Pair pair{solid, solid};

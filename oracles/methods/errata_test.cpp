@@ -43,7 +43,7 @@ TEST(Errata, EachThatAPairShowsIsShownByItsCase) {
     ASSERT_NE(found, left.end()) << e.id;
     const Case& c = found->second;
     EXPECT_TRUE(ShownErratum(e).on(c.pair, rounding_margin)) << e.id;
-    for (const Cylinder& solid : {c.pair.a, c.pair.b})
+    for (const Solid& solid : {c.pair.a, c.pair.b})
       for (const double x : {solid.center.x(), solid.center.y(), solid.center.z(), solid.axis.x(),
                              solid.axis.y(), solid.axis.z(), solid.radius, solid.height})
         EXPECT_EQ(x, std::round(x)) << e.id;
@@ -139,7 +139,7 @@ TEST(Errata, OneDependsOnTheUnitOfLength) {
         const Pair pair = find_family(family)->generate(family_seed, index);
         for (const double unit : {0x1p-7, 0x1p10}) {
           Pair other = pair;
-          for (Cylinder* c : {&other.a, &other.b}) {
+          for (Solid* c : {&other.a, &other.b}) {
             c->center *= unit;
             c->radius *= unit;
             c->height *= unit;

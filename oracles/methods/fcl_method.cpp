@@ -30,12 +30,14 @@ constexpr std::string_view distance_source =
 constexpr double default_tol = 1e-6;
 constexpr double fine_tol = 1e-10;
 
-std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Cylinder& c) {
+std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Solid& c) {
   switch (kind_of(c)) {
     case SolidKind::sphere:
       return std::make_unique<fcl::Sphered>(c.rounding);
     case SolidKind::capsule:
       return std::make_unique<fcl::Capsuled>(c.rounding, c.height);
+    case SolidKind::half_space:
+      return std::make_unique<fcl::Halfspaced>(Vector3::UnitZ(), 0);
     case SolidKind::cylinder:
     case SolidKind::rounded:
       break;
@@ -44,8 +46,8 @@ std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Cylinder& c) {
 }
 
 /// A solid as FCL keeps it. FCL selects a formula or GJK by the kinds of both solids.
-struct Solid {
-  explicit Solid(const Cylinder& c) : shape(shape_of(c)) {
+struct FclSolid {
+  explicit FclSolid(const Solid& c) : shape(shape_of(c)) {
     pose.linear() = rotation_to(unit_axis(c.axis));
     pose.translation() = c.center;
   }
@@ -70,17 +72,17 @@ class Collide final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     answer.status = Status::answered;
-    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
+    answer.verdict = collide(FclSolid(pair.a), FclSolid(pair.b));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = shared_solids_of<FclSolid>(pairs)](std::size_t i) {
       return collide((*solids)[i].first, (*solids)[i].second);
     };
   }
 
  private:
-  Verdict collide(const Solid& a, const Solid& b) const {
+  Verdict collide(const FclSolid& a, const FclSolid& b) const {
     fcl::CollisionResultd result;
     const bool hit = fcl::collide(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result) > 0;
     return hit ? Verdict::intersecting : Verdict::disjoint;
@@ -100,7 +102,10 @@ class Distance final : public Method {
   }
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
-  bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
+  // FCL has no distance to a half-space: its support function is missing.
+  bool supports(SolidKind kind) const override {
+    return kind != SolidKind::rounded && kind != SolidKind::half_space;
+  }
   Claim claim() const override {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }
@@ -109,7 +114,7 @@ class Distance final : public Method {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     fcl::DistanceResultd result;
-    const double distance = measure(Solid(pair.a), Solid(pair.b), result);
+    const double distance = measure(FclSolid(pair.a), FclSolid(pair.b), result);
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = distance > 0 ? Verdict::disjoint : Verdict::intersecting;
@@ -121,7 +126,7 @@ class Distance final : public Method {
     return answer;
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = shared_solids_of<FclSolid>(pairs)](std::size_t i) {
       fcl::DistanceResultd result;
       const double distance = measure((*solids)[i].first, (*solids)[i].second, result);
       return distance > 0 ? distance : std::numeric_limits<double>::quiet_NaN();
@@ -131,7 +136,7 @@ class Distance final : public Method {
  private:
   // If FCL finds no distance, it returns -1, which means an overlap of unknown depth. If it gives up, it
   // leaves the nearest points uninitialised, and they differ each time.
-  double measure(const Solid& a, const Solid& b, fcl::DistanceResultd& result) const {
+  double measure(const FclSolid& a, const FclSolid& b, fcl::DistanceResultd& result) const {
     for (Vector3& point : result.nearest_points) point.setZero();
     return fcl::distance(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result);
   }

@@ -22,7 +22,7 @@
 
 #include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

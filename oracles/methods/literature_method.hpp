@@ -50,7 +50,7 @@ class LiteratureMethod final : public Method {
   const std::string_view version_;
   const Claim claim_;
   const unsigned share_;
-  Prepared (*const prepare_)(const Cylinder&) noexcept;
+  Prepared (*const prepare_)(const Solid&) noexcept;
   const Separate separate_;
 };
 

@@ -15,7 +15,7 @@
 #include "corpus/pairs/method_answer.hpp"
 #include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -72,7 +72,7 @@ class Method {
   /// Performs one-time initialization in the calling process, such as loading a library. The first answer()
   /// does the same if there was no call. May fail like answer().
   virtual void initialize() {}
-  /// Returns whether it has a shape for such solids.
+  /// Returns whether it has a shape for such solids. No pair has two half-spaces.
   virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
   /// Returns the sizes that it claims to support; null if it claims none.
   virtual const SizeRange* sizes() const { return nullptr; }
@@ -82,7 +82,7 @@ class Method {
   bool supports(const Pair& pair) const { return supports_kinds(pair) && (!sizes() || sizes()->holds(pair)); }
   /// Returns why it declines a pair that it does not support.
   MethodAnswer decline(const Pair& pair) const {
-    for (const Cylinder* solid : {&pair.a, &pair.b})
+    for (const Solid* solid : {&pair.a, &pair.b})
       if (!supports(kind_of(*solid))) return declined_shape(kind_of(*solid));
     return declined_size();
   }

@@ -27,7 +27,7 @@ struct Known {
 };
 
 /// Returns the point of c farthest along the unit vector d.
-Vector3 support(const Cylinder& c, const Vector3& d) {
+Vector3 support(const Solid& c, const Vector3& d) {
   const Vector3 w = unit_axis(c.axis);
   const Vector3 side = w.cross(d).cross(w);
   return c.center + std::copysign(c.height / 2, d.dot(w)) * w + c.radius * side.normalized();
@@ -75,7 +75,7 @@ std::vector<std::unique_ptr<Method>> chosen(std::string_view spec) {
   return select_methods(all_methods(), spec);
 }
 
-Cylinder upright(const Vector3& center) { return {center, {0, 0, 1}, 1, 2}; }
+Solid upright(const Vector3& center) { return {center, {0, 0, 1}, 1, 2}; }
 
 TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
   std::set<std::string> names;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -57,9 +58,9 @@ std::unique_ptr<mjModel, DeleteModel> make_model() {
 }
 
 /// A solid as MuJoCo keeps it.
-class Solid {
+class MujocoSolid {
  public:
-  explicit Solid(const Cylinder& c) : position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {
+  explicit MujocoSolid(const Solid& c) : position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {
     switch (kind_of(c)) {
       case SolidKind::sphere:
         type_ = mjGEOM_SPHERE;
@@ -68,6 +69,10 @@ class Solid {
       case SolidKind::capsule:
         type_ = mjGEOM_CAPSULE;
         size_ = {c.rounding, c.height / 2, 0};
+        return;
+      case SolidKind::half_space:
+        type_ = mjGEOM_PLANE;
+        size_ = {0, 0, 0};  // infinite
         return;
       case SolidKind::cylinder:
       case SolidKind::rounded:
@@ -104,7 +109,7 @@ class Collider {
     model_->opt.mpr_iterations = iterations;
   }
 
-  Verdict collide(const Solid& a, const Solid& b) {
+  Verdict collide(const MujocoSolid& a, const MujocoSolid& b) {
     if (a.type() > b.type()) return collide(b, a);  // MuJoCo's table has the lesser type first
     a.write_to(*model_, *data_, 0);
     b.write_to(*model_, *data_, 1);
@@ -134,17 +139,17 @@ class Mujoco final : public Method {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
-    for (const Cylinder* c : {&pair.a, &pair.b}) {
-      if (c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0)) continue;
+    for (const Solid* c : {&pair.a, &pair.b}) {
+      if (is_half_space(*c) || c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0)) continue;
       answer.set_reason("radius or height 0: MuJoCo's model compiler says that sizes must be positive");
       return answer;
     }
     answer.status = Status::answered;
-    answer.verdict = collider_.collide(Solid(pair.a), Solid(pair.b));
+    answer.verdict = collider_.collide(MujocoSolid(pair.a), MujocoSolid(pair.b));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = solids_of<MujocoSolid>(pairs)](std::size_t i) {
       return collider_.collide(solids[i].first, solids[i].second);
     };
   }

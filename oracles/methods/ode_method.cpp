@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -28,8 +29,12 @@ void initialise_once() {
   if (!ready) throw std::runtime_error("ODE does not initialise");
 }
 
-dGeomID geom_of(const Cylinder& c) {
+dGeomID geom_of(const Solid& c) {
   switch (kind_of(c)) {
+    case SolidKind::half_space: {
+      const Vector3 n = unit_axis(c.axis);
+      return dCreatePlane(nullptr, n.x(), n.y(), n.z(), n.dot(c.center));
+    }
     case SolidKind::sphere:
       return dCreateSphere(nullptr, c.rounding);
     case SolidKind::capsule:
@@ -42,20 +47,21 @@ dGeomID geom_of(const Cylinder& c) {
 }
 
 /// A solid as ODE keeps it, in no space and on no body. dCollide() has a function for each pair of kinds.
-class Solid {
+class OdeSolid {
  public:
-  explicit Solid(const Cylinder& c) : geom_(geom_of(c)) {
+  explicit OdeSolid(const Solid& c) : geom_(geom_of(c)) {
+    if (is_half_space(c)) return;
     const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
     const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
                                m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
     dGeomSetRotation(geom_, rotation);
     dGeomSetPosition(geom_, c.center.x(), c.center.y(), c.center.z());
   }
-  ~Solid() {
+  ~OdeSolid() {
     if (geom_ != nullptr) dGeomDestroy(geom_);
   }
-  Solid(Solid&& other) noexcept : geom_(std::exchange(other.geom_, nullptr)) {}
-  Solid& operator=(Solid&&) = delete;
+  OdeSolid(OdeSolid&& other) noexcept : geom_(std::exchange(other.geom_, nullptr)) {}
+  OdeSolid& operator=(OdeSolid&&) = delete;
 
   dGeomID geom() const { return geom_; }
 
@@ -78,23 +84,23 @@ class Ode final : public Method {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
-    const auto flat = [](const Cylinder& c) { return c.rounding == 0 && c.height == 0; };
+    const auto flat = [](const Solid& c) { return c.rounding == 0 && c.height == 0 && !is_half_space(c); };
     if (flat(pair.a) || flat(pair.b)) {
       answer.set_reason("height 0: ODE calls it an invalid cylinder and aborts");
       return answer;
     }
     answer.status = Status::answered;
-    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
+    answer.verdict = collide(OdeSolid(pair.a), OdeSolid(pair.b));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = shared_solids_of<OdeSolid>(pairs)](std::size_t i) {
       return collide((*solids)[i].first, (*solids)[i].second);
     };
   }
 
  private:
-  Verdict collide(const Solid& a, const Solid& b) const {
+  Verdict collide(const OdeSolid& a, const OdeSolid& b) const {
     dContactGeom contacts[contacts_cap];
     const int count = dCollide(a.geom(), b.geom(), flags_, contacts, sizeof contacts[0]);
     return count > 0 ? Verdict::intersecting : Verdict::disjoint;

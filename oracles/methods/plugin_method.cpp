@@ -376,7 +376,7 @@ class Plugin final : public Method {
   std::size_t number_count() const { return label_.rounding ? cylinder_number_count : core_number_count; }
 
   void append(const Pair& pair, std::vector<double>& flat) const {
-    for (const Cylinder* c : {&pair.a, &pair.b}) {
+    for (const Solid* c : {&pair.a, &pair.b}) {
       const auto numbers = numbers_of(*c);
       flat.insert(flat.end(), numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(number_count()));
     }

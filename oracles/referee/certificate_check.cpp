@@ -9,6 +9,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/tangency.hpp"
 
 namespace cyl {
 namespace {
@@ -52,7 +53,8 @@ bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
 bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
 Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
 
-Hull own_hull(const Cylinder& c) {
+Hull own_hull(const Solid& c) {
+  if (is_half_space(c)) return Hull::space;
   return both(c.height == 0 ? Hull::plane : Hull::space, c.radius == 0 ? Hull::line : Hull::space);
 }
 
@@ -60,15 +62,15 @@ Hull own_hull(const Cylinder& c) {
 
 template <class R>
 BasicFilter<R>::BasicFilter(const Pair& pair) {
-  const Cylinder &a = pair.a, &b = pair.b;
+  const Solid &a = pair.a, &b = pair.b;
   double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
   for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
   most = std::fmax(most, std::fmax(a.rounding, b.rounding));
   if (!std::isfinite(most)) return;
   exponent_ = most > 0 ? std::ilogb(most) : 0;
   bool exact = true;
-  auto solid = [&](const Cylinder& c) {
-    Solid s;
+  auto solid = [&](const Solid& c) {
+    Lifted s;
     const Vec3<double> center = scaled(plain(c.center), -exponent_, exact);
     s.center = {center.x, center.y, center.z};
     s.radius = scaled(c.radius, -exponent_, exact);
@@ -111,13 +113,13 @@ bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
 }
 
 template <class R>
-bool BasicFilter<R>::is_in(const Solid& s, Hull hull, const Vec3<I>& at) {
+bool BasicFilter<R>::is_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
   return (level(hull) || abs(dot(at, s.axis)).hi <= s.half.lo) &&
          (thin(hull) || norm(cross(at, s.axis)).hi <= s.radius.lo);
 }
 
 template <class R>
-bool BasicFilter<R>::is_strictly_in(const Solid& s, Hull hull, const Vec3<I>& at) {
+bool BasicFilter<R>::is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
   return (level(hull) || abs(dot(at, s.axis)).hi < s.half.lo) &&
          (thin(hull) || norm(cross(at, s.axis)).hi < s.radius.lo);
 }
@@ -130,7 +132,7 @@ bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
   // not covered: our tails are sums of multiples of unit axes, whose coordinates are 0 or at least 2^-200
   if (!exact) return false;
-  for (const Solid* s : {&a_, &b_}) {
+  for (const Lifted* s : {&a_, &b_}) {
     const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
     if (!is_in(*s, Hull::space, x)) return false;
   }
@@ -151,7 +153,7 @@ bool BasicFilter<R>::overlap_at(const double head[3], const double tail[3], cons
 }
 
 template <class R>
-auto BasicFilter<R>::moved(const Solid& s, Hull hull, const Vec3<I>& from) -> Vec3<I> {
+auto BasicFilter<R>::moved(const Lifted& s, Hull hull, const Vec3<I>& from) -> Vec3<I> {
   if (hull == Hull::space) return from;
   if (hull == Hull::center) return Vec3<I>{};
   const Vec3<I> along = dot(from, s.axis) * s.axis;
@@ -161,7 +163,7 @@ auto BasicFilter<R>::moved(const Solid& s, Hull hull, const Vec3<I>& from) -> Ve
 template <class R>
 bool BasicFilter<R>::come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const {
   bool exact = true;
-  const auto from_center = [&](const Solid& s, const ExactVector& v) {
+  const auto from_center = [&](const Lifted& s, const ExactVector& v) {
     const Vec3<double> h = scaled({v.head[0], v.head[1], v.head[2]}, -exponent_, exact);
     const Vec3<double> t = scaled({v.tail[0], v.tail[1], v.tail[2]}, -exponent_, exact);
     return (lift<I>(h) - lift<I>(s.center)) + lift<I>(t);
@@ -193,7 +195,7 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
   if (hull_a != Hull::space && hull_b != Hull::space) {
     const bool swap = hull_b != Hull::plane;  // now `second` lies in a plane
-    const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
+    const Lifted &first = swap ? b_ : a_, &second = swap ? a_ : b_;
     const Hull hull = swap ? hull_b : hull_a;
     if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
     const Vec3<I>&w0 = first.axis, &w1 = second.axis;
@@ -229,6 +231,7 @@ Rational3 exact(const ExactVector& v) {
 }
 
 int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
+  if (has_half_space(pair)) return support_gap_sign(pair, direction);
   const PrecisionScope precision(bits);
   const auto delta = exact(pair.b.center) - exact(pair.a.center);
   const MpInterval f = support_gap(terms_of<MpInterval>(pair.a), terms_of<MpInterval>(pair.b),
@@ -249,20 +252,22 @@ struct Sides {
 };
 
 // Compares x.w/|w| with height/2 and |x x w|/|w| with radius. Both are squared, to need no square root.
-Sides sides_of(const Cylinder& c, const Rational3& point) {
+Sides sides_of(const Solid& c, const Rational3& point) {
   const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
   const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2, radius(c.radius);
   return {cmp(mpq_class(along * along), mpq_class(half * half * ww)),
           cmp(mpq_class(dot(across, across)), mpq_class(radius * radius * ww))};
 }
 
-bool is_in(const Cylinder& c, const Rational3& point) {
+bool is_in(const Solid& c, const Rational3& point) {
+  if (is_half_space(c)) return dot(exact(c.axis), point - exact(c.center)) <= 0;
   const Sides sides = sides_of(c, point);
   return sides.cap <= 0 && sides.wall <= 0;
 }
 
 // A flat solid is taken as a part of its plane or line. The point must be in the solid.
-bool strictly_inside(const Cylinder& c, const Rational3& point, Hull hull) {
+bool strictly_inside(const Solid& c, const Rational3& point, Hull hull) {
+  if (is_half_space(c)) return dot(exact(c.axis), point - exact(c.center)) < 0;
   const Sides sides = sides_of(c, point);
   return (level(hull) || sides.cap < 0) && (thin(hull) || sides.wall < 0);
 }
@@ -288,7 +293,7 @@ mpq_class contact_distance_of(const Pair& pair) {
   return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding);
 }
 
-Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull) {
+Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull) {
   const Hull in = both(own_hull(c), hull);
   const Rational3 center = exact(c.center), w = exact(c.axis), x = point - center;
   if (in == Hull::space) return point;
@@ -328,7 +333,7 @@ std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& poi
       empty = true;
   };
   for (const bool second : {false, true}) {
-    const Cylinder& c = second ? pair.b : pair.a;
+    const Solid& c = second ? pair.b : pair.a;
     const Hull hull = both(own_hull(c), hulls[second ? 1 : 0]);
     const Rational3 w = exact(c.axis), center = exact(c.center);
     if (level(hull)) add(w, center);

@@ -11,7 +11,7 @@
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/support.hpp"
 #include "oracles/referee/interval.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -59,18 +59,18 @@ class BasicFilter {
   bool come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const;
 
  private:
-  struct Solid : Terms<I> {  // in the filter's unit
+  struct Lifted : Terms<I> {  // in the filter's unit
     Vec3<R> center;
     Hull hull;
   };
   bool close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const;
   bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
-  static bool is_in(const Solid& s, Hull hull, const Vec3<I>& at);
-  static bool is_strictly_in(const Solid& s, Hull hull, const Vec3<I>& at);
-  static Vec3<I> moved(const Solid& s, Hull hull, const Vec3<I>& from);
+  static bool is_in(const Lifted& s, Hull hull, const Vec3<I>& at);
+  static bool is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at);
+  static Vec3<I> moved(const Lifted& s, Hull hull, const Vec3<I>& from);
   bool usable_ = false;
   int exponent_ = 0;
-  Solid a_, b_;
+  Lifted a_, b_;
   Vec3<I> delta_;
 };
 
@@ -97,7 +97,7 @@ bool overlap_at(const Pair& pair, const Rational3& point);
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls = {});
 
 /// Returns the point of the solid's own hull and of `hull` that is nearest to the given point, exactly.
-Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull = Hull::space);
+Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull = Hull::space);
 
 /// Returns whether the first point is in a's core and the second in b's, decided exactly.
 bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_b);

@@ -48,8 +48,8 @@ double draw_length(RandomStream& stream, std::size_t flat) {
   return none ? 0 : decade * part;
 }
 
-Cylinder draw_solid(RandomStream& stream, std::size_t flat) {
-  Cylinder c;
+Solid draw_solid(RandomStream& stream, std::size_t flat) {
+  Solid c;
   c.axis = stream.below(4) == 0 ? stream.coordinate_axis() : stream.unit_vector();
   c.axis *= std::ldexp(stream.between(0.5, 1), stream.integer(-3, 3));
   for (int i = 0; i < 3; ++i) c.center[i] = stream.between(-1, 1);
@@ -65,7 +65,7 @@ int draw_exponent(RandomStream& stream) {
 }
 
 // f(d) = radius |d x w|/|w| + height/2 |d.w|/|w| of both, less |d.delta|. |d x w|^2 = |d|^2 |w|^2 - (d.w)^2.
-mpf_class reach_along(const Cylinder& c, const Reals& d) {
+mpf_class reach_along(const Solid& c, const Reals& d) {
   const Reals w = numbers_in<mpf_class>(c.axis);
   const mpf_class ww = inner(w, w), dw = inner(d, w), across = inner(d, d) * ww - dw * dw;
   return (c.radius * sqrt(across > 0 ? across : mpf_class(0)) + mpf_class(c.height) / 2 * abs(dw)) / sqrt(ww);
@@ -131,17 +131,17 @@ void check_direction(std::uint64_t index) {
 struct Beyond {
   mpq_class along, across;  // times |w|^2; negative inside, 0 on it
 };
-Beyond beyond(const Cylinder& c, const Rationals& point) {
+Beyond beyond(const Solid& c, const Rationals& point) {
   const Rationals x = minus(point, numbers_in<mpq_class>(c.center)), w = numbers_in<mpq_class>(c.axis);
   const mpq_class ww = inner(w, w), xw = inner(x, w), half = mpq_class(c.height) / 2, radius(c.radius);
   return {xw * xw - half * half * ww, inner(x, x) * ww - xw * xw - radius * radius * ww};
 }
-bool is_inside(const Cylinder& c, const Rationals& point) {
+bool is_inside(const Solid& c, const Rationals& point) {
   const Beyond by = beyond(c, point);
   return by.along <= 0 && by.across <= 0;
 }
 /// Returns whether the point stays inside if each length of the solid that is not 0 shrinks by `room`.
-bool has_room(Cylinder c, const Rationals& point, double room, bool level, bool thin) {
+bool has_room(Solid c, const Rationals& point, double room, bool level, bool thin) {
   if ((!level && c.height <= 2 * room) || (!thin && c.radius <= room)) return false;
   c.height -= 2 * room;
   c.radius -= room;
@@ -150,7 +150,7 @@ bool has_room(Cylinder c, const Rationals& point, double room, bool level, bool 
 }
 
 /// Returns a point of the solid's frame, `along` half heights along its axis and `across` radii across it.
-Vector3 point_of(RandomStream& stream, const Cylinder& c, double along, double across) {
+Vector3 point_of(RandomStream& stream, const Solid& c, double along, double across) {
   const Vector3 w = normalise(c.axis), out = stream.perpendicular(w);
   return along * c.height / 2 * w + across * c.radius * out;
 }
@@ -211,7 +211,7 @@ void check_point(std::uint64_t index) {
   expect(Filter(*scene).overlap_at(head, tail, {}), "points: an overlap in double");
   expect(LongFilter(*scene).overlap_at(head, tail, {}), "points: an overlap in long double");
   check_that(in_both_exact(*scene, as_vector(point)) == (in_a && in_b), "points: exactly", *scene);
-  const auto is_strict = [&](const Cylinder& c) {
+  const auto is_strict = [&](const Solid& c) {
     return beyond(c, point).along < 0 && beyond(c, point).across < 0;
   };
   check_that(overlap_at(*scene, as_vector(point)) == (is_strict(scene->a) || is_strict(scene->b)),
@@ -241,9 +241,9 @@ Hull both_of(Hull x, bool level, bool thin) {
   return level && thin ? Hull::center : level ? Hull::plane : thin ? Hull::line : Hull::space;
 }
 /// A flat solid's own hull counts for any hull.
-Hull hull_of(const Cylinder& c, Hull said) { return both_of(said, c.height == 0, c.radius == 0); }
+Hull hull_of(const Solid& c, Hull said) { return both_of(said, c.height == 0, c.radius == 0); }
 
-bool is_on(const Cylinder& c, Hull hull, const Rationals& point) {
+bool is_on(const Solid& c, Hull hull, const Rationals& point) {
   const Rationals x = minus(point, numbers_in<mpq_class>(c.center)), w = numbers_in<mpq_class>(c.axis);
   const mpq_class xw = inner(x, w);
   return (!is_level(hull) || xw == 0) && (!is_thin(hull) || inner(x, x) * inner(w, w) == xw * xw);
@@ -278,7 +278,7 @@ void check_hulls(std::uint64_t index) {
   Hulls said{enum_values<Hull>[stream.below(4)], enum_values<Hull>[stream.below(4)]};
   if (stream.coin()) said = {};
   const Hull hull_a = hull_of(pair.a, said[0]), hull_b = hull_of(pair.b, said[1]);
-  const auto place = [&](const Cylinder& c, Hull hull) {
+  const auto place = [&](const Solid& c, Hull hull) {
     const double along = is_level(hull) ? 0 : draw_place(stream) * stream.sign();
     return point_of(stream, c, along, is_thin(hull) ? 0 : draw_place(stream));
   };

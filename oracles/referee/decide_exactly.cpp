@@ -6,11 +6,11 @@
 namespace cyl {
 namespace {
 
-bool flat(const Cylinder& c) { return c.radius == 0 || c.height == 0; }
+bool flat(const Solid& c) { return c.radius == 0 || c.height == 0; }
 
 }  // namespace
 
-Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylinder& b) {
+Certificate certificate_of(const Answer& answer, const Solid& a, const Solid& b) {
   const auto doubles = [](const Vector3& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
   switch (answer.proof) {
     case Proof::none:
@@ -32,7 +32,7 @@ Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylind
 }
 
 // Two flat solids may only touch at their point, and a point in hulls must still be computed.
-Truth decide_exactly(const Cylinder& a, const Cylinder& b) {
+Truth decide_exactly(const Solid& a, const Solid& b) {
   const Answer answer = decide(a, b);
   if (answer.proof == Proof::none) return judge({a, b});
   const Certificate certificate = certificate_of(answer, a, b);

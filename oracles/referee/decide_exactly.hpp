@@ -8,7 +8,7 @@
 namespace cyl {
 
 /// Returns the certificate that the solver's answer carries.
-Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylinder& b);
+Certificate certificate_of(const Answer& answer, const Solid& a, const Solid& b);
 
 /// Decides whether the two solids meet. All lengths are in one unit of your choice. Doubles are taken
 /// exactly.
@@ -18,6 +18,6 @@ Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylind
 /// 4. Throws nothing. Thread-safe.
 /// Typical cost: that of decide(). 20 us for flat solids that meet, 0.1 ms within rounding of touching, below
 /// 1 ms for exact ties.
-Truth decide_exactly(const Cylinder& a, const Cylinder& b);
+Truth decide_exactly(const Solid& a, const Solid& b);
 
 }  // namespace cyl

@@ -69,7 +69,8 @@ bool widen(const Cap& cap, const Vec& middle, Cap& out) {
 }  // namespace
 
 DirectionBounds::DirectionBounds(const SearchPair<double>& p)
-    : solids_{Solid{normalized(p.axis0), p.radius0, p.half0}, Solid{normalized(p.axis1), p.radius1, p.half1}},
+    : solids_{Terms<double>{normalized(p.axis0), p.radius0, p.half0},
+              Terms<double>{normalized(p.axis1), p.radius1, p.half1}},
       delta_(p.delta) {
   const Vec n = cross(solids_[0].axis, solids_[1].axis);
   tilt_ = length(n);
@@ -93,7 +94,7 @@ double DirectionBounds::term_by_term(const Cap& cap) const {
   const double along = dot(cap.center, delta_), beside = length(cross(cap.center, delta_));
   const bool holds_delta = beside * cap.cosine < along * cap.sine;
   double below = -(holds_delta ? length(delta_) : along * cap.cosine + beside * cap.sine);
-  for (const Solid& s : solids_) {
+  for (const Terms<double>& s : solids_) {
     const double t = std::fabs(dot(cap.center, s.axis)), u = length(cross(cap.center, s.axis));
     const double up = u * cap.cosine - t * cap.sine, down = t * cap.cosine - u * cap.sine;  // sine, cosine
     // h cos + r sin of an angle up to a right one is least at the ends of its range.
@@ -151,7 +152,7 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
   m.y = -1.0 * delta_;
   m.f = -dot(d, delta_);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Solid& solid = solids_[i];
+    const Terms<double>& solid = solids_[i];
     m.t[i] = dot(d, solid.axis);
     const Vec radial = d - m.t[i] * solid.axis;
     m.s[i] = length(radial);
@@ -175,7 +176,7 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
     along = {(along[0] - c * along[1]) / tilt_ / tilt_, (along[1] - c * along[0]) / tilt_ / tilt_};
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    const Solid& solid = solids_[i];
+    const Terms<double>& solid = solids_[i];
     if (!on_circle[i]) continue;
     const double slid = std::clamp(along[i], -solid.half, solid.half);
     left[i] = solid.half - std::fabs(slid);
@@ -185,7 +186,7 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
   }
   double at_axes = 0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const Solid& solid = solids_[i];
+    const Terms<double>& solid = solids_[i];
     if (!at_axis[i]) continue;
     const Vec off = across(m.g, solid.axis);
     const double size = length(off), part = size > solid.radius ? solid.radius / size : 1;

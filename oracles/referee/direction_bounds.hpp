@@ -108,7 +108,6 @@ class DirectionBounds {
  private:
   template <class Consider>
   void each_kink_near(const Vec& start, double sine, const Consider& consider) const;
-  using Solid = Terms<double>;
   using Model = DirectionModel;
   using Kinks = DirectionKinks;
   struct Frame;
@@ -124,7 +123,7 @@ class DirectionBounds {
   Model settle(const Vec& start, const Kinks& kinks, double most) const;
   double bound_near(const Model& m, const Kinks& kinks, const Cap& cap) const;
 
-  std::array<Solid, 2> solids_;
+  std::array<Terms<double>, 2> solids_;
   Vec delta_, normal_;
   double reach_, tilt_;  ///< tilt: the sine of the angle between the axes
 };

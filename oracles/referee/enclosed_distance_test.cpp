@@ -113,7 +113,7 @@ TEST(Enclosure, HoldsDistancesKnownOnPaper) {
 TEST(Enclosure, HoldsAmongTheSmallestAndTheLargestDoubles) {
   constexpr double e = 5e-324, huge = 1e308;
   auto upright = [](double x, double radius, double height) {
-    return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
+    return Solid{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
   };
   struct Known {
     Pair pair;
@@ -197,7 +197,7 @@ TEST(Enclosure, KeepsToTheRimNearAnAxis) {
 TEST(Enclosure, NoDirectionLeadsOutSooner) {
   const auto f = [](const Pair& p, const Vector3& d) {
     double sum = -d.dot(p.b.center - p.a.center);
-    for (const Cylinder* c : {&p.a, &p.b}) {
+    for (const Solid* c : {&p.a, &p.b}) {
       const Vector3 w = c->axis.normalized();
       sum += c->height / 2 * std::fabs(d.dot(w)) + c->radius * d.cross(w).norm();
     }

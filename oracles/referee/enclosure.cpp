@@ -12,6 +12,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/cosine_boxes.hpp"
 #include "oracles/referee/direction_bounds.hpp"
+#include "oracles/referee/half_space.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/nearest.hpp"
 #include "oracles/referee/referee.hpp"
@@ -263,6 +264,7 @@ LeastValue least_value(const SearchPair<double>& p, const DirectionBounds& bound
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // not covered: a family's pairs are valid
   if (truth.verdict == Verdict::invalid) return {};
+  if (has_half_space(pair)) return attain_half_space(pair);
   if (is_rounded(pair)) return shrunk_by_roundings(pair, truth, relative_width);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
@@ -285,7 +287,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // not covered: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
-  if (is_rounded(pair)) return attain_distance(pair, truth, relative_width).distance;
+  if (is_rounded(pair) || has_half_space(pair)) return attain_distance(pair, truth, relative_width).distance;
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
@@ -294,6 +296,7 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
 MeasuredDistance approximate_distance(const Pair& pair) {
   constexpr std::size_t measured_cell_cap = 64;
   if (!is_legal(pair)) return {};
+  if (has_half_space(pair)) return measure_half_space(pair);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const DirectionBounds bounds(p);
@@ -311,7 +314,7 @@ MeasuredDistance approximate_distance(const Pair& pair) {
 
 MeasuredDistance measure_with_points(const Pair& pair) {
   MeasuredDistance measured = approximate_distance(pair);
-  if (measured.direction.isZero(0)) return measured;
+  if (measured.direction.isZero(0) || has_half_space(pair)) return measured;
   int exponent = 0;
   SearchPair<double> p = double_pair(pair, exponent);
   const Vec d = lifted<double>(measured.direction);
@@ -341,6 +344,7 @@ MeasuredDistance measure_with_points(const Pair& pair) {
 // not covered within: for `check --distance`. The gate asks at its own widths.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) return {0, 0};
+  if (has_half_space(pair)) return attain_half_space(pair).distance;
   const bool disjoint = truth.verdict == Verdict::disjoint;
   Enclosure distance = attain_distance(pair, truth, disjoint ? gap_width_tol : depth_width_tol).distance;
   if (disjoint ? distance.lo > 0 : distance.hi < 0) return distance;

@@ -176,6 +176,8 @@ class MpInterval {
     mpfi_sqr(r.v_, a.v_);
     return r;
   }
+  double lower() const { return mpfr_get_d(&v_->left, MPFR_RNDD); }
+  double upper() const { return mpfr_get_d(&v_->right, MPFR_RNDU); }
   bool negative() const { return mpfi_is_strictly_neg(v_) != 0; }
   bool positive() const { return mpfi_is_strictly_pos(v_) != 0; }
 

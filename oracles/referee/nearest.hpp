@@ -31,7 +31,7 @@ using std::abs;
 using std::sqrt;
 
 template <class R>
-struct Solid {
+struct Core {
   Vec3<R> center, axis;  // unit
   R radius, half;
 
@@ -61,7 +61,7 @@ struct Place {
 
 /// `u` is the unit vector from the axis to the point. `end` is +1 or -1.
 template <class R>
-Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
+Place<R> place_on(const Core<R>& s, Part part, const Vec3<R>& x) {
   const Vec3<R> d = x - s.center;
   const R along = dot(d, s.axis), zero(0.0);
   Vec3<R> u = d - along * s.axis;
@@ -172,7 +172,7 @@ class Search {
   }
 
  private:
-  static Part part_of(const Solid<R>& s, const Vec3<R>& x) {
+  static Part part_of(const Core<R>& s, const Vec3<R>& x) {
     const R nearly(1 - 0x1p-30);
     const Vec3<R> d = x - s.center;
     const R along = dot(d, s.axis);
@@ -223,7 +223,7 @@ class Search {
     take(a_.nearest(y));
   }
 
-  Solid<R> a_, b_;
+  Core<R> a_, b_;
   int bits_;
   R settled_;  // the square of a step with which half of the digits are right
   bool started_ = false;

@@ -9,6 +9,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/half_space.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/nearest.hpp"
 #include "oracles/referee/proofs.hpp"
@@ -320,12 +321,14 @@ Truth search_exactly(const Pair& pair, int bits_cap) {
 
 Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  if (has_half_space(pair)) return judge_half_space(pair);
   Guess guess;
   return prove_by_filter(pair, Filter(pair), offered, Certificates::written, guess).value_or(Truth{});
 }
 
 Truth prove_in_long_double(const Pair& pair) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  if (has_half_space(pair)) return judge_half_space(pair);
   Guess guess;
   prove_by_filter(pair, Filter(pair), {}, Certificates::left_out, guess);
   return prove_by_long_filter(pair, guess).value_or(Truth{});
@@ -333,6 +336,7 @@ Truth prove_in_long_double(const Pair& pair) {
 
 Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  if (has_half_space(pair)) return judge_half_space(pair);
   if (auto t = check_offers(pair, offered)) return std::move(*t);
   return is_rounded(pair) ? search_rounded(pair, bits_cap) : search_exactly(pair, bits_cap);
 }
@@ -344,6 +348,10 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered) {
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);  // not covered: a family's pairs are valid
+  if (has_half_space(pair)) {
+    const int sign = half_space_sign(pair);
+    return verdict_alone(sign < 0 ? Verdict::disjoint : sign > 0 ? Verdict::intersecting : Verdict::touching);
+  }
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_by_filter(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
@@ -358,7 +366,8 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;  // not covered: a family's pairs are valid
-  if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
+  if (!has_half_space(pair))
+    if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   // For a gap that is too small for those bits.
   if (answer.status == Status::answered && answer.witness == CertificateKind::direction &&

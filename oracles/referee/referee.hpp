@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The referee proves a verdict. It takes no vote and is not a method. It uses the types of
-// solver/cylinder.hpp, but none of the solver's arithmetic.
+// solver/solid.hpp, but none of the solver's arithmetic.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/method_answer.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -141,13 +141,13 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
   // from the other side, moved by t (2, 2, 1). That is a gap of exactly 3 t, or a depth of 3 |t| (the wall's
   // own depth for a segment or a disk).
   const Vector3 normal(2, 2, 1);
-  const Cylinder wall{-normal, Vector3(1, 0, -2), 3, 8};
-  const Cylinder cap{-normal, normal, 5, 6};
-  const Cylinder guests[] = {{Vector3(0, 0, 0), Vector3(1, -1, 0), 0, 2},  // segment
-                             {Vector3(0, 0, 0), normal, 0.5, 0},           // disk
-                             {Vector3(0, 0, 0), Vector3(1, 1, 1), 0, 0}};  // point
-  for (const Cylinder& host : {wall, cap})
-    for (const Cylinder& guest : guests)
+  const Solid wall{-normal, Vector3(1, 0, -2), 3, 8};
+  const Solid cap{-normal, normal, 5, 6};
+  const Solid guests[] = {{Vector3(0, 0, 0), Vector3(1, -1, 0), 0, 2},  // segment
+                          {Vector3(0, 0, 0), normal, 0.5, 0},           // disk
+                          {Vector3(0, 0, 0), Vector3(1, 1, 1), 0, 0}};  // point
+  for (const Solid& host : {wall, cap})
+    for (const Solid& guest : guests)
       for (const int exponent : {-47, -66, -100, -133, -400}) {
         for (const double side : {1.0, -1.0}) {
           Pair pair{host, guest};
@@ -182,7 +182,7 @@ TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
   // once they have shrunk by it.
   const mpq_class slack = mpq_class(20) / (mpz_class(1) << 200);
   const Rational3 x = exact(truth.certificate.vector);
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
+  for (const Solid* c : {&pair.a, &pair.b}) {
     const Rational3 r = x - exact(c->center), w = exact(c->axis), side = cross(r, w);
     const mpq_class ww = dot(w, w), half = mpq_class(c->height) / 2 + slack,
                     radius = mpq_class(c->radius) + slack;
@@ -217,7 +217,7 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
 template <class R>
 void expect_overlaps(const char* what) {
   struct Known {
-    Cylinder solid;
+    Solid solid;
     double disk_at;
     bool overlap;
   };
@@ -240,7 +240,7 @@ void expect_overlaps(const char* what) {
                        {{none, z, 0, 0}, 1, false}};  // a point in it
   for (const Known& k : all)
     for (const bool swap : {false, true}) {
-      const Cylinder disk{Vector3(k.disk_at, 0, 0), y, 2, 0};
+      const Solid disk{Vector3(k.disk_at, 0, 0), y, 2, 0};
       const Pair pair = swap ? Pair{disk, k.solid} : Pair{k.solid, disk};
       const BasicFilter<R> filter(pair);
       bool overlap = false;
@@ -287,11 +287,11 @@ TEST(Filter, RoundsOutwardsByOneNumberOrTwo) {
 // Solids on either side of one plane, z = 0, whose faces in it are apart.
 TEST(Tangency, FacesOfOnePlaneNeedNotMeet) {
   const auto flat = [](double x, double y, const Vector3& axis, double radius, double height) {
-    return Cylinder{Vector3(x, y, 0), axis, radius, height};
+    return Solid{Vector3(x, y, 0), axis, radius, height};
   };
   const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  const Cylinder disk = flat(0, 0, z, 1, 0), along_x = flat(0, 0, x, 0, 2);
-  const auto meet = [&](const Cylinder& a, const Cylinder& b) {
+  const Solid disk = flat(0, 0, z, 1, 0), along_x = flat(0, 0, x, 0, 2);
+  const auto meet = [&](const Solid& a, const Solid& b) {
     const auto there = prove_tangency({a, b}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1});
     const auto back = prove_tangency({b, a}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1});
     EXPECT_TRUE(there && back);
@@ -354,7 +354,7 @@ TEST(Judge, OfExtremeNumbersIsNoFault) {
 
 // Unit disks' prisms, one above the other, apart by 2^-70: each stage knows more than the one before.
 TEST(Judge, IsACascadeOfStages) {
-  const Cylinder lower{{0, 0, -0x1p-70}, {0, 0, 1}, 1, 2};
+  const Solid lower{{0, 0, -0x1p-70}, {0, 0, 1}, 1, 2};
   const auto above = [&](const Vector3& center) { return Pair{lower, {center, {0, 0, 1}, 1, 2}}; };
   const Pair apart = above({0, 0, 2.5}), close = above({0, 0, 2});
   EXPECT_EQ(prove_in_double(apart).verdict, Verdict::disjoint);

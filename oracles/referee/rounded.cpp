@@ -38,7 +38,7 @@ mpq_class root_above(const mpq_class& square, int digits) {
 
 /// Moves the found point into the core. It moves into the hull exactly. Then it moves inward, if needed,
 /// until its distances from the caps and the wall are 2^-digits of the half height and of the radius.
-Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
+Rational3 pulled_in(const Solid& c, const Rational3& found, int digits) {
   const Rational3 center = exact(c.center), w = exact(c.axis), x = project_to_hull(c, found) - center;
   const mpq_class share = 1 - times_power(1, -digits), ww = dot(w, w);
   mpq_class along = dot(x, w) / ww;
@@ -53,7 +53,7 @@ Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
 }
 
 /// Writes the point as the centre plus a double. The caller checks that the result is still in the core.
-std::optional<ExactVector> written_short(const Cylinder& c, const Rational3& point) {
+std::optional<ExactVector> written_short(const Solid& c, const Rational3& point) {
   const double head[3] = {c.center.x(), c.center.y(), c.center.z()};
   const Rational3 from_center = point - exact(c.center);
   const double tail[3] = {from_center.x.get_d(), from_center.y.get_d(), from_center.z.get_d()};
@@ -195,7 +195,7 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
 }
 
 /// Returns whether the point is in the core grown by the slack on all sides.
-bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& slack) {
+bool is_nearly_in(const Solid& c, const Rational3& point, const mpq_class& slack) {
   const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
   const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2 + slack,
                   radius = mpq_class(c.radius) + slack;
@@ -306,7 +306,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   if (filter.separates(direction))
     return proved(Verdict::disjoint, exact_vector(direction, no_tail), Stage::filter, 53);
   constexpr double inward = 1 - 0x1p-45;  // moves a point farther in than rounding carries it out
-  const auto point = [&](const Cylinder& c, const Vec3<double>& from_center) {
+  const auto point = [&](const Solid& c, const Vec3<double>& from_center) {
     const auto in_scene = [&](double x) { return std::ldexp(inward * x, exponent); };
     return ExactVector{{c.center.x(), c.center.y(), c.center.z()},
                        {in_scene(from_center.x), in_scene(from_center.y), in_scene(from_center.z)},
@@ -315,7 +315,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   const ExactVector on_a = point(pair.a, found.on_a), on_b = point(pair.b, found.on_b - p.delta);
   if (!filter.come_near(on_a, on_b, {})) return {};
   // For flat solids, the points meant are the nearest ones of their planes and lines.
-  const auto written = [](const Cylinder& c, const ExactVector& v) {
+  const auto written = [](const Solid& c, const ExactVector& v) {
     if (c.radius > 0 && c.height > 0) return exact_vector(v.head.data(), v.tail.data());
     return exact_vector(project_to_hull(c, exact(v)));
   };

@@ -9,7 +9,7 @@
 namespace cyl {
 
 SearchPair<double> double_pair(const Pair& pair, int& exponent) {
-  const Cylinder &a = pair.a, &b = pair.b;
+  const Solid &a = pair.a, &b = pair.b;
   auto max_abs = [](const Vector3& v) { return v.lpNorm<Eigen::Infinity>(); };
   // Subnormal pairs are scaled up before any rounding. Centres are halved if their difference overflows.
   double most = std::max({a.radius, a.height, b.radius, b.height, max_abs(a.center), max_abs(b.center)});

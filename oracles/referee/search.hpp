@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/vec3.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

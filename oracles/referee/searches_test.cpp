@@ -94,7 +94,7 @@ long double gap_of(const Pair& pair, const std::array<double, 3>& d) {
   const long double u[3] = {d[0], d[1], d[2]};
   long double delta[3], f = 0;
   for (int i = 0; i < 3; ++i) delta[i] = static_cast<long double>(pair.b.center[i]) - pair.a.center[i];
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
+  for (const Solid* c : {&pair.a, &pair.b}) {
     long double w[3] = {c->axis[0], c->axis[1], c->axis[2]}, across[3];
     const long double length = std::sqrt(dot(w, w));
     for (long double& x : w) x /= length;
@@ -145,7 +145,7 @@ void enclose_parallel(std::uint64_t index) {
   Pair pair;
   pair.a.axis = stream.coordinate_axis();
   pair.b.axis = stream.sign() * pair.a.axis;
-  for (Cylinder* c : {&pair.a, &pair.b}) {
+  for (Solid* c : {&pair.a, &pair.b}) {
     for (double& x : c->center) x = stream.integer(-8, 8);
     c->radius = stream.integer(0, 5);
     c->height = 2 * stream.integer(0, 4);

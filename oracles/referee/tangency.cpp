@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/half_space.hpp"
 #include "oracles/referee/root_sum.hpp"
 
 namespace cyl {
@@ -38,7 +40,7 @@ struct Face {
   mpq_class radius, half;
 };
 
-Face face(const Cylinder& c, const Rational3& d) {
+Face face(const Solid& c, const Rational3& d) {
   const Rational3 w = exact(c.axis);
   const mpq_class dw = dot(d, w), radius(c.radius), half = mpq_class(c.height) / 2;
   const Rational3 radial = off(d, w);
@@ -117,7 +119,7 @@ std::optional<Rational3> rational(const Root3& v) {
 // f(D) as a sum of roots. The faces of rounded solids are those of their cores, moved along D.
 RootSum support_gap(const Pair& pair, const Rational3& d) {
   RootSum sum = RootSum(0) - RootSum(abs(dot(d, exact(pair.b.center) - exact(pair.a.center))));
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
+  for (const Solid* c : {&pair.a, &pair.b}) {
     const Rational3 w = exact(c->axis), side = cross(d, w);
     const mpq_class ww = dot(w, w), dw = dot(d, w);
     sum = sum + RootSum::root(c->radius, dot(side, side) / ww) +
@@ -140,7 +142,17 @@ std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, 
   return std::pair{c0 + *x, c0 + *y};
 }
 
+std::optional<Rational3> farthest_point(const Solid& c, const Rational3& direction) {
+  const auto offset = rational(face(c, direction).center);
+  if (!offset) return std::nullopt;
+  return exact(c.center) + *offset;
+}
+
 int support_gap_sign(const Pair& pair, const Rational3& direction) {
+  if (has_half_space(pair)) {
+    const Rational3 n = exact(direction_of_half_space(pair));
+    return is_zero(cross(direction, n)) && dot(direction, n) > 0 ? half_space_sign(pair) : 1;
+  }
   return support_gap(pair, direction).sign();
 }
 

@@ -26,7 +26,10 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
 /// rational. If they touch at many points it is one far from the ends of what the faces share.
 std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, const Rational3& direction);
 
-/// The sign of f(direction), direction not 0, exactly.
+/// The middle of the face of the core that is farthest along the direction, if it is rational.
+std::optional<Rational3> farthest_point(const Solid& c, const Rational3& direction);
+
+/// The sign of f(direction), direction not 0, exactly. It is 1 if a half-space faces another direction.
 int support_gap_sign(const Pair& pair, const Rational3& direction);
 
 /// A simple rational within `tolerance` of x: the first convergent of its continued fraction that is.

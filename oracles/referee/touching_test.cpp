@@ -26,7 +26,7 @@ struct Lattice {
 /// The part of a solid that lies in the plane, about `middle` from the solid's centre. It is a disk, a
 /// segment along the unit vector (x, y) on right and front, or a point.
 struct Part {
-  Cylinder solid;
+  Solid solid;
   Vector3 middle;
   double disk = 0, half = 0, x = 0, y = 0;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
 #include "oracles/referee/multiprecision.hpp"
 
@@ -14,8 +15,13 @@ using Vec = Vec3<MpFloat>;
 
 constexpr int miss_bits = 512;
 
-/// Returns how far a point lies beyond the caps or beyond the wall, the greater of the two.
-MpFloat most_beyond(const Cylinder& c, const Vec& point) {
+/// Returns how far a point lies beyond the caps or beyond the wall, the greater of the two, or beyond a
+/// plane.
+MpFloat most_beyond(const Solid& c, const Vec& point) {
+  if (is_half_space(c)) {
+    const Vec n = lifted<MpFloat>(c.axis);
+    return dot(n, point - lifted<MpFloat>(c.center)) / norm(n);
+  }
   const auto [caps, wall] = beyond(terms_of<MpFloat>(c), point - lifted<MpFloat>(c.center));
   return std::max(caps, wall);
 }
@@ -42,6 +48,10 @@ std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer)
   if (answer.witness != CertificateKind::direction || !(norm(given) > MpFloat(0))) return {};
   const Vec d = given / norm(given),
             between = lifted<MpFloat>(pair.b.center) - lifted<MpFloat>(pair.a.center);
+  if (has_half_space(pair)) {  // the solid's own part of f; the direction should be the normal
+    const Solid& solid = is_half_space(pair.a) ? pair.b : pair.a;
+    return (support(terms_of<MpFloat>(solid), d) - abs(dot(d, between))).to_double();
+  }
   return support_gap(terms_of<MpFloat>(pair.a), terms_of<MpFloat>(pair.b), between, d).to_double();
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "corpus/pairs/method_answer.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

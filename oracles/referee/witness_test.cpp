@@ -40,7 +40,7 @@ Pair swapped(const Pair& pair) { return {pair.b, pair.a}; }
 
 // Returns the pair with its coordinates in another order, and with one of them mirrored.
 Pair turned(Pair pair, int how) {
-  for (Cylinder* c : {&pair.a, &pair.b})
+  for (Solid* c : {&pair.a, &pair.b})
     for (Vector3* v : {&c->center, &c->axis}) {
       for (int i = 0; i < how % 3; ++i) *v = Vector3(v->z(), v->x(), v->y());
       if (how >= 3) v->y() = -v->y();
@@ -58,8 +58,8 @@ void in_all_positions(const Pair& pair, Check check) {
 
 // A segment along (1, 1, 1) crosses a disk in (1, 1, 1)/3, which no doubles are. The guess is beside it.
 const Vector3 x(1, 0, 0), z(0, 0, 1), diagonal(1, 1, 1), beside(0.3125, 0.375, 0.34375);
-const Cylinder segment{Vector3(0, 0, 0), diagonal, 0, 4};
-const Cylinder disk{Vector3(0.5, 0.5, 0), diagonal, 2, 0};
+const Solid segment{Vector3(0, 0, 0), diagonal, 0, 4};
+const Solid disk{Vector3(0.5, 0.5, 0), diagonal, 2, 0};
 
 TEST(HullWitness, StandsForARationalPoint) {
   const Pair pair{segment, disk};
@@ -131,8 +131,8 @@ TEST(HullWitness, OfTouchingLeavesItTouching) {
 
 // Every witness that decide() offers holds, and the referee's verdict is the same with it and without it.
 TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
-  const Cylinder disk{{0, 0, 0}, {1, 2, 3}, 1, 0};
-  Cylinder above = disk;
+  const Solid disk{{0, 0, 0}, {1, 2, 3}, 1, 0};
+  Solid above = disk;
   MethodAnswer witness;
   witness.status = Status::answered;
   witness.set_direction({1, 2, 3});

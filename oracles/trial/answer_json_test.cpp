@@ -26,7 +26,7 @@ double wild(RandomStream& stream) {
 Pair wild_pair(RandomStream& stream) {
   Pair pair;
   do {
-    for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (Solid* c : {&pair.a, &pair.b}) {
       for (int i = 0; i < 3; ++i) c->center[i] = wild(stream), c->axis[i] = wild(stream);
       c->radius = std::fabs(wild(stream));
       c->height = std::fabs(wild(stream));

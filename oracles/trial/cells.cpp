@@ -54,11 +54,13 @@ int angle_bin(const Pair& pair) {
 int aspect_bin(const Pair& pair) {
   double most = 1;
   const auto look = [&](double x, double y) { most = std::max({most, x / y, y / x}); };
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
+  for (const Solid* c : {&pair.a, &pair.b}) {
+    if (is_half_space(*c)) continue;
     const Extents of = extents_of(*c);
     if (of.across == 0 || of.along == 0) return infinite_bin;
     look(of.across, of.along);
   }
+  if (has_half_space(pair)) return bin_of(most, powers);
   const Extents a = extents_of(pair.a), b = extents_of(pair.b);
   look(a.across / 2 + a.along, b.across / 2 + b.along);
   return bin_of(most, powers);

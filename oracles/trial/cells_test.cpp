@@ -102,7 +102,7 @@ TEST(Cells, AspectIsTheMostExtremeRatio) {
 TEST(Cells, ScaleAndOffset) {
   const auto labels = [](double scale, double offset) {
     Pair pair = beside(1);
-    for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (Solid* c : {&pair.a, &pair.b}) {
       c->radius *= scale;
       c->height *= scale;
       c->center = Vector3(0, -offset * 6 * scale, 0);

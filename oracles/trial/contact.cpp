@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/half_space.hpp"
 
 namespace cyl {
 namespace {
@@ -32,7 +34,8 @@ Angle angle_between(const Vector3& a, const Vector3& b) {
   return {u.cross(v).norm() / lengths, std::fabs(u.dot(v)) / lengths};
 }
 
-Part part_along(const Cylinder& c, const Vector3& direction) {
+Part part_along(const Solid& c, const Vector3& direction) {
+  if (is_half_space(c)) return Part::cap;
   const Angle angle = angle_between(c.axis, direction);
   if (angle.sine <= flat_tol && c.radius > 0) return Part::cap;
   if (angle.cosine <= flat_tol && c.height > 0) return Part::side;
@@ -65,7 +68,13 @@ ContactFeature feature_along(const Pair& pair, const Vector3& direction) {
 // farthest point lies in the quarter away from outer's axis. A coarse search, then thirds, find its t, the
 // one with the greatest square distance
 //     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|.
-bool contains(const Cylinder& outer, const Cylinder& inner) {
+bool contains(const Solid& outer, const Solid& inner) {
+  if (is_half_space(outer)) {  // the solid is behind the plane as far as it would be before it from outside
+    Solid beyond = outer;
+    beyond.axis = -outer.axis;
+    return half_space_sign({beyond, inner}) <= 0;
+  }
+  if (is_half_space(inner)) return false;
   const Vector3 d = inner.center - outer.center;
   const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
   const double cosine = std::fabs(w.dot(v)), sine = w.cross(v).norm();

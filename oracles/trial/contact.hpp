@@ -7,7 +7,7 @@
 
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 
@@ -21,7 +21,7 @@ inline constexpr double flat_tol = 1e-7;
 ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 
 /// Returns whether no point of `inner` is outside `outer`, up to rounding.
-bool contains(const Cylinder& outer, const Cylinder& inner);
+bool contains(const Solid& outer, const Solid& inner);
 
 /// Returns the features that meet in the direction of the signed distance, proved or from the solver.
 /// `containment` if the solids overlap and one holds the other.

@@ -60,7 +60,7 @@ TEST(ContactFeatureOf, StrataIsAsBuilt) {
 
 using enum ContactFeature;
 
-Cylinder solid(Vector3 center, Vector3 axis, double radius, double height) {
+Solid solid(Vector3 center, Vector3 axis, double radius, double height) {
   return {center, axis, radius, height};
 }
 const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), origin(0, 0, 0);
@@ -68,7 +68,7 @@ const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), origin(0, 0, 0);
 TEST(ContactFeatureOf, PlainScenes) {
   struct Scene {
     ContactFeature feature;
-    Cylinder a, b;
+    Solid a, b;
   };
   const Scene scenes[] = {
       {cap_cap, solid(origin, z, 1, 2), solid({0, 0, 3}, z, 1, 2)},
@@ -101,7 +101,7 @@ TEST(ContactFeatureOf, PlainScenes) {
     for (const double unit : {1.0, 1e-200, 1e150})
       for (const bool swapped : {false, true}) {
         Pair p{swapped ? s.b : s.a, swapped ? s.a : s.b};
-        for (Cylinder* c : {&p.a, &p.b}) {
+        for (Solid* c : {&p.a, &p.b}) {
           c->center *= unit;
           c->radius *= unit;
           c->height *= unit;
@@ -120,13 +120,13 @@ TEST(ContactFeatureOf, PlainScenes) {
 // The axes are nearly parallel. The common normal is the direction, however small the angle is.
 TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
   for (int power = 3; power <= 15; ++power) {
-    const Cylinder a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
+    const Solid a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
     EXPECT_EQ(to_string(*contact_feature({a, b})), "side-side") << power;
   }
 }
 
 TEST(Contains, IsSharp) {
-  const Cylinder outer = solid({1, 2, 3}, {1, 2, 2}, 2, 4);
+  const Solid outer = solid({1, 2, 3}, {1, 2, 2}, 2, 4);
   const Vector3 w = Vector3(1, 2, 2) / 3, u = Vector3(2, 1, -2) / 3, v = Vector3(2, -2, 1) / 3;
   for (const double off : {-1e-12, 1e-12}) {
     const bool in = off < 0;
@@ -162,7 +162,7 @@ TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
       ASSERT_NEAR(static_cast<double>(d.norm()), 1, 1e-15) << format_pair(p);
       const Wide3 delta = p.b.center.cast<long double>() - p.a.center.cast<long double>();
       long double gap = d.dot(delta);
-      for (const Cylinder& c : {p.a, p.b}) {
+      for (const Solid& c : {p.a, p.b}) {
         const Wide3 w = c.axis.cast<long double>().stableNormalized();
         gap -= c.radius * d.cross(w).norm() + c.height / 2 * std::abs(d.dot(w));
       }

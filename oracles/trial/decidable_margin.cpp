@@ -34,7 +34,7 @@ bool certainly_meet(const Pair& pair) {
 
 }  // namespace
 
-std::optional<Cylinder> core(Cylinder c, double least) {
+std::optional<Solid> core(Solid c, double least) {
   if (c.rounding >= least) {
     c.rounding -= least;
     return c;
@@ -48,7 +48,7 @@ std::optional<Cylinder> core(Cylinder c, double least) {
 }
 
 std::optional<Pair> cores(const Pair& pair, double least) {
-  const auto flat = [&](const Cylinder& solid) {
+  const auto flat = [&](const Solid& solid) {
     return solid.rounding + std::min(2 * solid.radius, solid.height) / 2 <= least / 2;
   };
   const auto a = core(pair.a, least), b = core(pair.b, least);

@@ -17,7 +17,7 @@ inline constexpr double resolved_margin = 1.01e-13;
 /// Returns the points of the solid around which a ball of radius `least` fits. They are the solid, smaller by
 /// `least` on all sides. If the solid is at most that thick, a disk or a segment takes the place of the ball.
 /// Returns nothing for a solid between the two, and for a point.
-std::optional<Cylinder> core(Cylinder c, double least);
+std::optional<Solid> core(Solid c, double least);
 
 /// Returns both cores. Returns nothing if nothing is promised: if both solids are flat, or the sum of the
 /// lengths overflows, as an offset to a common point may.

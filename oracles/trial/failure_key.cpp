@@ -34,7 +34,8 @@ Coordinate coordinate_of(const Pair& p, double margin) {
   if (size > 0 && std::min(a, b) > far_away && apart <= std::min(a, b)) return Coordinate::offset;
   if (size > 0 && (size < plain_sizes_margin.first || size > plain_sizes_margin.second))
     return Coordinate::scale;
-  const Extents of_a = extents_of(p.a), of_b = extents_of(p.b);
+  const Extents of_a = extents_of(is_half_space(p.a) ? p.b : p.a),
+                of_b = extents_of(is_half_space(p.b) ? p.a : p.b);
   if (uneven(of_a.across, of_a.along) || uneven(of_b.across, of_b.along) ||
       uneven(of_a.across / 2 + of_a.along, of_b.across / 2 + of_b.along))
     return Coordinate::aspect;

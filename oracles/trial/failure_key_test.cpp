@@ -32,11 +32,11 @@ TEST(CoordinateOf, ShowsWhatIsExtreme) {
   EXPECT_EQ(of([](Pair& p) { p.b.center.y() = 1e4; }), Coordinate::plain);  // far apart
   EXPECT_EQ(of([](Pair& p) { p.a.center.y() = -1e4, p.b.center.y() = 1e4; }), Coordinate::plain);
   EXPECT_EQ(of([](Pair& p) {
-              for (Cylinder* c : {&p.a, &p.b}) c->radius *= 1e-4, c->height *= 1e-4, c->center *= 1e-4;
+              for (Solid* c : {&p.a, &p.b}) c->radius *= 1e-4, c->height *= 1e-4, c->center *= 1e-4;
             }),
             Coordinate::scale);
   EXPECT_EQ(of([](Pair& p) {
-              for (Cylinder* c : {&p.a, &p.b}) c->radius *= 1e3, c->height *= 1e3, c->center *= 1e3;
+              for (Solid* c : {&p.a, &p.b}) c->radius *= 1e3, c->height *= 1e3, c->center *= 1e3;
             }),
             Coordinate::scale);
   EXPECT_EQ(of([](Pair& p) { p.a.radius = 0.0099; }), Coordinate::aspect);

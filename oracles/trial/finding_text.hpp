@@ -7,7 +7,7 @@
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/finding.hpp"
 #include "corpus/pairs/method_answer.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -21,13 +21,13 @@ struct Kind {
 
 /// Numbers n/64, |n| <= 256, which are exact in sums and products and often touch. Half of the axes have
 /// coordinates -2..2, so parallel and perpendicular axes are common.
-Cylinder grid_solid(RandomStream& s) {
+Solid grid_solid(RandomStream& s) {
   const auto vector = [&](int most, double unit) {
     Vector3 v;
     for (int i = 0; i < 3; ++i) v[i] = s.integer(-most, most) * unit;
     return v;
   };
-  Cylinder c;
+  Solid c;
   c.center = vector(256, 1.0 / 64);
   const bool coarse = s.coin();
   do c.axis = coarse ? vector(2, 1) : vector(256, 1.0 / 64);
@@ -39,7 +39,7 @@ Cylinder grid_solid(RandomStream& s) {
 
 Kind grid(RandomStream& s) {
   return {"grid", [s](std::uint64_t) mutable {
-            const Cylinder a = grid_solid(s), b = grid_solid(s);
+            const Solid a = grid_solid(s), b = grid_solid(s);
             return Pair{a, b};
           }};
 }

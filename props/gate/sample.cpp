@@ -79,7 +79,7 @@ SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round) {
 }
 
 /// The radius becomes the rounding, so that sides keep their distance, and so do nearly parallel axes.
-static Cylinder as_capsule(Cylinder c) {
+static Solid as_capsule(Solid c) {
   c.rounding = c.radius;
   c.radius = 0;
   return c;

@@ -157,11 +157,11 @@ TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
         answer.status = Status::answered;
       },
       of_everything);
-  const auto violation = [&](const Cylinder& a, const Cylinder& b) {
+  const auto violation = [&](const Solid& a, const Solid& b) {
     return violation_of(method, law_numbered(39), {a, b}).has_value();
   };
   const auto upright = [](double x, double radius = 1, double height = 2) {
-    return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
+    return Solid{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
   };
   EXPECT_TRUE(violation(upright(0), upright(2 + 7e-13)));
   EXPECT_FALSE(violation(upright(0), upright(2 + 5e-13)));

@@ -92,7 +92,7 @@ constexpr double rotation_error = 16 * unit_roundoff_error;
 
 double rotation_change(const Pair& pair) {
   double lengths = 0;
-  for (const Cylinder* c : {&pair.a, &pair.b})
+  for (const Solid* c : {&pair.a, &pair.b})
     lengths += c->center.norm() + c->radius + c->height / 2 + c->rounding;
   return rotation_error * lengths;
 }
@@ -102,7 +102,7 @@ std::vector<LawQuery> rotated(const Method&, const Pair& pair, const MethodAnswe
   std::vector<LawQuery> asked;
   for (const Rotation& turn : rotations) {
     asked.push_back({pair});
-    for (Cylinder* c : {&asked.back().pair.a, &asked.back().pair.b}) {
+    for (Solid* c : {&asked.back().pair.a, &asked.back().pair.b}) {
       c->center = turn.times_square * c->center / turn.square;
       c->axis = turn.times_square * prepare(*c).unit_axis;
     }
@@ -138,14 +138,14 @@ std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer
   std::vector<LawQuery> asked;
   for (const auto& [solid, by] : {std::pair{&Pair::a, coarse}, std::pair{&Pair::b, fine}}) {
     const double length = by * size_of(pair);
-    const auto push = [&, solid = solid]() -> Cylinder& {
+    const auto push = [&, solid = solid]() -> Solid& {
       asked.push_back({pair});
       return asked.back().pair.*solid;
     };
     push().radius += length;
     push().height += 2 * length;
     push().center += length * Vector3(2, -1, 2) / 3;
-    Cylinder& turned = push();
+    Solid& turned = push();
     const Vector3 w = prepare(turned).unit_axis;
     Eigen::Index least;
     w.cwiseAbs().minCoeff(&least);
@@ -182,25 +182,25 @@ std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& 
 
 /// The solids c of the triangle. One lies beyond b. A small one lies in the middle, so the inequality is
 /// nearly tight.
-std::array<Cylinder, 2> third_solids(const Pair& pair) {
+std::array<Solid, 2> third_solids(const Pair& pair) {
   const Vector3 delta = pair.b.center - pair.a.center;
   constexpr double small = 0x1p-10;
-  return {Cylinder{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height, pair.b.rounding},
-          Cylinder{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height,
-                   small * pair.b.rounding}};
+  return {Solid{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height, pair.b.rounding},
+          Solid{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height,
+                small * pair.b.rounding}};
 }
 
 std::vector<LawQuery> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {
   if (!first.has_distance || !is_usable(pair)) return {};
   std::vector<LawQuery> asked;
-  for (const Cylinder& c : third_solids(pair)) {
+  for (const Solid& c : third_solids(pair)) {
     asked.push_back({{pair.b, c}});
     asked.push_back({{pair.a, c}});
   }
   return asked;
 }
 
-double diameter(const Cylinder& c) {
+double diameter(const Solid& c) {
   return (std::hypot(2 * c.radius, c.height) + 2 * c.rounding) * (1 + sum_error);
 }
 
@@ -237,7 +237,7 @@ std::vector<LawQuery> widened(const Method&, const Pair& pair, const MethodAnswe
   for (const double width : widths)
     for (const bool of_b : {false, true}) {
       Pair wider = pair;
-      Cylinder& c = of_b ? wider.b : wider.a;
+      Solid& c = of_b ? wider.b : wider.a;
       if (c.rounding > 0) c.rounding += width * size_of(pair);
       if (c.rounding > 0) asked.push_back({wider});
     }

@@ -98,7 +98,7 @@ constexpr int scales[] = {-400, -1, 1, 400};
 std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
   const auto pair = scaled_exactly(whole, k);
   if (!pair) return {};
-  for (const Cylinder* c : {&pair->a, &pair->b})
+  for (const Solid* c : {&pair->a, &pair->b})
     for (const double side : {c->radius, c->height, c->rounding})
       if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
   const double before = extent(whole), after = extent(*pair);
@@ -131,8 +131,8 @@ std::optional<Violation> break_scaling(const LawCase& c) {
 
 // 0 - x makes no -0, unlike -x. A -0 would show the direction of an axis that lacks this coordinate.
 std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
-  const auto negated = [](Cylinder c) { return c.axis = -c.axis, c; };
-  const auto taken_from_0 = [](Cylinder c) { return c.axis = Vector3::Zero() - c.axis, c; };
+  const auto negated = [](Solid c) { return c.axis = -c.axis, c; };
+  const auto taken_from_0 = [](Solid c) { return c.axis = Vector3::Zero() - c.axis, c; };
   return {{{negated(pair.a), pair.b}},
           {{pair.a, negated(pair.b)}},
           {{taken_from_0(pair.a), pair.b}},

@@ -53,11 +53,11 @@ double shown_by(const Pair& pair, const Vector3& u);
 
 /// The capsule around a valid solid: the same axis and radius, rounded ends in addition. So capsules apart
 /// prove the solids disjoint.
-Cylinder capsule_around(const Cylinder& c);
+Solid capsule_around(const Solid& c);
 /// A capsule inside it, as wide or as high as the solid. So capsules that meet prove that the solids
 /// intersect. If rounding leaves nothing (a segment, a disk, far from the origin), its rounding is < 0: there
 /// is none.
-Cylinder capsule_inside(const Cylinder& c);
+Solid capsule_inside(const Solid& c);
 
 /// Whether the largest length of the pair, or of its coordinates, is one whose fourth power has all its
 /// digits, so that the rounding bounds of the laws hold. Law 2 carries them to other scales.

@@ -78,7 +78,7 @@ Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
 double shown_by(const Pair& pair, const Vector3& u) {
   const Vector3 delta = pair.b.center - pair.a.center;
   double lengths = delta.norm();
-  for (const Cylinder* c : {&pair.a, &pair.b}) lengths += c->radius + c->height / 2 + c->rounding;
+  for (const Solid* c : {&pair.a, &pair.b}) lengths += c->radius + c->height / 2 + c->rounding;
   // |u| is 1 within 4 roundings, which half of the second bound covers.
   return -support_gap(terms_of<double>(pair.a), terms_of<double>(pair.b), lifted<double>(delta),
                       lifted<double>(u)) -
@@ -87,7 +87,7 @@ double shown_by(const Pair& pair, const Vector3& u) {
 
 bool is_in_range(const Pair& pair) {
   double largest = 0;
-  for (const Cylinder* c : {&pair.a, &pair.b})
+  for (const Solid* c : {&pair.a, &pair.b})
     largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height, c->rounding});
   return largest >= 0x1p-200 && largest <= 0x1p200;
 }

@@ -16,7 +16,7 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

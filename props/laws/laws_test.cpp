@@ -18,7 +18,7 @@
 
 namespace cyl {
 
-void showValue(const Cylinder& c, std::ostream& out) { out << format_pair({c, c}); }
+void showValue(const Solid& c, std::ostream& out) { out << format_pair({c, c}); }
 
 namespace {
 
@@ -48,13 +48,13 @@ rc::Gen<Vector3> vector_of(const rc::Gen<Coordinate>& x) {
 }
 
 /// Half of the axes have coordinates -2..2, so parallel and perpendicular axes are common.
-rc::Gen<Cylinder> grid_cylinder() {
+rc::Gen<Solid> grid_cylinder() {
   const auto axis =
       rc::gen::suchThat(rc::gen::oneOf(vector_of(rc::gen::inRange(-2, 3)), vector_of(on_grid(-256))),
                         [](const Vector3& v) { return v != Vector3::Zero(); });
   return rc::gen::map(rc::gen::tuple(vector_of(on_grid(-256)), axis, on_grid(0), on_grid(0)),
                       [](const auto& c) {
-                        return Cylinder{std::get<0>(c), std::get<1>(c), std::get<2>(c), std::get<3>(c)};
+                        return Solid{std::get<0>(c), std::get<1>(c), std::get<2>(c), std::get<3>(c)};
                       });
 }
 
@@ -68,7 +68,7 @@ void expect_kept(const Pair& pair) {
 }
 
 RC_GTEST_PROP(Laws, HoldOnTheGrid, ()) {
-  const Cylinder a = *grid_cylinder(), b = *grid_cylinder();
+  const Solid a = *grid_cylinder(), b = *grid_cylinder();
   expect_kept({a, b});
 }
 

@@ -57,14 +57,14 @@ std::optional<Violation> break_growing(const LawCase& c) {
 }
 
 /// By how much a capsule is too wide or too narrow, so that rounding does not undo the containment.
-double slack(const Cylinder& c) { return 0x1p-50 * (c.center.norm() + c.height + c.radius + c.rounding); }
+double slack(const Solid& c) { return 0x1p-50 * (c.center.norm() + c.height + c.radius + c.rounding); }
 
 /// A proxy thinner than this, times the solid's largest number, is lost in the rounding of its centre.
 constexpr double thinnest_proxy = 0x1p-40;
 
 /// Returns b scaled to half of the width of a's inner proxy and put around `point` on its axis. None of it
 /// is outside a.
-Cylinder shrunk_into(const Cylinder& proxy, const Vector3& point, const Cylinder& b) {
+Solid shrunk_into(const Solid& proxy, const Vector3& point, const Solid& b) {
   const double extent = b.radius + b.height / 2 + b.rounding;
   const double factor = extent > 0 ? proxy.rounding / 2 / extent : 0;
   return {point, b.axis, b.radius * factor, b.height * factor, b.rounding * factor};
@@ -72,8 +72,8 @@ Cylinder shrunk_into(const Cylinder& proxy, const Vector3& point, const Cylinder
 
 std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_in_range(pair) || !is_legal(pair)) return {};
-  const Cylinder& a = pair.a;
-  const Cylinder proxy = capsule_inside(a);
+  const Solid& a = pair.a;
+  const Solid proxy = capsule_inside(a);
   const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height, a.rounding});
   if (!(proxy.rounding > thinnest_proxy * most)) return {};
   const Vector3 to_end = proxy.height / 2 * prepare(a).unit_axis;
@@ -93,16 +93,16 @@ std::optional<Violation> break_inside(const LawCase& c) {
 /// the distances of both centres from the origin.
 constexpr double proxy_error = 0x1p-45;
 
-double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
+double bounding_radius(const Solid& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
-Enclosure enclosed_distance(const Cylinder& a, const Cylinder& b) {
+Enclosure enclosed_distance(const Solid& a, const Solid& b) {
   const Pair pair{a, b};
   return enclose_distance(pair, judge_verdict(pair), gap_width_tol);
 }
 
 std::optional<Violation> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
-  const Cylinder &a = c.pair.a, &b = c.pair.b;
+  const Solid &a = c.pair.a, &b = c.pair.b;
   const double lost = proxy_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
   if (says_meet(c.first)) {
     const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
@@ -112,7 +112,7 @@ std::optional<Violation> break_proxies(const LawCase& c) {
     return Violation{verdict_text(c.first) + ", but the " + which + " the solids are apart",
                      severity_on(c, c.pair)};
   }
-  const Cylinder in_a = capsule_inside(a), in_b = capsule_inside(b);
+  const Solid in_a = capsule_inside(a), in_b = capsule_inside(b);
   if (in_a.rounding < 0 || in_b.rounding < 0) return {};
   if (enclosed_distance(in_a, in_b).hi >= -lost) return {};
   return Violation{verdict_text(c.first) + ", but the capsules inside the solids meet",
@@ -164,12 +164,12 @@ std::vector<LawQuery> swept(const Method&, const Pair& pair, const MethodAnswer&
   if (!is_rounded(pair) || !is_in_range(pair) || !is_legal(pair)) return {};
   std::vector<LawQuery> asked;
   for (const bool of_b : {false, true}) {
-    const Cylinder& whole = of_b ? pair.b : pair.a;
+    const Solid& whole = of_b ? pair.b : pair.a;
     const Vector3 to_end = inward * whole.height / 2 * prepare(whole).unit_axis;
     if (!(to_end.norm() * 0x1p-40 > whole.center.norm() * unit_roundoff_error)) continue;
     for (const double end : {-1.0, 0.0, 1.0}) {
       asked.push_back({pair});
-      Cylinder& slice = of_b ? asked.back().pair.b : asked.back().pair.a;
+      Solid& slice = of_b ? asked.back().pair.b : asked.back().pair.a;
       slice.center += end * to_end;
       slice.height = 0;
     }
@@ -187,11 +187,11 @@ std::optional<Violation> break_sweep(const LawCase& c) {
 
 }  // namespace
 
-Cylinder capsule_around(const Cylinder& c) {
+Solid capsule_around(const Solid& c) {
   return {c.center, c.axis, 0, c.height, c.radius + c.rounding + slack(c)};
 }
 
-Cylinder capsule_inside(const Cylinder& c) {
+Solid capsule_inside(const Solid& c) {
   const double width = std::min(c.radius, c.height / 2);
   return {c.center, c.axis, 0, c.height - 2 * width, width + c.rounding - slack(c)};
 }

@@ -20,12 +20,11 @@ double centre_distance(const Pair& pair) { return (pair.b.center - pair.a.center
 TEST(OneSidedLaws, CapsulesContainAndAreContained) {
   int inside = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    for (const Cylinder& c :
-         {find_family("random")->generate(7, i).a, find_family("far")->generate(7, i).a}) {
-      const Cylinder outer = capsule_around(c), inner = capsule_inside(c);
+    for (const Solid& c : {find_family("random")->generate(7, i).a, find_family("far")->generate(7, i).a}) {
+      const Solid outer = capsule_around(c), inner = capsule_inside(c);
       const Vector3 w = prepare(c).unit_axis, across = w.unitOrthogonal();
       for (const double end : {-0.5, 0.2, 0.5}) {
-        const Cylinder rim{c.center + c.radius * across + end * c.height * w, w, 0, 0};
+        const Solid rim{c.center + c.radius * across + end * c.height * w, w, 0, 0};
         EXPECT_EQ(intersect(outer, rim), Verdict::intersecting);
         if (inner.rounding < 0) continue;
         ++inside;

@@ -38,7 +38,7 @@ Decimal decimal_of(double x) {
 
 Complexity complexity(const Pair& pair) {
   Complexity c{};
-  const Cylinder &a = pair.a, &b = pair.b;
+  const Solid &a = pair.a, &b = pair.b;
   const std::array<double, 18> all{a.axis.x(),   a.axis.y(),   a.axis.z(),   b.axis.x(),   b.axis.y(),
                                    b.axis.z(),   a.radius,     b.radius,     a.height,     b.height,
                                    a.center.x(), a.center.y(), a.center.z(), b.center.x(), b.center.y(),
@@ -59,7 +59,7 @@ Complexity complexity(const Pair& pair) {
     if (x != 0) distinct.insert(std::fabs(x));
   }
   c.rounded = (a.rounding > 0) + (b.rounding > 0);
-  for (const Cylinder* s : {&a, &b})
+  for (const Solid* s : {&a, &b})
     for (const double x : {s->radius, s->height, s->rounding, s->axis.cwiseAbs().maxCoeff()})
       c.extremes += std::max(0, std::abs(decimal_of(x).exponent) - 1);
   c.distinct = static_cast<int>(distinct.size());

@@ -5,7 +5,7 @@
 #include <array>
 #include <compare>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -67,7 +67,7 @@ Pair with(Pair p, Change change) {
 double slope(const MeasuredDistance& d, const Pair& p, std::size_t which) {
   if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
   if (which > 6) return (which == 7 ? p.a : p.b).rounding == 0 ? 0 : -1;  // a solid stays without rounding
-  const Cylinder& c = which < 5 ? p.a : p.b;
+  const Solid& c = which < 5 ? p.a : p.b;
   const Vector3 w = c.axis.stableNormalized();
   return which % 2 == 1 ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
 }
@@ -197,7 +197,7 @@ Pairs translations(const Pair& p) {
   Pairs out;
   const auto add = [&](bool of_a, const Vector3& to) {
     out.push_back(with(p, [&](Pair& q) {
-      Cylinder &fixed = of_a ? q.a : q.b, &other = of_a ? q.b : q.a;
+      Solid &fixed = of_a ? q.a : q.b, &other = of_a ? q.b : q.a;
       other.center = to + (other.center - fixed.center);
       fixed.center = to;
     }));
@@ -262,7 +262,7 @@ Pairs symmetries(const Pair& p) {
   do
     for (unsigned mirror = 0; mirror < 8; ++mirror)
       out.push_back(with(p, [&](Pair& q) {
-        for (Cylinder* c : {&q.a, &q.b})
+        for (Solid* c : {&q.a, &q.b})
           for (Vector3* v : {&c->center, &c->axis}) {
             const Vector3 from = *v;
             for (unsigned i = 0; i < 3; ++i) (*v)[i] = (mirror >> i & 1 ? -1 : 1) * from[order[i]];
@@ -394,7 +394,7 @@ Pairs equalities(const Pair& p) {
   }
   for (const auto& [from, to] : {std::pair{&Pair::a, &Pair::b}, std::pair{&Pair::b, &Pair::a}})
     out.push_back(with(p, [&, from = from, to = to](Pair& q) {
-      const Cylinder& of = p.*from;
+      const Solid& of = p.*from;
       (q.*to).radius = of.radius, (q.*to).height = of.height, (q.*to).rounding = of.rounding;
     }));
   return out;

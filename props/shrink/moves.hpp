@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl::moves {
 

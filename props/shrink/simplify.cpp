@@ -23,7 +23,7 @@ constexpr std::size_t batch_cap = 32;
 using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 
 /// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height.
-unsigned zeros(const Cylinder& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
+unsigned zeros(const Solid& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
 
 /// Returns whether a pair has a radius or height of 0 that the pair as found has not, in either order of
 /// the solids. Solids without a length are special cases of many libraries, with faults of their own.

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "props/shrink/complexity.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

@@ -234,7 +234,7 @@ TEST(SimplifyTo, ItselfWhereThePairIsIllegal) {
 TEST(SimplifyTo, SomethingLegalFromAnyLengths) {
   for (const double length : {0.0, 5e-324, 1e-310, 1e-200, 1e200, 1.7e308}) {
     Pair pair = find_family("random")->generate(seed, 1);
-    for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (Solid* c : {&pair.a, &pair.b}) {
       c->center = Vector3(length, -length, length / 3);
       c->axis = length == 0 ? Vector3(5e-324, 0, -5e-324) : Vector3(length, length / 7, -length);
       c->radius = c->height = length;

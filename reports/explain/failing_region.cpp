@@ -227,7 +227,7 @@ class SearchPath {
   }
 
   double& length(Pair& p) const {
-    Cylinder& c = parameter_ == radius_a || parameter_ == height_a ? p.a : p.b;
+    Solid& c = parameter_ == radius_a || parameter_ == height_a ? p.a : p.b;
     return parameter_ == radius_a || parameter_ == radius_b ? c.radius : c.height;
   }
 

@@ -34,7 +34,7 @@ std::string triple(const Vector3& v) {
   return fmt::format("({}, {}, {})", format_double(v[0]), format_double(v[1]), format_double(v[2]));
 }
 
-std::string row(const char* name, const Cylinder& c, bool rounded) {
+std::string row(const char* name, const Solid& c, bool rounded) {
   return fmt::format("| {} | {} | {} | {} | {} |{}\n", name, triple(c.center), triple(c.axis),
                      format_double(c.radius), format_double(c.height),
                      rounded ? fmt::format(" {} |", format_double(c.rounding)) : "");
@@ -42,7 +42,7 @@ std::string row(const char* name, const Cylinder& c, bool rounded) {
 
 /// Returns "two spheres", "a capsule and a rounded cylinder".
 std::string solids_in_words(const Pair& pair) {
-  const auto word = [](const Cylinder& c) {
+  const auto word = [](const Solid& c) {
     return std::string(to_string(kind_of(c))) + (kind_of(c) == SolidKind::rounded ? " cylinder" : "");
   };
   const std::string a = word(pair.a), b = word(pair.b);

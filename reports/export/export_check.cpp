@@ -64,7 +64,7 @@ std::string claims(const Trial& asked, AxesGiven axes) {
 }
 
 /// Returns the point of the core that is nearest to the given point.
-std::optional<Rational3> point_in(const Cylinder& c, const Vector3& point) {
+std::optional<Rational3> point_in(const Solid& c, const Vector3& point) {
   const Pair twice{c, c};
   for (const double share : {1.0, 1 - pull_margin}) {
     const auto x = project_to_hulls(twice, exact(c.center + share * (point - c.center)));
@@ -86,7 +86,7 @@ std::string distance_claim(const Trial& asked, const Claim& claim) {
     proof = direction_of(attain_distance(asked.pair, asked.truth, direction_width));
   } else {
     if (asked.truth.verdict != Verdict::disjoint || !(said > tolerance)) return {};
-    Cylinder a = asked.pair.a, b = asked.pair.b;
+    Solid a = asked.pair.a, b = asked.pair.b;
     a.rounding = b.rounding = 0;
     const MeasuredDistance nearest = measure_with_points({a, b});
     const auto p = point_in(a, a.center + nearest.on_a), q = point_in(b, b.center + nearest.on_b);

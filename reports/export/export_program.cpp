@@ -45,7 +45,7 @@ std::string listed(const double* numbers, int count) {
 }
 
 /// Adds @a.radius@, @a.rotation@ and the other words of one solid.
-void add_solid(Words& words, const std::string& name, const Cylinder& c) {
+void add_solid(Words& words, const std::string& name, const Solid& c) {
   const Vector3 axis = unit_axis(c.axis);
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = rotation_to(axis);
   words[name + ".radius"] = literal(c.radius);

@@ -180,7 +180,7 @@ TEST(Export, EveryMethodHasAProgram) {
       const std::string program = reproducing_program(*call, asked, *method);
       EXPECT_FALSE(has(program, "@")) << program;
       const bool full = call->library == "FCL" || call->library == "ODE";
-      for (const Cylinder* c : {&asked.pair.a, &asked.pair.b}) {
+      for (const Solid* c : {&asked.pair.a, &asked.pair.b}) {
         const Vector3 axis = unit_axis(c->axis);
         std::vector<double> numbers{c->radius, full ? c->height : c->height / 2};
         for (const Vector3* v : {&c->center, &axis}) numbers.insert(numbers.end(), v->begin(), v->end());

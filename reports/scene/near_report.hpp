@@ -19,7 +19,7 @@ struct NearStudy {
   std::string generated;  ///< "rods" or "pipes", of the seed
   std::uint64_t seed = 1;
   double clearance = 0;
-  std::vector<Cylinder> cylinders;
+  std::vector<Solid> cylinders;
   std::vector<std::string> names;  ///< of a file's cylinders; empty if generated
   ClosePairs pairs;
   std::optional<ClosePairsCheck> check;

@@ -78,7 +78,7 @@ json pose_json(const Pose& pose) {
 }
 
 json body_json(const Scene& scene, const Body& body) {
-  json all{{"name", body.name}, {"link", scene.links[body.link].name}, {"solid", cylinder_json(body.solid)}};
+  json all{{"name", body.name}, {"link", scene.links[body.link].name}, {"solid", solid_json(body.solid)}};
   if (body.box)
     all["holds"] = {{"shape", body.box->shape},
                     {"size", vector_json(body.box->size)},

@@ -11,7 +11,7 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

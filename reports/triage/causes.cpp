@@ -177,7 +177,7 @@ Pair like(const Pair& drawn, const Pair& model, bool moved) {
   const auto exponent = [](const Pair& p) { return size_of(p) > 0 ? std::ilogb(size_of(p)) : 0; };
   Pair pair = scaled(drawn, exponent(model) - exponent(drawn));
   if (moved)
-    for (Cylinder* c : {&pair.a, &pair.b}) c->center += model.a.center;
+    for (Solid* c : {&pair.a, &pair.b}) c->center += model.a.center;
   return pair;
 }
 

@@ -35,7 +35,7 @@ Pair wider_by(const Pair& pair, double clearance, bool said_within) {
 
 }  // namespace
 
-ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearance) {
+ClosePairs find_close_pairs(std::span<const Solid> cylinders, double clearance) {
   ClosePairs s;
   s.bodies = cylinders.size();
   double began = processor_ns();
@@ -43,7 +43,7 @@ ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearanc
   std::vector<Box> boxes;
   models.reserve(cylinders.size());
   boxes.reserve(cylinders.size());
-  for (const Cylinder& c : cylinders) {
+  for (const Solid& c : cylinders) {
     models.push_back(make_models(c));
     boxes.push_back(box_around(models.back().solid, clearance));
   }
@@ -90,7 +90,7 @@ void CertificateCheck::add(const Pair& pair, double clearance, bool said_within)
   failed += check_witness(wider_by(pair, clearance, said_within), witness) != said;
 }
 
-ClosePairsCheck check_close_pairs(std::span<const Cylinder> cylinders, double clearance,
+ClosePairsCheck check_close_pairs(std::span<const Solid> cylinders, double clearance,
                                   const ClosePairs& answered) {
   ClosePairsCheck check;
   const auto of_each = [&](auto add) {

@@ -37,7 +37,7 @@ inline constexpr std::size_t candidates_cap = 5'000'000;
 
 /// Returns the pairs of valid cylinders within the clearance. Throws InputError if the boxes of more pairs
 /// meet than candidates_cap allows. Cost: about n log n, as long as few boxes overlap.
-ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearance);
+ClosePairs find_close_pairs(std::span<const Solid> cylinders, double clearance);
 
 /// The solver's certificates of what was answered, as the referee checks them.
 struct CertificateCheck {
@@ -57,7 +57,7 @@ struct ClosePairsCheck {
 
 /// Puts the answer about every pair whose boxes meet before the referee, and then its certificate. Cost: some
 /// 2 us a pair, more near touching.
-ClosePairsCheck check_close_pairs(std::span<const Cylinder> cylinders, double clearance,
+ClosePairsCheck check_close_pairs(std::span<const Solid> cylinders, double clearance,
                                   const ClosePairs& answered);
 
 }  // namespace cyl

@@ -16,7 +16,7 @@ namespace cyl {
 namespace {
 
 /// Returns all pairs that the referee proves within the clearance, one by one.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> by_referee(const std::vector<Cylinder>& c,
+std::vector<std::pair<std::uint32_t, std::uint32_t>> by_referee(const std::vector<Solid>& c,
                                                                 double clearance) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
   for (std::uint32_t i = 0; i < c.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> by_referee(const std::vecto
 TEST(ClosePairs, FindsAllClosePairsAndNoOthers) {
   for (const char* kind : {"rods", "pipes"}) {
     for (const double clearance : {0.0, 0.01}) {
-      const std::vector<Cylinder> c = generate_cylinders(kind, 120, 3);
+      const std::vector<Solid> c = generate_cylinders(kind, 120, 3);
       const ClosePairs s = find_close_pairs(c, clearance);
       const ClosePairsCheck check = check_close_pairs(c, clearance, s);
       EXPECT_EQ(check.referee.asked, s.candidates.size());
@@ -53,7 +53,7 @@ TEST(ClosePairs, FindsAllClosePairsAndNoOthers) {
 }
 
 TEST(ClosePairs, SolidsInOnePlaceAreRefusedBeforeTheyFillTheMemory) {
-  const std::vector<Cylinder> same(4000, generate_cylinders("rods", 1, 1).front());
+  const std::vector<Solid> same(4000, generate_cylinders("rods", 1, 1).front());
   EXPECT_THROW(find_close_pairs(same, 0), InputError);
   EXPECT_EQ(find_close_pairs(std::span(same).first(1000), 0).within.size(), 999u * 500);
 }
@@ -67,13 +67,13 @@ TEST(ClosePairs, AnswersOneQuestionForEachPairOfBoxes) {
 }
 
 /// Three spheres in a row. The first two overlap, and the third is 0.5 from the second.
-std::vector<Cylinder> three_spheres() {
+std::vector<Solid> three_spheres() {
   const Vector3 up(0, 0, 1);
   return {{{0, 0, 0}, up, 0, 0, 1}, {{1.5, 0, 0}, up, 0, 0, 1}, {{4, 0, 0}, up, 0, 0, 1}};
 }
 
 TEST(ClosePairsCheck, FindsAnswersThatAreWrong) {
-  const std::vector<Cylinder> c = three_spheres();
+  const std::vector<Solid> c = three_spheres();
   for (const double clearance : {0.25, 0.75}) {
     ClosePairs said = find_close_pairs(c, clearance);
     said.candidates = {{0, 1}, {1, 2}};
@@ -111,7 +111,7 @@ TEST(ClosePairsCheck, CountsPairsWithoutACertificate) {
 }
 
 TEST(NearestPairs, AreThoseOfTheLeastDistance) {
-  const std::vector<Cylinder> c = generate_cylinders("rods", 400, 5);
+  const std::vector<Solid> c = generate_cylinders("rods", 400, 5);
   const ClosePairs s = find_close_pairs(c, 0.01);
   ASSERT_GT(s.candidates.size(), 100u);
   const std::vector<NearPair> all = nearest_pairs(c, 0.01, s, s.candidates.size());
@@ -150,7 +150,7 @@ TEST(Boxes, AreAsTightAsTheyMayBe) {
 TEST(Generators, AreFunctionsOfTheirSeed) {
   const auto text = [](const char* kind, std::uint64_t seed) {
     std::string all;
-    for (const Cylinder& c : generate_cylinders(kind, 40, seed)) all += std::to_string(c.center.x()) + ' ';
+    for (const Solid& c : generate_cylinders(kind, 40, seed)) all += std::to_string(c.center.x()) + ' ';
     return all;
   };
   EXPECT_EQ(text("rods", 1), text("rods", 1));

@@ -36,7 +36,7 @@ Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double cl
 
 }  // namespace
 
-ProxyModels make_models(const Cylinder& c) noexcept {
+ProxyModels make_models(const Solid& c) noexcept {
   const double margin = model_margin * (c.radius + c.height + c.rounding);
   const double inside = std::min(c.radius, c.height / 2);
   const auto model = [&](double height, double rounding) {
@@ -48,10 +48,10 @@ ProxyModels make_models(const Cylinder& c) noexcept {
           model(c.height - 2 * inside, inside + c.rounding - margin)};
 }
 
-std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
+std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
   std::vector<ProxyModels> models;
   models.reserve(placed.size());
-  for (const Cylinder& c : placed) models.push_back(make_models(c));
+  for (const Solid& c : placed) models.push_back(make_models(c));
   return models;
 }
 

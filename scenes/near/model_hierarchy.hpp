@@ -44,8 +44,8 @@ struct ProxyModels {
   Prepared solid, ball, outer;
   Prepared inner;  ///< invalid if nothing is inside: for a segment, a disk, a point
 };
-ProxyModels make_models(const Cylinder& c) noexcept;
-std::vector<ProxyModels> models_of(std::span<const Cylinder> placed);
+ProxyModels make_models(const Solid& c) noexcept;
+std::vector<ProxyModels> models_of(std::span<const Solid> placed);
 
 /// Returns the answer of one level for valid solids. `apart` and `within` are never wrong beyond 1e-13 of the
 /// size (`cylinder`), beyond its own error bound (`distance`), or at all (the others).

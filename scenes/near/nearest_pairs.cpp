@@ -8,7 +8,7 @@
 
 namespace cyl {
 
-std::vector<NearPair> nearest_pairs(std::span<const Cylinder> cylinders, double clearance,
+std::vector<NearPair> nearest_pairs(std::span<const Solid> cylinders, double clearance,
                                     const ClosePairs& answered, std::size_t most) {
   struct Measured {
     double distance;
@@ -26,7 +26,7 @@ std::vector<NearPair> nearest_pairs(std::span<const Cylinder> cylinders, double 
   std::partial_sort(measured.begin(), end, measured.end());
   std::vector<NearPair> nearest;
   for (const Measured& m : std::span(measured).first(count)) {
-    const Cylinder &a = cylinders[m.bodies.first], &b = cylinders[m.bodies.second];
+    const Solid &a = cylinders[m.bodies.first], &b = cylinders[m.bodies.second];
     const Distance d = distance(a, b);
     nearest.push_back({m.bodies, d.value, d.error, a.center + d.on_a, b.center + d.on_b,
                        std::ranges::binary_search(answered.within, m.bodies),

@@ -22,7 +22,7 @@ struct NearPair {
 /// Returns the nearest pairs whose boxes meet, by distance and then by index, at most `count`. If they are
 /// farther apart than the clearance, other pairs whose boxes do not meet may be nearer. Cost: the distance of
 /// every such pair, some 1 us each.
-std::vector<NearPair> nearest_pairs(std::span<const Cylinder> cylinders, double clearance,
+std::vector<NearPair> nearest_pairs(std::span<const Solid> cylinders, double clearance,
                                     const ClosePairs& answered, std::size_t most);
 
 }  // namespace cyl

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double rods_per_volume = 2;
 
-std::vector<Cylinder> rods(std::size_t count, std::uint64_t seed) {
+std::vector<Solid> rods(std::size_t count, std::uint64_t seed) {
   // The side of the cube grows in fixed steps, because cbrt differs between C libraries.
   double side = 1;
   while (side * side * side * rods_per_volume < static_cast<double>(count)) side += 0.125;
-  std::vector<Cylinder> cylinders;
+  std::vector<Solid> cylinders;
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream stream("scene rods", seed, i);
     Vector3 center;
@@ -28,10 +28,10 @@ std::vector<Cylinder> rods(std::size_t count, std::uint64_t seed) {
 
 /// Makes pipes of radius 0.1 and height 6, in layers of 16 at a pitch of 0.25, each across the layer below.
 /// Every second solid is a flange on a pipe, near the flange of its neighbour. Racks stand side by side.
-std::vector<Cylinder> pipes(std::size_t count, std::uint64_t seed) {
+std::vector<Solid> pipes(std::size_t count, std::uint64_t seed) {
   constexpr std::size_t row = 16, layers = 20;
   constexpr double pitch = 0.25, layer_pitch = 0.2501, rack_pitch = 8;
-  std::vector<Cylinder> cylinders;
+  std::vector<Solid> cylinders;
   for (std::size_t i = 0; cylinders.size() < count; ++i) {
     RandomStream stream("scene pipes", seed, i);
     const std::size_t column = i % row, layer = i / row % layers, rack = i / (row * layers);
@@ -52,7 +52,7 @@ std::vector<Cylinder> pipes(std::size_t count, std::uint64_t seed) {
 
 }  // namespace
 
-std::vector<Cylinder> generate_cylinders(std::string_view kind, std::size_t count, std::uint64_t seed) {
+std::vector<Solid> generate_cylinders(std::string_view kind, std::size_t count, std::uint64_t seed) {
   if (kind == "rods") return rods(count, seed);
   if (kind == "pipes") return pipes(count, seed);
   throw UsageError("'" + std::string(kind) + "' is none of rods, pipes");

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 namespace cyl {
 

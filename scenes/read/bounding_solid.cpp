@@ -81,7 +81,7 @@ Ball smallest_ball(Points points) {
 constexpr std::array widths{1.0, 1.0625, 1.125, 1.25, 1.5};
 
 /// Returns the least cylinder or capsule along a unit axis. The points' shadow gives its circle.
-Cylinder around_axis(Points points, const Vector3& axis) {
+Solid around_axis(Points points, const Vector3& axis) {
   std::vector<Vector3> shadow(points.begin(), points.end());
   for (Vector3& p : shadow) p -= p.dot(axis) * axis;
   const Ball circle = smallest_ball(shadow);
@@ -91,7 +91,7 @@ Cylinder around_axis(Points points, const Vector3& axis) {
     high = std::max(high, p.dot(axis));
   }
   const Vector3 foot = circle.center - circle.center.dot(axis) * axis;
-  Cylinder best{foot + (low + high) / 2 * axis, axis, circle.radius, high - low, 0};
+  Solid best{foot + (low + high) / 2 * axis, axis, circle.radius, high - low, 0};
   for (const double width : widths) {
     const double radius = width * circle.radius;
     double first = INFINITY, last = -INFINITY;  // the ends of the segment
@@ -100,7 +100,7 @@ Cylinder around_axis(Points points, const Vector3& axis) {
       first = std::min(first, points[i].dot(axis) + reach);
       last = std::max(last, points[i].dot(axis) - reach);
     }
-    const Cylinder capsule{foot + (first + last) / 2 * axis, axis, 0, std::max(0.0, last - first), radius};
+    const Solid capsule{foot + (first + last) / 2 * axis, axis, 0, std::max(0.0, last - first), radius};
     if (volume_of(capsule) < volume_of(best)) best = capsule;
   }
   return best;
@@ -110,10 +110,10 @@ Cylinder around_axis(Points points, const Vector3& axis) {
 /// share keeps the axes of a box as they are.
 constexpr double first_step = 0.4, last_step = 1e-3, worth = 0.999;
 
-Cylinder along_the_best_axis(Points points) {
-  Cylinder best = around_axis(points, {0, 0, 1});
+Solid along_the_best_axis(Points points) {
+  Solid best = around_axis(points, {0, 0, 1});
   const auto better = [&](const Vector3& axis, double share) {
-    const Cylinder tried = around_axis(points, axis.normalized());
+    const Solid tried = around_axis(points, axis.normalized());
     if (!(volume_of(tried) < share * volume_of(best))) return false;
     best = tried;
     return true;
@@ -163,7 +163,7 @@ std::vector<Vector3> shell_of(Points points) {
   return shell;
 }
 
-void grow(Cylinder& solid, double by) {
+void grow(Solid& solid, double by) {
   if (solid.radius > 0 || solid.rounding == 0) {
     solid.radius += by;
     solid.height += 2 * by;
@@ -174,7 +174,7 @@ void grow(Cylinder& solid, double by) {
 
 }  // namespace
 
-double volume_of(const Cylinder& c) noexcept {
+double volume_of(const Solid& c) noexcept {
   const double wide = c.radius + c.rounding;
   return std::numbers::pi * wide * wide * c.height +
          4 * std::numbers::pi / 3 * c.rounding * c.rounding * c.rounding;
@@ -194,7 +194,7 @@ Bound bound_of(Points points) {
     throw std::runtime_error("a point is not finite");
   const Ball ball = smallest_ball(points);
   Bound bound{around_axis(points, along_the_best_axis(shell_of(points)).axis), 0, 0, points[0], points[0]};
-  Cylinder& solid = bound.solid;
+  Solid& solid = bound.solid;
   if (ball.radius == 0 || 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3) < volume_of(solid))
     solid = {ball.center, {0, 0, 1}, 0, 0, ball.radius};
   for (const Vector3& p : points) {
@@ -212,8 +212,8 @@ Bound bound_of(Points points) {
 }
 
 // The solid grows by how far points are computed to be outside, and by the errors of moving and computing.
-Cylinder moved(const Bound& bound, const Pose& pose) {
-  Cylinder solid = bound.solid;
+Solid moved(const Bound& bound, const Pose& pose) {
+  Solid solid = bound.solid;
   const double lengths = pose.translation().norm() + solid.center.norm() + bound.reach;
   grow(solid, bound.outside + bound_error * lengths + bound_underflow_error);
   solid.center = pose * solid.center;

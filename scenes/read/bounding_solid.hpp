@@ -20,7 +20,7 @@ inline constexpr double bound_underflow_error = 0x1p-500;
 
 /// A bound of points before a pose moves them.
 struct Bound {
-  Cylinder solid;                 ///< around them, up to rounding errors
+  Solid solid;                    ///< around them, up to rounding errors
   double outside = 0, reach = 0;  ///< how far one lies outside of it, and from the origin, at most
   Vector3 low{0, 0, 0}, high{0, 0, 0};
 };
@@ -29,13 +29,13 @@ struct Bound {
 Bound bound_of(std::span<const Vector3> points);
 /// Returns the solid moved by a pose, grown so that every moved point is in it. Throws std::runtime_error if
 /// doubles cannot bound them.
-Cylinder moved(const Bound& bound, const Pose& pose);
+Solid moved(const Bound& bound, const Pose& pose);
 
 /// Returns the corners of a box around its origin.
 std::array<Vector3, 8> corners_of(const Vector3& size);
 
 /// Returns the volume of a ball, capsule or cylinder.
-double volume_of(const Cylinder& solid) noexcept;
+double volume_of(const Solid& solid) noexcept;
 
 /// Returns a body that stands in for such points, with their box.
 Body bounded_body(std::string name, std::size_t link, std::string shape, const Bound& bound,

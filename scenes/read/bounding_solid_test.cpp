@@ -15,7 +15,7 @@
 namespace cyl {
 namespace {
 
-bool holds(const Cylinder& solid, const Vector3& point) {
+bool holds(const Solid& solid, const Vector3& point) {
   const Verdict verdict = judge_verdict({solid, {point, {0, 0, 1}, 0, 0, 0}}).verdict;
   return verdict == Verdict::intersecting || verdict == Verdict::touching;
 }
@@ -46,7 +46,7 @@ TEST(BoundingSolid, HoldsEveryPoint) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     RandomStream stream("cloud", 20261124, i);
     const std::vector<Vector3> points = cloud(stream, i % 5);
-    const Cylinder solid = moved(bound_of(points), Pose::Identity());
+    const Solid solid = moved(bound_of(points), Pose::Identity());
     ++kinds[static_cast<std::size_t>(kind_of(solid))];
     for (const Vector3& p : points) EXPECT_TRUE(holds(solid, p)) << i;
   }
@@ -69,7 +69,7 @@ TEST(BoundingSolid, HoldsTheCornersOfBoxesWhereverTheyAre) {
     Pose pose(Eigen::Translation3d(away) * Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized());
     const Eigen::Matrix<long double, 3, 3> turn =
         Eigen::Quaternion<long double>(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix();
-    const Cylinder solid = moved(bound_of(corners_of(size)), pose);
+    const Solid solid = moved(bound_of(corners_of(size)), pose);
     for (const Vector3& corner : corners_of(size)) {
       const Wide moved = turn * corner.cast<long double>() + away.cast<long double>();
       EXPECT_TRUE(holds(solid, moved.cast<double>())) << i;
@@ -103,7 +103,7 @@ TEST(BoundingSolid, IsHardlyMoreThanWhatItHolds) {
 }
 
 TEST(BoundingSolid, OfFewPoints) {
-  const Cylinder point = moved(bound_of(std::vector<Vector3>{{1, 2, 3}}), Pose::Identity());
+  const Solid point = moved(bound_of(std::vector<Vector3>{{1, 2, 3}}), Pose::Identity());
   EXPECT_LT(point.radius + point.rounding + point.height, 1e-12);
   EXPECT_TRUE(holds(point, {1, 2, 3}));
   const std::vector<Vector3> same(5, Vector3(1, 2, 3));

@@ -84,7 +84,7 @@ TEST_F(Mjcf, ClassesInClasses) {
     </worldbody>)");
   ASSERT_EQ(scene.bodies.size(), 6u);
   const auto expect = [&](std::size_t i, SolidKind kind, double wide, double height) {
-    const Cylinder& c = scene.bodies[i].solid;
+    const Solid& c = scene.bodies[i].solid;
     EXPECT_EQ(kind_of(c), kind) << i;
     EXPECT_EQ(c.radius + c.rounding, wide) << i;
     EXPECT_EQ(c.height, height) << i;

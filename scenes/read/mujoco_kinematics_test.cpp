@@ -33,8 +33,8 @@ struct DeleteData {
 using Columns = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// Whether the shape of the body is that geom, in that place.
-bool same_shape(const Body& body, const Cylinder& c, const Pose& link, const mjModel& model,
-                const mjData& data, int g) {
+bool same_shape(const Body& body, const Solid& c, const Pose& link, const mjModel& model, const mjData& data,
+                int g) {
   const int type = model.geom_type[g];
   const mjtNum* size = model.geom_size + 3 * g;
   const Vector3 center(data.geom_xpos[3 * g], data.geom_xpos[3 * g + 1], data.geom_xpos[3 * g + 2]);
@@ -83,7 +83,7 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
       }
     }
     const std::vector<Pose> poses = pose_links(scene, joints);
-    std::vector<Cylinder> placed;
+    std::vector<Solid> placed;
     place(scene, poses, placed);
     std::size_t met = 0;
     for (int g = 0; g < model->ngeom; ++g) {

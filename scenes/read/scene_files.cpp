@@ -19,7 +19,7 @@
 namespace cyl {
 namespace {
 
-using Named = std::pair<std::string, Cylinder>;
+using Named = std::pair<std::string, Solid>;
 
 /// The last column may be missing.
 constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
@@ -186,7 +186,7 @@ void escape_names(Scene& scene) {
 
 }  // namespace
 
-Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders) {
+Scene still_scene(std::vector<std::pair<std::string, Solid>> cylinders) {
   Scene scene;
   for (auto& [name, solid] : cylinders) {
     const std::size_t i = scene.links.size();

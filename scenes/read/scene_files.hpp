@@ -27,6 +27,6 @@ Scene read_mjcf(NamedFiles& files);
 /// Adds the pairs of links that an SRDF disables; links that the scene has not are noted.
 void read_srdf(NamedFiles& files, const std::string& file, NamedBy by, Scene& scene);
 /// Solids that stand still, each on a link of its own.
-Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders);
+Scene still_scene(std::vector<std::pair<std::string, Solid>> cylinders);
 
 }  // namespace cyl

@@ -150,8 +150,8 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
 }
 
 /// Returns the solid of a cylinder, sphere or capsule. The length of a capsule is that of its cylinder.
-Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule) {
-  Cylinder solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
+Solid solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule) {
+  Solid solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
   if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) solid.rounding = sphere->radius;
   if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
     solid.height = cylinder->length;
@@ -165,10 +165,10 @@ Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule
 constexpr double decimals_tol = 1e-9;
 
 /// Returns the sphere that ends a cylinder there. If several are near enough, returns the nearest.
-std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinder& wall, const Vector3& end) {
+std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Solid& wall, const Vector3& end) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Cylinder& s = bodies[k].solid;
+    const Solid& s = bodies[k].solid;
     const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
     if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= decimals_tol * wall.radius &&
         std::fabs(s.rounding - wall.radius) <= decimals_tol * wall.radius && (!best || off(k) < off(*best)))
@@ -182,7 +182,7 @@ std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinde
 void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
-    const Cylinder wall = bodies[i].solid;
+    const Solid wall = bodies[i].solid;
     if (bodies[i].box || kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
     const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach,
                   high = wall.center + reach;
@@ -191,7 +191,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
     if (!at_low || !at_high || at_low == at_high) continue;
     double wide = wall.radius, least = wall.radius;  // the most and the least that the shapes reach
     for (const auto& [k, end] : {std::pair(*at_low, low), std::pair(*at_high, high)}) {
-      const Cylinder& sphere = own[k].solid;
+      const Solid& sphere = own[k].solid;
       const double off = (sphere.center - end).norm();
       wide = std::max(wide, sphere.rounding + off);
       least = std::min(least, sphere.rounding - off);

@@ -39,7 +39,7 @@
 namespace cyl {
 namespace {
 
-double length_of_solid(const Cylinder& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
+double length_of_solid(const Solid& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
 
 bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
 
@@ -155,7 +155,7 @@ const Pair& JointPath::place_middle(const JointBox& box) {
   return placed_;
 }
 
-JointPath::Side JointPath::side_of(const Cylinder& solid) {
+JointPath::Side JointPath::side_of(const Solid& solid) {
   const Vector3 unit = solid.axis.normalized(), half = solid.height / 2 * unit;
   return {unit, {solid.center - half, solid.center + half}, solid.radius};
 }

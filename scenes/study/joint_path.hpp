@@ -79,7 +79,7 @@ class JointPath {
     double middle = 0, half = 0;
     std::size_t variable = 0;
   };
-  static Side side_of(const Cylinder& solid);
+  static Side side_of(const Solid& solid);
   static Seen see(const Move& move, const Side& side);
   static Step step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n, double turned);
   /// How much farther a body may reach along n, towards the other; of a the joints before s, of b the others.
@@ -95,7 +95,7 @@ class JointPath {
   bool held_ = false;
   double slack_ = 0;  ///< all rounding
   std::vector<double> values_;
-  std::vector<Cylinder> solids_;
+  std::vector<Solid> solids_;
   Pair placed_;
   Side a_, b_;
   std::vector<Step> steps_;

@@ -68,7 +68,7 @@ class Prover {
       proof_.joints = joints;
     }
     if (d.value - d.error > q_.clearance) return false;
-    const std::vector<Cylinder> placed = place(scene_, joints);
+    const std::vector<Solid> placed = place(scene_, joints);
     Pair pair{placed[proof_.a], placed[proof_.b]};
     if (referee_within(pair, q_.clearance) != true) return false;
     proof_.least = d.value;

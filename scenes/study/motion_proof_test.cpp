@@ -29,7 +29,7 @@ std::vector<std::pair<std::size_t, std::size_t>> checked_pairs(const Scene& scen
 
 /// Returns the gap along a direction, which is the referee's f up to rounding.
 double gap_along(const Pair& pair, const Vector3& n) {
-  const auto reach = [&](const Cylinder& c) {
+  const auto reach = [&](const Solid& c) {
     const Vector3 axis = c.axis.normalized();
     const double straight = n.dot(axis);
     return std::fabs(straight) * c.height / 2 + c.radius * (n - straight * axis).norm() + c.rounding;
@@ -156,7 +156,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
 /// Takes back what these configurations show to be false.
 void contradict_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
   for (std::size_t k = 0; k < 2000; ++k) {
-    const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 7, k));
+    const std::vector<Solid> placed = place(scene, draw_joints(scene, 7, k));
     for (MotionProof& proof : proofs) contradict(proof, distance(placed[proof.a], placed[proof.b]).value);
   }
 }
@@ -170,7 +170,7 @@ TEST(MotionProof, NoConfigurationContradictsIt) {
     std::vector<MotionProof> never;
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
-      const std::vector<Cylinder> placed = place(scene, proof.joints);
+      const std::vector<Solid> placed = place(scene, proof.joints);
       EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-12);
       EXPECT_EQ(proof.verdict <= MotionVerdict::within || proof.bounded,
                 referee_within({placed[a], placed[b]}, q.clearance) == true);

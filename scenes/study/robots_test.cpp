@@ -62,7 +62,7 @@ TEST_P(Robots, ComeNearAsOftenAsTheRefereeSees) {
   EXPECT_EQ(all.pairs.size(), GetParam().pairs);
   std::vector<std::size_t> within(all.pairs.size());
   for (std::size_t k = 0; k < all.configurations; ++k) {
-    const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 1, k));
+    const std::vector<Solid> placed = place(scene, draw_joints(scene, 1, k));
     for (std::size_t i = 0; i < within.size(); ++i)
       within[i] += referee_within({placed[all.pairs[i].a], placed[all.pairs[i].b]}, clearance).value();
   }
@@ -94,7 +94,7 @@ const Body& body(const Scene& scene, const std::string& name) {
   return *std::ranges::find(scene.bodies, name, &Body::name);
 }
 
-void expect_held(const Cylinder& solid, const Vector3& point, const std::string& name) {
+void expect_held(const Solid& solid, const Vector3& point, const std::string& name) {
   EXPECT_NE(judge_verdict({solid, {point, {0, 0, 1}, 0, 0, 0}}).verdict, Verdict::disjoint) << name;
 }
 

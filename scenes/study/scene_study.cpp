@@ -134,7 +134,7 @@ class Study {
     const std::size_t calls = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
     const std::size_t count = std::min(calls, result_.configurations);
     std::vector<std::vector<double>> drawn;
-    std::vector<std::vector<Cylinder>> placed;
+    std::vector<std::vector<Solid>> placed;
     std::vector<std::vector<ProxyModels>> models;
     for (std::size_t k = 0; k < count; ++k) {
       drawn.push_back(joints(k));
@@ -151,7 +151,7 @@ class Study {
                  calls, timed_least)
           .ns;
     };
-    std::vector<Cylinder> into;
+    std::vector<Solid> into;
     result_.kinematics_ns = time([&](std::size_t k) {
       place(scene_, pose_links(scene_, drawn[k]), into);
       return into.empty() ? 0 : into.back().center.x();
@@ -185,7 +185,7 @@ class Study {
   const Scene& scene_;
   const SceneOptions& q_;
   SceneStudy result_;
-  std::vector<Cylinder> placed_;
+  std::vector<Solid> placed_;
   std::vector<ProxyModels> models_;
   std::vector<bool> truths_;  ///< by configuration, then pair
 };

@@ -77,7 +77,7 @@ constexpr Options with(Options options, Fault fault) noexcept {
 }
 
 /// Does the same as prepare(), except that the axis points as given.
-inline Prepared prepare_as_given(const Cylinder& c) noexcept {
+inline Prepared prepare_as_given(const Solid& c) noexcept {
   Prepared p = prepare(c);
   const double first = c.axis.x() != 0 ? c.axis.x() : c.axis.y() != 0 ? c.axis.y() : c.axis.z();
   if (first < 0) p.unit_axis = -p.unit_axis;

@@ -17,7 +17,7 @@ class Draw : public Numbers {
  public:
   Draw() : Numbers(2008) {}
   Vector3 unit() { return vector().normalized(); }
-  Cylinder solid() { return {2 * vector(), vector(), 1.1 + either_sign(), 1.1 + either_sign()}; }
+  Solid solid() { return {2 * vector(), vector(), 1.1 + either_sign(), 1.1 + either_sign()}; }
 };
 
 /// The projection, P X = X - (N.X) N: between P(C +- (h/2) W) a rectangle, about these points two ellipses. W
@@ -26,7 +26,7 @@ struct Region {
   enum class Kind { disk, rectangle, rectangle_with_caps };
 
   /// V = W x U is in the plane of N and W, so P V is along P W, and |P V| = |N.W|.
-  Region(const Cylinder& c, const Vector3& n) : r(c.radius) {
+  Region(const Solid& c, const Vector3& n) : r(c.radius) {
     const Vector3 w = c.axis.normalized(), across = w.cross(n), pw = n.cross(across);  // |P W| = |W x N|
     const double along = n.dot(w), size = across.norm();
     kind = !(size > 0) ? Kind::disk : along == 0 ? Kind::rectangle : Kind::rectangle_with_caps;
@@ -58,7 +58,7 @@ struct Region {
 Vector3 onto(const Vector3& x, const Vector3& n) { return x - x.dot(n) * n; }
 
 TEST(PlaneProjection2008, HasThreeKinds) {
-  const Cylinder upright{{1, 2, 3}, {0, 0, 1}, 2, 6};
+  const Solid upright{{1, 2, 3}, {0, 0, 1}, 2, 6};
   const Region disk(upright, {0, 0, 1}), rectangle(upright, {0, 1, 0}), capped(upright, {0, 0.6, 0.8});
   EXPECT_EQ(disk.kind, Region::Kind::disk);
   EXPECT_EQ(disk.middle, Vector3(1, 2, 0));
@@ -74,7 +74,7 @@ TEST(PlaneProjection2008, HasThreeKinds) {
 
 // By section 3, the wall alone decides. This holds for a line, but not for a plane.
 TEST(PlaneProjection2008, TheWallAloneLeavesAHole) {
-  const Cylinder coin{{0, 0, 0}, {0, 0, 1}, 2, 0.1};
+  const Solid coin{{0, 0, 0}, {0, 0, 1}, 2, 0.1};
   for (const Vector3& n : {Vector3(0, 0, 1), Vector3(0, 0.6, 0.8)}) {
     double nearest = std::numeric_limits<double>::infinity();
     for (double angle = 0; angle < 2 * M_PI; angle += 0.01)
@@ -89,7 +89,7 @@ TEST(PlaneProjection2008, TheWallAloneLeavesAHole) {
 
 // Section 8 compares |P Delta| with r0: these would be apart, if section 7 had not settled parallel axes.
 TEST(PlaneProjection2008, ADiskIsNearerThanItsCentre) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2}, b{{1.5, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2}, b{{1.5, 0, 0}, {0, 0, 1}, 1, 2};
   const Region disk(b, {0, 0, 1});
   ASSERT_EQ(disk.kind, Region::Kind::disk);
   EXPECT_GT(disk.middle.norm(), a.radius);
@@ -102,7 +102,7 @@ TEST(PlaneProjection2008, ADiskIsNearerThanItsCentre) {
 TEST(PlaneProjection2008, IsTheProjection) {
   Draw draw;
   for (int i = 0; i < 50; ++i) {
-    const Cylinder c = draw.solid();
+    const Solid c = draw.solid();
     const Vector3 n = draw.unit(), w = c.axis.normalized(), u = w.unitOrthogonal(), v = w.cross(u),
                   d = onto(draw.unit(), n);
     const Region region(c, n);

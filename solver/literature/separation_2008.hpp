@@ -36,7 +36,7 @@ inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::e
 /// 20 us (polynomial), critical points 3 us. Most pairs end in section 7.
 Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept;
-Separation separation_2008(const Cylinder& a, const Cylinder& b, CircleWay circle, CriticalWay critical,
+Separation separation_2008(const Solid& a, const Solid& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept;
 
 }  // namespace cyl::literature

@@ -16,13 +16,13 @@ constexpr CircleWay circle_ways[] = {CircleWay::polynomial, CircleWay::projectio
 constexpr CriticalWay critical_ways[] = {CriticalWay::normalised, CriticalWay::adjugate};
 constexpr Options careful{.faults = {}, .step_cap = 60, .tolerance = 1e-3};
 
-Solids solids_of(const Cylinder& a, const Cylinder& b) {
+Solids solids_of(const Solid& a, const Solid& b) {
   const Couple<double> p = scale(prepare(a), prepare(b)).couple();
   return Solids(p, Axes({p.w0x, p.w0y, p.w0z}, {p.w1x, p.w1y, p.w1z}));
 }
 
 /// All ways agree, in either order, and the direction separates.
-void expect(Verdict verdict, const Cylinder& a, const Cylinder& b) {
+void expect(Verdict verdict, const Solid& a, const Solid& b) {
   for (const CircleWay circle : circle_ways) {
     for (const CriticalWay critical : critical_ways) {
       const Separation found = separation_2008(a, b, circle, critical, careful);
@@ -35,7 +35,7 @@ void expect(Verdict verdict, const Cylinder& a, const Cylinder& b) {
   }
 }
 
-const Cylinder upright{{0, 0, 0}, {0, 0, 1}, 1, 2};
+const Solid upright{{0, 0, 0}, {0, 0, 1}, 1, 2};
 
 TEST(Separation2008, CoincidentCentres) {
   expect(Verdict::intersecting, upright, {{0, 0, 0}, {1, 2, 3}, 1, 2});
@@ -47,8 +47,8 @@ TEST(Separation2008, RimCentresThatCoincide) {  // phi = 0
 
 TEST(Separation2008, ParallelAxes) {
   expect(Verdict::intersecting, upright, {{1.5, 0, 1.5}, {0, 0, -1}, 1, 2});
-  const Cylinder beside{{2.5, 0, 1}, {0, 0, -1}, 1, 2}, above{{0.5, 0, 2.5}, {0, 0, 1}, 1, 2};
-  for (const Cylinder& b : {beside, above})
+  const Solid beside{{2.5, 0, 1}, {0, 0, -1}, 1, 2}, above{{0.5, 0, 2.5}, {0, 0, 1}, 1, 2};
+  for (const Solid& b : {beside, above})
     EXPECT_EQ(separation_2008(upright, b, CircleWay::polynomial, CriticalWay::normalised, careful).verdict,
               Verdict::disjoint);
 }
@@ -71,7 +71,7 @@ TEST(Separation2008, GapThatVanishesAtU0) {
   expect(Verdict::disjoint, {{-1, 1, 3}, {0, 0, -1}, 3, 3}, {{3, -3, 3}, {0, 1, 0}, 1, 2});
 }
 
-Verdict literally(const Cylinder& a, const Cylinder& b, Faults faults) {
+Verdict literally(const Solid& a, const Solid& b, Faults faults) {
   return separation_2008(a, b, CircleWay::polynomial, CriticalWay::normalised,
                          {.faults = faults, .tolerance = 1e-3, .literal = true})
       .verdict;
@@ -80,19 +80,19 @@ Verdict literally(const Cylinder& a, const Cylinder& b, Faults faults) {
 // For two segments in one plane, G' is 0 all along the line, and its polynomial has no roots. So V0 has to
 // be tested.
 TEST(Literal2008, VIsTested) {
-  const Cylinder point{{0, 0, 0}, {0, 0, 1}, 0, 0}, segment{{0, 0, 1}, {0, 1, 1}, 0, 4};
+  const Solid point{{0, 0, 0}, {0, 0, 1}, 0, 0}, segment{{0, 0, 1}, {0, 1, 1}, 0, 4};
   EXPECT_EQ(literally(point, segment, {}), Verdict::disjoint);
 }
 
 // As printed, except for the derivative. x = 0 is a root of this pair's polynomial.
 TEST(Literal2008, ARootAtZeroIsARoot) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 2, 1}, b{{0, 6, -2}, {0, 1, 1}, 2, 7};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 2, 1}, b{{0, 6, -2}, {0, 1, 1}, 2, 7};
   EXPECT_EQ(literally(a, b, printed_2008.without(Fault::derivative_of_the_wrong_term)), Verdict::disjoint);
 }
 
 // A fault in the distance of parallel axes has no effect on axes at an angle, small as it may be.
 TEST(Literal2008, AxesAreParallelIfTheirProductIsZero) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2e9};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2e9};
   for (const double angle : {0.0, 1e-16})
     EXPECT_EQ(literally(a, {{3, 0, 1e9}, {angle, 0, 1}, 1, 2e9}, Fault::cancelling_distance),
               angle > 0 ? Verdict::disjoint : Verdict::intersecting);
@@ -100,7 +100,7 @@ TEST(Literal2008, AxesAreParallelIfTheirProductIsZero) {
 
 TEST(Separation2008, OneDeterminantZero) {
   // phi = (2, 0, 0) is perpendicular to W0 alone.
-  const Cylinder b{Vector3(2, 0, 1) + Vector3(1, 1, 1).normalized(), {1, 1, 1}, 0.5, 2};
+  const Solid b{Vector3(2, 0, 1) + Vector3(1, 1, 1).normalized(), {1, 1, 1}, 0.5, 2};
   const SmoothGap g(solids_of(upright, b), 1, 1);
   ASSERT_LT(std::fabs(g.system.det0), 1e-15);
   ASSERT_GT(std::fabs(g.system.det1), 0.1);
@@ -136,7 +136,7 @@ TEST(Separation2008, BothDeterminantsZeroDecides) {
   for (const Vector3& axis : {Vector3(0, 1, 0), Vector3(0, 3, 4), Vector3(0, -4, 3)})
     for (const double distance : {0.5, 2.999, 3.0, 3.001, 7.0}) {
       const Vector3 w = axis.normalized();
-      const Cylinder b{Vector3(distance, 0, 1) + 1.5 * w, w, 2, 3};
+      const Solid b{Vector3(distance, 0, 1) + 1.5 * w, w, 2, 3};
       const SmoothGap g(solids_of(upright, b), 1, dot(prepare(b).unit_axis, w) > 0 ? 1 : -1);
       EXPECT_NEAR(g.phi.norm(), distance, 1e-15);
       expect(distance > 3 ? Verdict::disjoint : Verdict::intersecting, upright, b);
@@ -156,7 +156,7 @@ TEST(Separation2008, EqualEigenvalues) {
               1e-9);
   const Vector3 w0 = Vector3(1, 0, 2).normalized(), w1 = Vector3(1, 0, -2).normalized();
   for (const double distance : {0.3, 3.0}) {
-    const Cylinder a{{0, 0, 0}, w0, 1, 2}, b{w0 + w1 + Vector3(0, 0, distance), w1, 1, 2};
+    const Solid a{{0, 0, 0}, w0, 1, 2}, b{w0 + w1 + Vector3(0, 0, distance), w1, 1, 2};
     const Solids solids = solids_of(a, b);
     const SmoothGap g(solids, 1, 1);
     for (const CriticalPairs& pairs : {solve_normalised(g.system, {}), solve_adjugate(g.system, {})}) {
@@ -175,14 +175,14 @@ TEST(Separation2008, EqualEigenvalues) {
 }
 
 TEST(Separation2008, RadiusZero) {
-  const Cylinder rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
+  const Solid rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
   expect(Verdict::disjoint, rod, {{0.1, 0, 0}, {1, 2, 0.5}, 0, 2});
   expect(Verdict::disjoint, rod, {{1.1, 0, 0.5}, {0.1, 2, 0.5}, 1, 2});
   expect(Verdict::intersecting, rod, {{0.9, 0, 0.5}, {0.1, 2, 0.5}, 1, 2});
 }
 
 TEST(Separation2008, HeightZero) {
-  const Cylinder disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
+  const Solid disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
   expect(Verdict::disjoint, disk, {{1.2, 1.2, 0.3}, {1, 1, 0.2}, 0.6, 0});
   expect(Verdict::disjoint, disk, {{0, 1, 0.8}, {0.3, 1, 0.2}, 0.5, 0});
   expect(Verdict::intersecting, disk, {{0, 0.5, 0.3}, {0.3, 1, 0.2}, 0.5, 0});
@@ -195,7 +195,7 @@ TEST(Separation2008, Invalid) {
             Verdict::invalid);
 }
 
-const Cylinder oblique{{3, -2, 1}, {1, 0.5, 0.3}, 0.7, 1.5};
+const Solid oblique{{3, -2, 1}, {1, 0.5, 0.3}, 0.7, 1.5};
 
 TEST(Separation2008, TangentLineIsF) {
   const Solids p = solids_of(upright, oblique);

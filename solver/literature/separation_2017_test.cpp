@@ -190,17 +190,17 @@ TEST(Octant2017, GIsConvexInEachCell) {
 
 class Degenerate2017 : public testing::TestWithParam<Minimiser> {
  protected:
-  static Separation ask(const Cylinder& a, const Cylinder& b) {
+  static Separation ask(const Solid& a, const Solid& b) {
     return separated_cylinders(prepare(a), prepare(b), GetParam(), {});
   }
-  static void expect_apart(const Cylinder& a, const Cylinder& b) {
+  static void expect_apart(const Solid& a, const Solid& b) {
     const Separation found = ask(a, b);
     EXPECT_EQ(found.verdict, Verdict::disjoint);
     const Couple<double> p = scale(prepare(a), prepare(b)).couple();
     EXPECT_LT(f(p, found.direction), 0);
     EXPECT_GT(dot(found.direction, b.center - a.center), 0);
   }
-  static void expect_meeting(const Cylinder& a, const Cylinder& b) {
+  static void expect_meeting(const Solid& a, const Solid& b) {
     EXPECT_EQ(ask(a, b).verdict, Verdict::intersecting);
   }
 };
@@ -211,14 +211,14 @@ TEST_P(Degenerate2017, OneCentre) {
 }
 
 TEST_P(Degenerate2017, ParallelAxes) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
   expect_apart(a, {{2.5, 0, 0}, {0, 0, -3}, 1, 2});
   expect_apart(a, {{0, 0, -2.5}, {0, 0, 1}, 1, 2});
   expect_meeting(a, {{2, 0, 2}, {0, 0, 1}, 1, 2});
 }
 
 TEST_P(Degenerate2017, NearlyParallelAxes) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
   for (double angle : {1e-3, 1e-8, 1e-9, 1e-12, 1e-15, 1e-17, 1e-300}) {
     for (const Vector3& axis : {Vector3(angle, 0, 1), Vector3(-angle, angle, -1)}) {
       expect_apart(a, {{1.5, 1.5, 0}, axis, 1, 2});
@@ -229,7 +229,7 @@ TEST_P(Degenerate2017, NearlyParallelAxes) {
 }
 
 TEST_P(Degenerate2017, SquareAxes) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
   expect_apart(a, {{0, 2.1, 0}, {1, 0, 0}, 1, 2});
   expect_apart(a, {{0, 1.6, 1.9}, {1, 0, 0}, 1, 2});
   expect_meeting(a, {{0, 1.6, 1.6}, {1, 0, 0}, 1, 2});
@@ -238,14 +238,14 @@ TEST_P(Degenerate2017, SquareAxes) {
 }
 
 TEST_P(Degenerate2017, RadiusZero) {
-  const Cylinder rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
+  const Solid rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
   expect_apart(rod, {{0, 0.01, 0}, {1, 1, 1}, 0, 2});
   expect_apart(rod, {{0, 1.01, 0}, {1, 0, 1}, 1, 8});
   expect_meeting(rod, {{0.9, 0, 0}, {1, 0, 0}, 0.1, 2});
 }
 
 TEST_P(Degenerate2017, HeightZero) {
-  const Cylinder disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
+  const Solid disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
   expect_apart(disk, {{0, 0, 0.01}, {0, 0, 1}, 1, 0});
   expect_apart(disk, {{0, 1.02, 0}, {1, 0, 0}, 0.01, 0});
   expect_apart(disk, {{0, 1.9, 0.1}, {0, 1, 1}, 1, 0});
@@ -264,18 +264,18 @@ TEST_P(Degenerate2017, NoCylinder) {
 
 // By section 3.1, touching solids may count as apart or as meeting. The text's code mixes both.
 TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
-  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  const Cylinder above{{0, 0, 2}, {0, 0, 1}, 1, 2}, beside{{2, 0, 0}, {0, 0, 1}, 1, 2},
+  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Solid above{{0, 0, 2}, {0, 0, 1}, 1, 2}, beside{{2, 0, 0}, {0, 0, 1}, 1, 2},
       on_top{{0, 0, 2}, {1, 0, 0}, 1, 2}, disk{{3, 0, 0}, {0, 1, 0}, 2, 0};
   // In one plane: f(D) = 0 for the D square to it, though D.Delta = 0, and though Delta = 0.
-  const Cylinder flat{{0, 0, 0}, {0, 0, 1}, 1, 0}, flat_beside{{1, 0, 0}, {0, 0, 1}, 2, 0},
+  const Solid flat{{0, 0, 0}, {0, 0, 1}, 1, 0}, flat_beside{{1, 0, 0}, {0, 0, 1}, 2, 0},
       rod{{0, 0, 0}, {0, 0, 1}, 0, 2}, cross{{0, 0, 0}, {1, 0, 0}, 0, 2}, in_it{{0, 0, 0}, {1, 0, 0}, 0, 1};
   const Options apart{.touching_apart = true},
       mixed{.faults = Fault::mixed_strictness, .touching_apart = true};
-  const auto ask = [&](const Cylinder& b, const Options& options) {
+  const auto ask = [&](const Solid& b, const Options& options) {
     return separated_cylinders(prepare(a), prepare(b), GetParam(), options).verdict;
   };
-  for (const Cylinder& b : {above, beside, on_top, disk}) {
+  for (const Solid& b : {above, beside, on_top, disk}) {
     expect_meeting(a, b);
     EXPECT_EQ(ask(b, apart), Verdict::disjoint);
   }
@@ -284,7 +284,7 @@ TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
     expect_meeting(x, y);
     EXPECT_EQ(separated_cylinders(prepare(x), prepare(y), GetParam(), apart).verdict, Verdict::disjoint);
   }
-  for (const Cylinder& b : {above, beside}) EXPECT_EQ(ask(b, mixed), Verdict::intersecting);
+  for (const Solid& b : {above, beside}) EXPECT_EQ(ask(b, mixed), Verdict::intersecting);
   EXPECT_EQ(ask(disk, mixed), Verdict::disjoint);
 }
 
@@ -295,11 +295,11 @@ INSTANTIATE_TEST_SUITE_P(Both, Degenerate2017,
 TEST(Printed2017, EndsOnDegenerateInput) {
   Options printed{.faults = printed_2017};
   printed.literal = printed.touching_apart = true;
-  const Cylinder solids[] = {{{0, 0, 0}, {0, 0, 1}, 1, 2},    {{0, 0, 0}, {1, 0, 0}, 1, 2},
-                             {{0, 3, 0}, {0, 0, 1}, 0, 2},    {{0, 3, 0}, {1, 0, 0}, 1, 0},
-                             {{0, 3, 0}, {1e-9, 0, 1}, 1, 2}, {{0, 3, 0}, {0, 1, 0}, 0, 0}};
-  for (const Cylinder& a : solids)
-    for (const Cylinder& b : solids)
+  const Solid solids[] = {{{0, 0, 0}, {0, 0, 1}, 1, 2},    {{0, 0, 0}, {1, 0, 0}, 1, 2},
+                          {{0, 3, 0}, {0, 0, 1}, 0, 2},    {{0, 3, 0}, {1, 0, 0}, 1, 0},
+                          {{0, 3, 0}, {1e-9, 0, 1}, 1, 2}, {{0, 3, 0}, {0, 1, 0}, 0, 0}};
+  for (const Solid& a : solids)
+    for (const Solid& b : solids)
       for (Minimiser m : {Minimiser::conjugate_gradients, Minimiser::powell})
         EXPECT_NE(separated_cylinders(prepare(a), prepare(b), m, printed).verdict, Verdict::undecided);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/cylinder.hpp"
+#include "solver/solid.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -19,7 +19,7 @@ const char* word(E value) noexcept {
 }  // namespace
 
 // not covered within: a family's pairs are valid, and tests try each defect
-Defect find_defect(const Cylinder& c) noexcept {
+Defect find_defect(const Solid& c) noexcept {
   if (!c.center.allFinite()) return Defect::center_not_finite;
   if (!c.axis.allFinite()) return Defect::axis_not_finite;
   if (c.axis.x() == 0 && c.axis.y() == 0 && c.axis.z() == 0) return Defect::axis_zero;
@@ -30,6 +30,8 @@ Defect find_defect(const Cylinder& c) noexcept {
   if (!std::isfinite(c.rounding)) return Defect::rounding_not_finite;
   if (c.rounding < 0) return Defect::rounding_negative;
   if (c.rounding > 0 && !std::isfinite(c.radius + c.height + c.rounding)) return Defect::rounding_overflows;
+  if (c.shape == Shape::half_space && c.radius + c.height + c.rounding > 0)
+    return Defect::half_space_has_lengths;
   return Defect::none;
 }
 

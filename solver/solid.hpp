@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the project: what a cylinder, a pair and a verdict are. No arithmetic lives here.
+// The words of the project: what a solid, a pair and a verdict are. No arithmetic lives here.
 // (The namespace is cyl, not daylight: <time.h> declares a global variable `daylight`.)
 #pragma once
 
@@ -10,21 +10,29 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of the cylinder. It is
-/// defined by axis/|axis| taken exactly, so the axis may have any finite non-zero length. With radius 0 it is
-/// a segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
-/// segment is a capsule, a point a sphere.
-struct Cylinder {
-  Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
-  Vector3 axis{0, 0, 1};    ///< any finite non-zero vector
+enum class Shape : unsigned char { cylinder, half_space };
+/// The words used in files and on screens.
+constexpr auto words_of(Shape) noexcept { return std::array{"cylinder", "half_space"}; }
+
+/// A closed solid. The direction of the axis is axis/|axis| taken exactly, so the axis may have any finite
+/// non-zero length.
+/// 1. A finite cylinder, grown by a ball: all points within `rounding` of the cylinder. With radius 0 it is a
+///    segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
+///    segment is a capsule, a point a sphere.
+/// 2. A half-space: all points x with axis.(x - center) <= 0. Its lengths are 0.
+struct Solid {
+  Vector3 center{0, 0, 0};  ///< the middle of the axis segment, or a point of the plane, in the scene's unit
+  Vector3 axis{0, 0, 1};    ///< any finite non-zero vector; of a half-space the outward normal
   double radius = 0;        ///< >= 0, same unit
   double height = 0;        ///< full height, >= 0, same unit
   double rounding = 0;      ///< of all edges and faces, outward, >= 0, same unit
+  Shape shape = Shape::cylinder;
 };
 
-/// Two solids. Every direction in an answer about them points from a to b.
+/// Two solids, of which at most one is a half-space. Every direction in an answer about them points from a to
+/// b.
 struct Pair {
-  Cylinder a, b;
+  Solid a, b;
 };
 
 /// Solids are closed: touching solids do intersect.
@@ -33,7 +41,7 @@ enum class Verdict : unsigned char {
   intersecting,  ///< a common point; from a yes/no call this includes touching
   touching,      ///< a common point and signed distance exactly 0; only if proved
   undecided,     ///< not known: too close to touching for the arithmetic, or the work cap was reached
-  invalid        ///< the input is not a pair of cylinders
+  invalid        ///< the input is not a pair of solids that the call takes
 };
 /// The words used in files and on screens.
 constexpr auto words_of(Verdict) noexcept {
@@ -52,7 +60,7 @@ enum class Hull : unsigned char {
 /// The words used in files and on screens.
 constexpr auto words_of(Hull) noexcept { return std::array{"space", "plane", "line", "center"}; }
 
-/// Why a Cylinder is invalid; the first reason in this order.
+/// Why a Solid is invalid; the first reason in this order.
 enum class Defect : unsigned char {
   none,
   center_not_finite,
@@ -64,7 +72,9 @@ enum class Defect : unsigned char {
   height_negative,
   rounding_not_finite,
   rounding_negative,
-  rounding_overflows
+  rounding_overflows,
+  half_space_has_lengths,
+  not_a_cylinder
 };
 /// Phrases for people.
 constexpr auto words_of(Defect) noexcept {
@@ -78,11 +88,13 @@ constexpr auto words_of(Defect) noexcept {
                     "height is negative",
                     "rounding is not finite",
                     "rounding is negative",
-                    "rounding overflows with radius and height"};
+                    "rounding overflows with radius and height",
+                    "radius, height or rounding of a half-space is not 0",
+                    "shape is not a cylinder"};
 }
 
-/// Cost: nine comparisons. Never throws.
-Defect find_defect(const Cylinder& c) noexcept;
+/// Cost: ten comparisons. Never throws. `not_a_cylinder` is found by prepare() alone.
+Defect find_defect(const Solid& c) noexcept;
 
 const char* to_string(Verdict v) noexcept;
 const char* to_string(Defect d) noexcept;

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/half_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "corpus/pairs/support.hpp"
+#include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/interval.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/proofs.hpp"
+#include "oracles/referee/root_sum.hpp"
+#include "oracles/referee/tangency.hpp"
+
+namespace cyl {
+namespace {
+
+/// The two solids by what they are.
+struct Sided {
+  explicit Sided(const Pair& pair)
+      : first(is_half_space(pair.a)), plane(first ? pair.a : pair.b), solid(first ? pair.b : pair.a) {}
+  bool first;  ///< a is the half-space
+  const Solid &plane, &solid;
+
+  /// Puts what belongs to the half-space and to the solid in the order of the pair.
+  template <class T>
+  std::pair<T, T> in_order(T of_plane, T of_solid) const {
+    if (first) return {std::move(of_plane), std::move(of_solid)};
+    return {std::move(of_solid), std::move(of_plane)};
+  }
+};
+
+/// Returns f in intervals or floating-point numbers.
+template <class R>
+R gap(const Sided& s) {
+  const Vec3<R> n = lifted<R>(s.plane.axis);
+  const Terms<R> terms = terms_of<R>(s.solid);
+  R f = core_support(terms, n) - dot(n, lifted<R>(s.solid.center) - lifted<R>(s.plane.center));
+  if (terms.rounded) f = f + terms.rounding * norm(n);
+  return f;
+}
+
+RootSum exact_gap(const Sided& s) {
+  const Rational3 n = exact(s.plane.axis), w = exact(s.solid.axis), side = cross(n, w);
+  const mpq_class ww = dot(w, w), along = dot(n, w);
+  return RootSum::root(mpq_class(s.solid.radius), dot(side, side) / ww) +
+         RootSum::root(mpq_class(s.solid.height) / 2, along * along / ww) +
+         RootSum::root(mpq_class(s.solid.rounding), dot(n, n)) -
+         RootSum(dot(n, exact(s.solid.center) - exact(s.plane.center)));
+}
+
+/// Returns the point of the half-space that is nearest to x.
+Rational3 pulled_to(const Solid& plane, const Rational3& x) {
+  const Rational3 n = exact(plane.axis);
+  const mpq_class beyond = dot(n, x - exact(plane.center));
+  return beyond > 0 ? x - mpq_class(beyond / dot(n, n)) * n : x;
+}
+
+/// Writes two points, in the half-space and in the core, as a certificate. One point suffices if they are the
+/// same.
+Certificate points_certificate(const Sided& s, const Rational3& in_plane, const Rational3& in_core) {
+  Certificate c;
+  const Rational3 apart = in_plane - in_core;
+  if (dot(apart, apart) == 0) {
+    c.kind = CertificateKind::point;
+    c.vector = exact_vector(in_core);
+    return c;
+  }
+  c.kind = CertificateKind::points;
+  std::tie(c.vector, c.second) = s.in_order(exact_vector(in_plane), exact_vector(in_core));
+  return c;
+}
+
+/// Returns the certificate if the core's point shows contact with the half-space.
+std::optional<Certificate> contact_at(const Sided& s, const Rational3& in_core) {
+  if (!in_each_exact({s.solid, s.solid}, in_core, in_core)) return {};
+  const Rational3 in_plane = pulled_to(s.plane, in_core), apart = in_plane - in_core;
+  const mpq_class rounding(s.solid.rounding);
+  if (dot(apart, apart) > rounding * rounding) return {};
+  return points_certificate(s, in_plane, in_core);
+}
+
+/// The deepest point of the core, from its centre, in so many bits.
+Rational3 deepest(const Sided& s, int bits) {
+  const PrecisionScope precision(bits);
+  return rational(farthest(terms_of<MpFloat>(s.solid), MpFloat(-1.0) * lifted<MpFloat>(s.plane.axis)));
+}
+
+std::optional<Certificate> overlap_certificate(const Sided& s) {
+  const Rational3 center = exact(s.solid.center);
+  for (int bits = first_multiprecision_bits; bits <= precision_cap; bits *= 2) {
+    const Rational3 offset = deepest(s, bits);
+    // Rounding to double moves the point out by less than it is pulled in.
+    if (bits == first_multiprecision_bits) {
+      constexpr double pulled_in = 1 - 0x1p-45;
+      const double tail[3] = {pulled_in * offset.x.get_d(), pulled_in * offset.y.get_d(),
+                              pulled_in * offset.z.get_d()};
+      if (const auto c = contact_at(s, center + Rational3{tail[0], tail[1], tail[2]})) {
+        Certificate written = *c;
+        const double head[3] = {s.solid.center.x(), s.solid.center.y(), s.solid.center.z()};
+        const bool core_is_first = c->kind == CertificateKind::point || !s.first;
+        (core_is_first ? written.vector : written.second) = exact_vector(head, tail);
+        return written;
+      }
+    }
+    const mpq_class share = 1 - times_power(1, 8 - bits);
+    if (auto c = contact_at(s, project_to_hull(s.solid, center + share * offset))) return c;
+  }
+  return {};
+}
+
+Certificate touching_certificate(const Sided& s, const Vector3& direction) {
+  const Rational3 n = exact(s.plane.axis);
+  if (const auto x = farthest_point(s.solid, mpq_class(-1) * n))
+    if (const auto c = contact_at(s, *x)) return *c;
+  const Rational3 near = exact(s.solid.center) + deepest(s, near_bits);
+  Certificate c;
+  c.kind = s.solid.rounding > 0 ? CertificateKind::near_points : CertificateKind::near;
+  c.second = exact_vector(exact(direction));
+  c.vector = exact_vector(near);
+  if (s.solid.rounding > 0)
+    std::tie(c.vector, c.third) = s.in_order(exact_vector(pulled_to(s.plane, near)), exact_vector(near));
+  return c;
+}
+
+}  // namespace
+
+int half_space_sign(const Pair& pair) {
+  const Sided s(pair);
+  if (const Interval f = gap<Interval>(s); f.lo > 0 || f.hi < 0) return f.lo > 0 ? 1 : -1;
+  return exact_gap(s).sign();
+}
+
+Vector3 direction_of_half_space(const Pair& pair) {
+  const Sided s(pair);
+  return s.first ? s.plane.axis : Vector3(-s.plane.axis);
+}
+
+Truth judge_half_space(const Pair& pair) {
+  const Sided s(pair);
+  const Vector3 d = direction_of_half_space(pair);
+  const int sign = half_space_sign(pair);
+  const double head[3] = {d.x(), d.y(), d.z()};
+  if (sign < 0) return proved(Verdict::disjoint, exact_vector(head, no_tail), Stage::exact, 53);
+  Truth t = proved(sign > 0 ? Verdict::intersecting : Verdict::touching, {}, Stage::exact, 53);
+  t.certificate = sign > 0 ? overlap_certificate(s).value_or(Certificate{}) : touching_certificate(s, d);
+  return t;
+}
+
+// Bits are added until the distance lies between neighbours.
+AttainedDistance attain_half_space(const Pair& pair) {
+  const Sided s(pair);
+  const Vector3 n = direction_of_half_space(pair), unit = n.stableNormalized();
+  AttainedDistance found{{0, 0}, {unit.x(), unit.y(), unit.z()}, 0};
+  if (half_space_sign(pair) == 0) return found;
+  for (int bits = first_multiprecision_bits; bits <= precision_cap; bits *= 2) {
+    const PrecisionScope precision(bits);
+    const MpInterval distance =
+        MpInterval(-1.0) * gap<MpInterval>(s) / norm(lifted<MpInterval>(s.plane.axis));
+    found.distance = {distance.lower(), distance.upper()};
+    if (found.distance.hi <= std::nextafter(found.distance.lo, std::numeric_limits<double>::infinity()))
+      break;
+  }
+  return found;
+}
+
+MeasuredDistance measure_half_space(const Pair& pair) {
+  const Sided s(pair);
+  const auto plain = [](const Vec3<long double>& v) {
+    return Vector3(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+  };
+  const Vec3<long double> n = lifted<long double>(s.plane.axis), u = n / norm(n);
+  constexpr long double largest = std::numeric_limits<double>::max();
+  const long double value = std::clamp(-gap<long double>(s) / norm(n), -largest, largest);
+  const Vec3<long double> on_solid = farthest(terms_of<long double>(s.solid), -1.0L * u) -
+                                     static_cast<long double>(s.solid.rounding) * u,
+                          from_plane =
+                              lifted<long double>(s.solid.center) - lifted<long double>(s.plane.center),
+                          on_plane = from_plane + on_solid - value * u;
+  const auto [on_a, on_b] = s.in_order(plain(on_plane), plain(on_solid));
+  return {static_cast<double>(value), plain(s.first ? u : -1.0L * u), on_a, on_b};
+}
+
+}  // namespace cyl
