@@ -62,9 +62,9 @@ void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
   for (const auto& method : with_guests(guests).methods) {
     const Claim claim = method->claim();
-    fmt::print("  {:<26} {}; {} right answers above a margin of {} size + {} ({})\n", method->name(),
-               method->version(), claim.assumed ? "assumed to give" : "claims", format_double(claim.relative),
-               format_double(claim.absolute), claim.source);
+    fmt::print("  {:<26} {}; {} to be always right if the gap or overlap exceeds {} size + {} ({})\n",
+               method->name(), method->version(), claim.assumed ? "assumed" : "claims",
+               format_double(claim.relative), format_double(claim.absolute), claim.source);
   }
   fmt::print("families:\n");
   for (const Family& family : campaign_families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
@@ -339,8 +339,7 @@ void add_campaign(Program& program) {
   command.number("--pairs N", arguments->pairs, "number of pairs; 0 for no limit");
   command.option(
       "--fuzz SHARE", *share,
-      "first let libFuzzer search for this share of the time, such as 25%; its pairs run after the "
-      "cases");
+      "share of the time for libFuzzer, such as 25%; afterwards its pairs take turns with drawn ones");
   command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
   command.section("Output");
   command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
@@ -368,7 +367,7 @@ void add_campaign(Program& program) {
   command.section("Methods");
   add_methods_option(command, arguments->methods);
   add_guest_options(command, arguments->guests);
-  add_run_guests_option(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests, "with --resume, ");
   command.examples(
       "  daylight campaign --for 1m --methods=-nlopt\n"
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",

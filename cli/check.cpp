@@ -311,11 +311,10 @@ void add_check(Program& program) {
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command
       .option("--clearance LENGTH", options->clearance,
-              "decide if the gap is <= LENGTH; for LENGTH < 0, if the overlap is deeper than -LENGTH")
+              "decide if the signed distance is <= LENGTH; if LENGTH is below 0, if it is < LENGTH")
       .not_empty("a length is expected");
   command.section("Methods");
-  command
-      .option("--method NAME", options->method, "print the answer of this method, without a proof, instead")
+  command.option("--method NAME", options->method, "print the unproved answer of this method instead of ours")
       .excludes("--distance");
   add_guest_options(command, options->guests);
   command.examples(

@@ -223,8 +223,8 @@ void add_gate(Program& program) {
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
   command
-      .number("--pairs N", arguments->pairs,
-              "random pairs besides the cases, rounded up; the output states the exact number", 1)
+      .number("--pairs N", arguments->pairs, "number of random pairs, rounded up, in addition to the cases",
+              1)
       .default_text(std::to_string(gate_pairs));
   command.option("--for DURATION", arguments->cap,
                  "limit of wall time, such as 40s; if it skips pairs, the exit code is 3");
@@ -254,7 +254,7 @@ void add_gate(Program& program) {
   command.section("Baseline");
   command
       .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs; only new causes, or more pairs of a cause, count")
+              "rerun the pairs of this earlier gate's JSON, and fail only on new or more frequent causes")
       .excludes("--pairs")
       .excludes("--seed");
   command

@@ -102,9 +102,9 @@ void add_guest_options(Command& command, GuestOptions& options) {
       .one_each();
 }
 
-void add_run_guests_option(Command& command, GuestOptions& options) {
+void add_run_guests_option(Command& command, GuestOptions& options, const std::string& needed) {
   command.flag("--run-guests", options.of_runs,
-               "start the plug-ins and commands that the run names, even if they never ran on this machine");
+               needed + "start the run's plug-ins and commands, even if they never ran on this machine");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

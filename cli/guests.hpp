@@ -43,8 +43,8 @@ MethodSet with_guests(const GuestOptions& options, std::string_view spec = {}, b
 void add_guests_of_run(MethodSet& set, const std::string& run, const GuestOptions& options,
                        std::string& missing);
 
-/// Adds --run-guests, for commands that read runs.
-void add_run_guests_option(Command& command, GuestOptions& options);
+/// Adds --run-guests, for commands that read runs. `needed` begins its help.
+void add_run_guests_option(Command& command, GuestOptions& options, const std::string& needed = {});
 
 /// Returns what with_guests() does, and the guests of the runs that `targets` (of targets.hpp) name, be it by
 /// a file of one. A guest of a run that cannot be had is left out, with a line on standard error.

@@ -123,8 +123,8 @@ int judge_answers(const JudgeOptions& options) {
   }
   fmt::print("{}", format_tallies(tally_methods(judged.tallies())));
   const Claim& claim = judged.claim();
-  fmt::print("claim: right answers above a margin of {} size + {}\n", format_double(claim.relative),
-             format_double(claim.absolute));
+  fmt::print("claim: always right if the gap or overlap exceeds {} size + {}\n",
+             format_double(claim.relative), format_double(claim.absolute));
   print_findings(judged, options);
   if (judged.lines_passed_over() > 0)
     fmt::print("{} lines do not answer a pair\n", judged.lines_passed_over());

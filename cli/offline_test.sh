@@ -43,7 +43,7 @@ diff campaign judged || failed 'judged otherwise than a campaign'
 holds 'the worst' out '^wrong_intersecting \(beyond its claim, margin .*: [0-9]+ findings\. The worst has the id [0-9]+, answers.jsonl:[0-9]+:$'
 holds 'its proof' out '^  truth: disjoint\. A plane with normal'
 holds 'what it said' out '^  balls: \{"verdict":"intersecting"\}$'
-holds 'its claim' out '^claim: right answers above a margin of 0\.001 size'
+holds 'its claim' out '^claim: always right if the gap or overlap exceeds 0\.001 size'
 [[ ! -s err ]] || failed 'complains of nothing'
 expect 2 'what is kept' "$daylight" replay failing.jsonl --command 'python3 balls.py' --methods balls
 holds 'all of it fails' out "^$(wc -l <failing.jsonl) replayed, $(wc -l <failing.jsonl) beyond a claim"

@@ -102,7 +102,7 @@ void add_failure_options(Command& command, FailureOptions& options) {
   command.option("--method NAME", options.method, "the method that is wrong")
       .default_text("the method of the finding");
   command.option("--kind KIND", options.kind, "kind of failure, such as wrong_disjoint")
-      .default_text("the kind of the finding, or of the answer now");
+      .default_text("the finding's kind, or that of a fresh answer");
   add_guest_options(command, options.guests);
   add_run_guests_option(command, options.guests);
 }

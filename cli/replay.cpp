@@ -201,9 +201,8 @@ void add_replay(Program& program) {
   command.examples(
       "  daylight replay runs/latest:12\n"
       "  daylight replay corpus/cases/reported.jsonl --methods decide,fcl",
-      "Exit code 2 of replay means that a method is still wrong beyond its claim, and 65, which comes "
-      "first,\n"
-      "that a stored truth is wrong.");
+      "Exit code 2 of replay means that a method is still wrong beyond its claim. 65 means that a stored\n"
+      "truth is wrong, and comes before 2.");
   command.run([arguments] { return Replayer(*arguments).run(); });
 }
 

@@ -93,7 +93,8 @@ void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneOptions& question = arguments->question;
   Command command = program.command(
-      "Measure", "scene", "Reports how simple the models of a robot's shapes may be, and what they cost");
+      "Measure", "scene",
+      "Reports which simpler shapes can replace a robot's cylinders, and the time each takes");
   command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
   command.section("Question");
   command.option("--clearance LENGTH", question.clearance,

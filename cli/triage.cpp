@@ -38,7 +38,7 @@ struct TriageArguments {
   GuestOptions guests;
 };
 
-/// Whether the run has the cause and no earlier run has it, or none of the recent ones.
+/// Whether the run has the cause, and the cause is new, back or rare, or nothing is compared.
 bool is_new(const Cause& b) { return b.count > 0 && b.status != Recurrence::known; }
 
 int triage(const TriageArguments& arguments) {
@@ -114,13 +114,13 @@ void add_triage(Program& program) {
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
   command.flag("--new-only", arguments->new_only,
-               "report only causes that earlier runs lack; only these set exit code 2");
+               "report only new, back and rare causes; only these set exit code 2");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/causes/ has a pair of each cause, the simplest if there was time. KEY.worst.jsonl\n"
-      "is there if a search found a worse pair than all findings of the cause.\n"
+      "RUN/causes/ has a pair of each cause, the simplest if there was time. If a search\n"
+      "found a pair worse than every finding of the cause, KEY.worst.jsonl has it.\n"
       "Plug-ins and commands are those of the run, unless you give some.\n"
       "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "
       "findings\n"

@@ -60,7 +60,7 @@ struct Answer {
   /// * direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
   /// * point: let p = point_head + point_tail, exactly. The head is the centre of a or of b. If both hulls
   ///   (cylinder.hpp) are `space`, the common point is p. Otherwise the common point is the point of both
-  ///   hulls that is nearest to p. It lies in the core of each solid, which is the solid with `rounding` 0.
+  ///   hulls that is nearest to p. It lies in both cores. A core is the solid without its rounding.
   /// * points: a.center + point_head lies in the core of a, and b.center + point_tail in the core of b. Their
   ///   distance is at most a.rounding + b.rounding. If hull_a is not `space`, replace the point of a by the
   ///   point of hull_a that is nearest to it. The same holds for b.
@@ -84,8 +84,7 @@ Verdict intersect(const Solid& a, const Solid& b) noexcept;
 /// `invalid`). A verdict is never wrong. Let t = 1e-13 (r0 + h0 + r1 + h1 + a.rounding + b.rounding).
 /// * Every gap of at least t is decided.
 /// * Every overlap is decided if a ball of radius t lies in both solids. For a flat solid (no thicker than
-/// t),
-///   it is a disk of radius t or a segment of length 2 t.
+///   t), a disk of radius t or a segment of length 2 t takes the ball's place.
 /// * An overlap of two flat solids may stay undecided if both are segments, or if one is a point. The same
 ///   holds if a disk crosses a disk or a segment at a small angle.
 /// * None of this holds for subnormal lengths.

@@ -12,8 +12,8 @@
 //    skipped, but a key within one edit of source, truth or note is an error.
 // 3. Every number is read as the nearest double, with the sign of zero. Integers beyond 2^53 are rounded like
 //    any other number.
-// 4. A number that overflows is an error, in any field. A number of a cylinder that is not 0, but whose
-//    nearest double is (1e-999), is an error too.
+// 4. A number that overflows is an error, in any field. In a cylinder, a nonzero number that rounds to 0,
+//    such as 1e-999, is an error too.
 #pragma once
 
 #include <cstddef>

@@ -34,9 +34,8 @@ inline constexpr auto drawn_strata = [] {
 /// Gaps at even indices, penetrations at odd ones, if the cell has both. Containment leaves no gap.
 /// * Decade 1: penetrations by containment only, because others are not known by construction.
 /// * Decades 14 and up: the decade is a target, because rounding moves the margin by up to 5e-16.
-/// * Last decade: the sign is a target too. Nothing for containment, because doubles near the outer surface
-/// cannot
-///   represent so small an inner solid.
+/// * Last decade: the sign is a target too. Containment gives nothing, because doubles near the outer
+///   surface cannot represent so small an inner solid.
 /// Returns nothing outside the decades.
 std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
                                     std::uint64_t index);

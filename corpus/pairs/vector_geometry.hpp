@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The geometry of test vectors (vectors/README.md): lower ends of distances, classes of pairs, and other
+// The geometry of test vectors (docs/vectors.md): lower ends of distances, classes of pairs, and other
 // forms of solids. A published vector never changes, so its numbers must stay the same to the bit.
 #pragma once
 

@@ -14,11 +14,9 @@
 //
 // A stranger may have made the file, so
 // 4. no trigger fires, no view answers before check_schema() has seen it, and no query takes longer or
-// returns
-//    more than the size of the file explains;
+//    returns more than the size of the file explains;
 // 5. text is read with its control characters escaped, so that no name steers a terminal or forges a line.
-// JSON
-//    keeps its meaning. A member of type Lines keeps line breaks and tabs, which separate its parts.
+//    JSON keeps its meaning. A member of type Lines keeps line breaks and tabs, which separate its parts.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -17,19 +17,19 @@ namespace cyl {
 
 using Rational3 = Vec3<mpq_class>;
 
-/// The hulls of a and b in which a point is taken to lie. A flat solid also has a hull of its own, the plane
-/// of its disk or the line of its segment, which always counts.
+/// The hulls that the caller requires to contain the point, one for each solid. The own hull of a flat solid
+/// is always required too: the plane of a disk, the line of a segment, or the point.
 using Hulls = std::array<Hull, 2>;
 
-/// The filter, in intervals of R: double, or long double if that has more digits. It brings the pair to a
-/// unit near 1 by powers of two, exactly. If that is not exact (lengths more than about 2^1000 apart), the
-/// filter is not usable and proves nothing. Cost in double: about 0.1 us to set up, 0.1 us a check. In long
-/// double: ten times that.
+/// The filter, in intervals of R: double, or long double if that has more digits. It scales the pair by
+/// a power of two, so that its largest length is about 1. If scaling is inexact (the lengths differ by a
+/// factor of about 2^1000), the filter is not usable and proves nothing. Cost in double: about 0.1 us to set
+/// up, 0.1 us a check. In long double: ten times that.
 template <class R>
 class BasicFilter {
  public:
   explicit BasicFilter(const Pair& pair);
-  /// The scene's unit is 2^exponent of the filter's.
+  /// One unit of the filter is 2^exponent units of the scene.
   int exponent() const { return exponent_; }
   using I = BasicInterval<R>;
   /// Unit axes, and b's centre relative to a's in the filter's unit.
@@ -48,14 +48,15 @@ class BasicFilter {
   /// is relative to a's centre, in the filter's unit. They overlap if the point is strictly inside a solid
   /// that is not flat, or if two flat ones cross strictly inside both.
   bool overlap_at(const Vec3<R>& guess, const Hulls& hulls = {}) const;
-  /// The same near head + tail, in the scene's frame and unit.
+  /// Like overlap_at() above, but the guess is head + tail, in the scene's frame and unit.
   bool overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const;
   /// Returns true if three facts are certain.
   /// 1. The point of a's hull nearest to the first vector is in a's core.
   /// 2. The point of b's hull nearest to the second vector is in b's core.
   /// 3. Their distance is at most the sum of both roundings.
   bool come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const;
-  /// The same near points that are relative to the centre of their solid, in the filter's unit.
+  /// Like come_near() above, but each vector is relative to the centre of its own solid, in the filter's
+  /// unit.
   bool come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const;
 
  private:

@@ -15,8 +15,7 @@ namespace cyl {
 ///    same for each and its solid, or how much farther apart they are than the roundings allow, if that is
 ///    more.
 /// 3. Returns nothing without a witness, for a direction of length 0, for points in hulls, and for a number
-/// that
-///    is not finite.
+///    that is not finite.
 /// Computed in 512 bits, more than the cancellation of doubles near 1 can lose, then rounded.
 std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer);
 

@@ -94,7 +94,8 @@ Enclosure shortfall_of(double said, const Enclosure& real) {
 // ended at the rounding of doubles or at its cap on cells, and would do so again.
 std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   const double said = answer.distance, size = size_of(trial.pair), allowed = reach(claim, size);
-  // A claim of 0/0 promises a rounded number, so one unit in the last place of the larger length is allowed.
+  // If both parts of the claim are 0, it promises a rounded number. So one unit in the last place of the
+  // larger length is allowed.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
   const double finest = answer.error_bound > 0 ? std::min(most, answer.error_bound) : most;

@@ -17,8 +17,8 @@ struct Trial;
 /// Returns the worst fault of `answer`.
 /// 1. Returns nothing if the answer is right, declined or allowed to be undecided, or if no verdict is
 ///    proved.
-/// 2. Encloses the distance only if the finding's severity or an offered distance depends on it. That is most
-///    of the cost.
+/// 2. Encloses the distance only to grade a fault or to check a returned distance. Enclosing it is most of
+///    the cost.
 /// 3. Throws only what Trial throws.
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
@@ -28,20 +28,20 @@ std::optional<Finding> compare_statement(Trial& trial, Verdict stated);
 /// Returns the kind of finding of a failure.
 FindingKind finding_of(Failure failure);
 
-/// Relative to the size. A claim with an absolute length is allowed at least this, because `intersect` claims
-/// no less.
+/// The least relative part of a claim that has an absolute part. For huge solids, the rounding of coordinates
+/// alone exceeds an absolute length. This is the claim of `intersect`.
 inline constexpr double claim_floor = 1e-13;
 
-/// Returns the length below which the claim promises nothing for a pair of this size, rounded up. Exactly 0
-/// for a claim of 0/0.
+/// Returns the length below which the claim promises nothing for a pair of this size, rounded up. It is
+/// exactly 0 if the relative and the absolute claim are both 0.
 double reach(const Claim& claim, double size);
 
-/// Returns the error of the distance that a claim allows in a search or a fuzz target: reach() of a length
-/// that includes |Delta|, as in solver/distance.hpp. If nothing is claimed, this is the whole length.
+/// Returns the distance error that a search or fuzz target allows, which is reach(claim, size + |Delta|).
+/// Delta is the vector between the centres. If both parts of the claim are 0, returns size + |Delta|.
 double allowed_error(const Claim& claim, const Pair& pair);
 
-/// Returns |signed distance| of a pair whose verdict is proved. The enclosure is narrow enough to decide
-/// whether it reaches `length`, or as narrow as any that is computed.
+/// Returns |signed distance| of a pair whose verdict is proved. The enclosure narrows until it shows whether
+/// the distance reaches `length`, or until the narrowest width is reached.
 Enclosure magnitude_against(double length, Trial& trial);
 
 /// Returns the error that the answer's `error_bound` bounds, if `real` encloses the true distance.

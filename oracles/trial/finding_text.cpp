@@ -51,21 +51,22 @@ std::string statement_of(const Certificate& certificate) {
       return fmt::format("The point {} lies in both.", in_words(certificate.vector));
     case CertificateKind::points:
       return fmt::format(
-          "The point {} lies in a without its rounding, the point {} in b without its own, and they are no "
-          "farther "
-          "apart than both roundings together.",
+          "The point {} lies in a without its rounding, the point {} in b without its own. Their distance is "
+          "at "
+          "most the sum of the roundings.",
           in_words(certificate.vector), in_words(certificate.second));
     case CertificateKind::near:
       return fmt::format(
-          "They touch to within 2^-200 of their size: the point {} is that near to both, and along {} "
-          "neither "
-          "a gap nor an overlap is wider.",
+          "They touch, up to 2^-200 times the size. The point {} is at most that far from either solid. "
+          "Along "
+          "{}, any gap or overlap is at most as wide.",
           in_words(certificate.vector), in_words(certificate.second));
     case CertificateKind::near_points:
       return fmt::format(
-          "They touch to within 2^-200 of their size: the points {} and {} are that near to a and to b "
-          "without their "
-          "roundings and as far apart as those, and along {} neither a gap nor an overlap is wider.",
+          "They touch, up to 2^-200 times the size. The points {} and {} are at most that far from a and b "
+          "without their roundings. Their distance is at most that much above the sum of the roundings. "
+          "Along "
+          "{}, any gap or overlap is at most as wide.",
           in_words(certificate.vector), in_words(certificate.third), in_words(certificate.second));
     case CertificateKind::none:
       break;

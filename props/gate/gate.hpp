@@ -34,8 +34,8 @@ struct GateAmount {
   std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
 };
 
-/// Returns an amount with this many pairs in all: equal parts for the strata together, close contacts,
-/// and rounded solids if some guest supports them. Each has whole rounds, and at least one.
+/// Splits the pairs equally among strata, close contacts and, if a guest supports them, rounded solids. Each
+/// part has whole rounds, and at least one.
 GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
 
 /// After four hangs, or three crashes of a program, the rest of a batch is skipped.

@@ -44,17 +44,16 @@ std::string column_title(Parameter p) {
                                                               : "");
 }
 
-/// Returns "calls solids up to 9.9e-07 apart intersecting", ...
+/// Returns "reports intersecting for solids up to 9.9e-07 apart", ...
 std::string failure_in_words(const Trial& asked, const std::vector<FailingRegion>& regions) {
   switch (asked.finding()->kind) {
     case FindingKind::wrong_intersecting:
-      return fmt::format("calls solids up to {:.3g} apart {}",
-                         std::max(regions[0].high.fails_at, asked.distance.lo),
-                         to_string(asked.answer().verdict));
+      return fmt::format("reports {} for solids up to {:.3g} apart", to_string(asked.answer().verdict),
+                         std::max(regions[0].high.fails_at, asked.distance.lo));
     case FindingKind::wrong_disjoint: {
       const double depth = std::max(-regions[0].low.fails_at, -asked.distance.hi);
-      return depth > 0 ? fmt::format("calls solids that overlap by up to {:.3g} disjoint", depth)
-                       : "calls solids that touch disjoint";
+      return depth > 0 ? fmt::format("reports disjoint for solids that overlap by up to {:.3g}", depth)
+                       : "reports disjoint for solids that touch";
     }
     case FindingKind::distance_outside:
       return fmt::format("returns a distance of {} for solids {}", said_distance(asked),

@@ -154,7 +154,7 @@ testing::AssertionResult says(const std::string& text, const std::string& words)
 TEST(Explain, SumsUp) {
   const auto methods = blurred_methods();
   const std::string text = explain(methods, "blurred-way", kind, stacked());
-  EXPECT_TRUE(says(text, "\nblurred-way calls solids up to 0.0"));
+  EXPECT_TRUE(says(text, "\nblurred-way reports intersecting for solids up to 0.0"));
   EXPECT_TRUE(says(text, "blurred-way-fine is right"));
   EXPECT_TRUE(says(text, "If angle, radii or heights change, b moves so that the distance stays the same."));
   EXPECT_TRUE(says(text, "Samples do not show that it depends on angle or "));
@@ -241,7 +241,7 @@ TEST(Explain, WhatOnlyTouchesDoesNotOverlap) {
   methods.push_back(fake_method("strict", [](const Pair&) { return answered(Verdict::disjoint); }));
   const Pair point{{{0, 0, 1}, {0, 0, 1}, 0, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 0}};
   EXPECT_TRUE(says(explain(methods, "strict", FindingKind::wrong_disjoint, point),
-                   "\nstrict calls solids that touch disjoint. "));
+                   "\nstrict reports disjoint for solids that touch. "));
   EXPECT_THROW(explain(methods, "strict", FindingKind::state_dependent, point), std::invalid_argument);
 }
 

@@ -20,8 +20,8 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/trial/depends_on_last_bit.hpp"
 #include "oracles/trial/finding_text.hpp"
-#include "oracles/trial/hangs_on_sums.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_program.hpp"
 
@@ -177,15 +177,16 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   if (length_only)
     return fmt::format("\nThe {} tolerance is {} ({}). This pair is {} it.\n", stated, tolerance,
                        one_line(claim.source), within ? "within" : "beyond");
-  return fmt::format("\nThe {} claim: answers are right above a margin of {} ({}). This pair is {} it.\n",
-                     stated, tolerance, one_line(claim.source), within ? "below" : "above");
+  return fmt::format(
+      "\nThe {} claim: answers are always right if the gap or overlap exceeds {} ({}). This pair is {} it.\n",
+      stated, tolerance, one_line(claim.source), within ? "below" : "above");
 }
 
 /// Writes a note if the library asks our support function.
 std::string sums_in_words(const Method& method, const Trial& p) {
-  const auto hangs = hangs_on_our_sums(method.name(), p.finding()->kind, p.pair);
-  if (!hangs) return {};
-  return *hangs
+  const auto depends = depends_on_last_bit(method.name(), p.finding()->kind, p.pair);
+  if (!depends) return {};
+  return *depends
              ? "\nThe answer depends on the last bit. It is right if the sums of the support function have "
                "another order.\n"
              : "\nThe answer is also wrong if the sums of the support function have another order.\n";

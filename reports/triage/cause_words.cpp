@@ -10,7 +10,7 @@
 
 #include "base/safe_text.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
-#include "oracles/trial/hangs_on_sums.hpp"
+#include "oracles/trial/depends_on_last_bit.hpp"
 
 namespace cyl {
 namespace {
@@ -69,7 +69,7 @@ std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, c
         fmt::runtime(was_asked ? "not reproduced: {} does not fail in this way when it is asked alone"
                                : "not asked again: no time was left for {}, which hangs"),
         b.method));
-  if (hangs_on_our_sums(b.method, b.kind, group.simplest->pair).value_or(false))
+  if (depends_on_last_bit(b.method, b.kind, group.simplest->pair).value_or(false))
     labels.push_back(shown_in_words(b) +
                      " depends on the last bit of our support function: the method is right if its sums "
                      "change their order");

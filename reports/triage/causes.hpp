@@ -150,10 +150,10 @@ void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppre
 /// names.
 std::string file_name_of(std::string_view key);
 
-/// Whether the cause is new, but of pairs that no earlier run drew for its method.
+/// Whether the cause is new, but no earlier run tested its method on its families.
 bool is_of_new_families(const Cause& cause);
 /// Returns "2 new causes (1 beyond a claim), 34 known, 1 gone", without zeros, or "35 causes" without an
-/// earlier run. States how many of the new causes earlier runs could not have.
+/// earlier run. Then states for how many is_of_new_families() holds.
 std::string what_changed(const std::vector<Cause>& causes);
 
 /// Returns how the pair is called that a cause shows: "the simplest pair" if it was simplified.

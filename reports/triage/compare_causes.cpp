@@ -206,9 +206,10 @@ std::string what_changed(const std::vector<Cause>& causes) {
     if (beyond < n) text += fmt::format(" ({} beyond a claim)", beyond);
   }
   if (const auto n = std::ranges::count_if(causes, is_of_new_families); n > 0)
-    text +=
-        fmt::format(". Earlier runs did not draw the families of {} for their methods, so chance is unknown",
-                    counted(static_cast<std::uint64_t>(n), "new cause"));
+    text += fmt::format(
+        ". For {}, no earlier run tested the method on these families, so it is unknown whether {} really "
+        "new",
+        counted(static_cast<std::uint64_t>(n), "new cause"), n == 1 ? "it is" : "they are");
   return text;
 }
 

@@ -306,8 +306,8 @@ TEST(Causes, NewComesFirstAndIsNoChance) {
   compare_with_earlier(run, {other}, [](const Cause&) { return std::nullopt; });
   EXPECT_EQ(
       what_changed(run.causes),
-      "1 new cause. Earlier runs did not draw the families of 1 new cause for their methods, so chance is "
-      "unknown");
+      "1 new cause. For 1 new cause, no earlier run tested the method on these families, so it is unknown "
+      "whether it is really new");
 }
 
 TEST(Causes, FilesAreCalledAsTheyAre) {

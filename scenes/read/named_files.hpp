@@ -2,10 +2,9 @@
 // The files that a scene is read from. A stranger may have written them, so one rule holds for all of them:
 //
 // 1. The user names the first file, and maybe an SRDF. Each is a regular file or a pipe.
-// 2. Files name others: meshes, includes, and the SRDF beside a URDF. Each is a regular file inside the
-// folder
-//    of the first file, or inside the ROS package that holds the first file, or inside a folder that the user
-//    permits. Symbolic links are followed first.
+// 2. Files name others: meshes, includes, and the SRDF beside a URDF. Each is a regular file in the folder
+//    of the first file, in the ROS package that holds the first file, or in a folder that the user permits.
+//    Symbolic links are followed first.
 // 3. Size and nesting have limits, which are far above those of real scenes.
 #pragma once
 

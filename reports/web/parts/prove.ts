@@ -404,7 +404,7 @@ function provePoints(a: Solid, b: Solid, { points, hulls }: Truth, touching: boo
   return {
     holds: true,
     steps,
-    text: "Proved: the points lie in the cores, no farther apart than both roundings together.",
+    text: "Proved: the points lie in the cores, and their distance is at most the sum of the roundings.",
   };
 }
 
@@ -418,17 +418,21 @@ function proveNear(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof 
     ? comeNear(wideA, wideB, ...two(near.points, "the points"), slack)
     : inBoth(wideA, wideB, vector(near.point, "the point"));
   if (!met.inside)
-    return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
+    return {
+      holds: false,
+      steps: met.steps,
+      text: "Refuted: the point is farther than 2^-200 times the size from a solid.",
+    };
   if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
   const lessRounded = (s: Solid): Solid => (s.rounding.n === 0n ? s : { ...s, rounding: sub(s.rounding, slack) });
   const apart = signOfF(lessRounded(grown(a, neg(slack))), lessRounded(grown(b, neg(slack))), d);
   const steps = [...met.steps, ...apart.steps];
-  if (apart.sign < 0) return { holds: true, text: "Proved: within 2^-200 of their size they touch.", steps };
+  if (apart.sign < 0) return { holds: true, text: "Proved: the solids touch, up to 2^-200 times the size.", steps };
   if (apart.sign > 0)
     return {
       holds: false,
       steps,
-      text: "Refuted: along that direction they overlap by more than 2^-200 of their size.",
+      text: "Refuted: along that direction, the solids overlap by more than 2^-200 times the size.",
     };
   return { holds: null, steps, text: `Not decided with ${apart.bits} binary digits.` };
 }

@@ -110,8 +110,8 @@ export function Calibration({ report }: { report: Report }) {
       id="calibration"
       title="Calibration"
       lead={
-        "The share of wrong answers as the margin shrinks. A method that claims to be right above some " +
-        "margin must have no wrong answer to its left. An open mark means no wrong answer. Bars are 95 % confidence."
+        "The share of wrong answers as the margin shrinks. A method must have no wrong answer to the " +
+        "left of the margin that it claims. An open mark means no wrong answer. Bars are 95 % confidence."
       }>
       <p class="tools">
         <Select

@@ -64,11 +64,15 @@ const describeCertificate = (t: Truth): [string, string] =>
     : t.point
       ? ["common point", "This point lies in both solids."]
       : t.points
-        ? ["near points", "One is in the core of a, one in that of b, no farther apart than both roundings together."]
+        ? [
+            "near points",
+            "One point lies in the core of a, the other in the core of b. Their distance is at most the sum of the " +
+              "roundings.",
+          ]
         : [
             "point near both",
-            "No rational common point is known. This point is within 2^-200 of the size of both, and along the " +
-              "direction no gap or overlap is wider than that.",
+            "No rational common point is known. This point is at most 2^-200 times the size away from either solid. " +
+              "Along the direction, any gap or overlap is at most as wide.",
           ];
 
 function Prover({ shown }: { shown: Case }) {

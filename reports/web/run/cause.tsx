@@ -90,7 +90,7 @@ function Story({ report, b }: { report: Report; b: Cause }) {
         <Fact label="margins">{range(b.margin)}</Fact>
         <Fact label="since earlier runs">
           <span title={about(b.status ?? "")}>{b.status ?? "\u2013"}</span>
-          {isOfNewFamilies(b) && <span class="soft"> no earlier run drew its families for its method</span>}
+          {isOfNewFamilies(b) && <span class="soft"> (no earlier run tested this method on these families)</span>}
         </Fact>
         <Fact label="seen">{fromTo(b.first_seen, b.last_seen)}</Fact>
         {b.first_version && <Fact label="versions">{fromTo(b.first_version, b.last_version)}</Fact>}

@@ -58,7 +58,7 @@ export interface Cause {
   first_seen: string;
   last_seen: string; // run ids
   status: Status | null;
-  asked_before: boolean; // an earlier run drew its families for its method; else the chance of "new" is unknown
+  asked_before: boolean; // an earlier run tested its method on its families; else it may not be really new
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   simplest: Case;
   worst: Case;

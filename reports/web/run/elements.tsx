@@ -40,8 +40,8 @@ export const Legend = ({ empty }: { empty: string }) => (
   <p class="legend" aria-hidden="true">
     {[
       [shade("bad", 4), "beyond the claim or failed"],
-      [shade("within", 4), "else within the claim"],
-      [shade("undecided", 4), "else undecided or declined"],
+      [shade("within", 4), "within the claim"],
+      [shade("undecided", 4), "undecided or declined"],
       ["var(--clean)", "none of these"],
       ["var(--bg)", empty],
     ].map(([background, words]) => (
@@ -49,6 +49,7 @@ export const Legend = ({ empty }: { empty: string }) => (
         <i style={{ background }} /> {words}
       </span>
     ))}
+    <span class="whole">A cell shows the first that applies.</span>
   </p>
 );
 

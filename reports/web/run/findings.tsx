@@ -60,7 +60,7 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
-            {isOfNewFamilies(b) && "; no earlier run drew its families for its method"}
+            {isOfNewFamilies(b) && "; no earlier run tested this method on these families"}
             {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>
@@ -92,11 +92,11 @@ const FindingRow = ({ f }: { f: Finding }) => (
 );
 
 const lead = (report: Report) =>
-  `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
-  `and each later one that is worse. The margin of a wrong distance is its error over the size. The ` +
-  `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds. ` +
-  `The size is the sum of both radii, heights and roundings. Findings are in the order in which the text of the run ` +
-  `names the worst one.`;
+  `${grouped(report.findings_total)} in all. For each method, kind, severity and family, the run keeps the first ten ` +
+  `findings, and each later one whose margin reaches a higher power of two. The margin of a wrong distance is its ` +
+  `error over the size. The margin of any other finding is the signed distance between the solids over the size. ` +
+  `Margins are lower bounds. The size is the sum of both radii, heights and roundings. The worst finding comes ` +
+  `first. The printed summary of the run names the same one.`;
 
 const rowsAtFirst = 100;
 

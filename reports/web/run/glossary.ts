@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The meaning of each term of the page of a run.
 
-/** One sentence for each term. */
+/** One or two sentences for each term. */
 export const glossary: Record<string, string> = {
   "#": "The number of a finding in its run.",
   answer: "The answer of a method to the pair.",
@@ -10,20 +10,21 @@ export const glossary: Record<string, string> = {
   back: "A cause that was gone in the previous run and is seen again.",
   "beyond its claim": "Wrong by more than the claim of the method: a fault.",
   begun: "The time at which the run started.",
-  cause: "Findings with one reason, under one key: library, kind, nearest parts, and the property that it depends on.",
-  causes: "The number of different reasons of the findings of this run; the others were seen in earlier runs.",
+  cause: "A group of findings with the same reason. Its key names the method and what makes it fail.",
+  causes: "The number of causes with findings in this run. The table also lists causes that only earlier runs had.",
   claim: "The tolerance of a method.",
-  "claims to be": "The distance from which on a method is right, by its claim, or its largest error.",
+  "claims to be": "The claim of the method: it is right above this distance, or its distances err by no more.",
   "common point": "A certificate: a point in both solids proves that they intersect.",
-  "direction by": "The largest jump of the direction between two steps.",
+  "direction by": "The largest jump of the direction between two steps, in degrees.",
   disjoint: "The solids have no common point.",
-  "distance jumps by": "The largest jump of the distance between two steps, in sizes, beyond that of the true one.",
-  core: "A solid without its rounding, which is the radius of the ball by which it is grown.",
+  "distance jumps by":
+    "The largest jump between two steps: the excess over the jump of the true distance, divided by the size.",
+  core: "A solid without its rounding. The rounding is the length by which the solid grows on all sides.",
   family: "The generator of the pairs, for example nearly parallel axes.",
   findings: "Wrong answers, crashes and hangs, one for each method and pair.",
   "first seen": "The first run that has the cause.",
   flips: "The number of changes of the verdict along the path.",
-  from: "The methods that gave this answer; a method in red is wrong by its own claim.",
+  from: "The methods that gave this answer. Red marks an answer that failed or contradicts the truth.",
   gone: "A cause of earlier runs that this run does not have.",
   intersecting: "The solids overlap: they have common points, and do not only touch.",
   kind: "The fault: a wrong verdict, distance or witness, a crash or a hang.",
@@ -31,7 +32,7 @@ export const glossary: Record<string, string> = {
   "known cases now failing": "Stored pairs for which the referee now returns another truth.",
   "largest margin": "The largest margin of the findings of the cause, as far as it is proved.",
   library: "The library that a method belongs to; our methods are one library.",
-  margin: "For a wrong distance the error over the size, for other findings the signed distance over the size.",
+  margin: "The signed distance of the pair over the size. If a distance is wrong, its error over the size.",
   margins: "The least and the largest margin of the findings of the cause, as far as they are proved.",
   method: "A function that answers pairs: an algorithm of a library with its settings.",
   "methods beyond their claim": "Methods that failed, or were wrong by more than their claim.",
@@ -40,9 +41,11 @@ export const glossary: Record<string, string> = {
   "pairs judged": "The number of pairs that the methods were asked about.",
   path: "A sequence of pairs, each a little different from the previous one.",
   "per million": "Wrong pairs per million pairs asked, with bounds at 95 % confidence.",
-  "near points": "A certificate: points of both cores, no farther apart than both roundings together.",
-  "point near both": "A certificate for touching: a point within 2^-200 of the size of both, and no wider gap.",
-  rare: "Too rare to judge: on so few pairs that its absence from the other runs may be chance.",
+  "near points": "A certificate: a point in each core. Their distance is at most the sum of the roundings.",
+  "point near both":
+    "A certificate for touching: a point at most 2^-200 times the size away from either solid. Along the direction, " +
+    "any gap or overlap is at most as wide.",
+  rare: "Too rare to judge. So few pairs show the cause that its absence from other runs may be chance.",
   run: "The folder of a campaign: its pairs, methods and answers.",
   seen: "The first and the last run that have the cause.",
   "separating direction": "A certificate: a plane perpendicular to it has one solid on each side.",
@@ -58,6 +61,6 @@ export const glossary: Record<string, string> = {
   undecided: "The method answered neither yes nor no.",
   versions: "The versions of the library in the first and the last run that have the cause.",
   "within its claim": "Wrong, but the claim of the method covers the error.",
-  "wrong pairs": "Pairs on which one method of the cause is wrong, with an estimate of the pairs that are not stored.",
+  "wrong pairs": "The number of pairs on which one method of the cause is wrong, estimated if not all are stored.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];

@@ -102,7 +102,7 @@ export function Maps({ report }: { report: Report }) {
       title="Failure maps"
       lead={
         "The share of wrong answers of a method, by properties of the pair. " +
-        "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
+        "If a cell has answers wrong beyond the claim, the share counts only them. " +
         "A cell with a dot leads to a case."
       }>
       <p class="tools">

@@ -79,7 +79,7 @@ async function beginsWithTheAnswer() {
   const suppressed = { reason: "r", link: "l", owner: "o", expires: "2027-01-01" };
   for (const [status, kind, head, change = {}] of [
     ["new", "bad", /^6 new faults: \S+.* Compared with 1 earlier run\.$/],
-    ["new", "bad", / No earlier run drew the families of 6 new faults for their methods/, { asked_before: false }],
+    ["new", "bad", / For 6 new faults, no earlier run tested the method/, { asked_before: false }],
     ["rare", "warn", /^6 causes were not seen before, perhaps by chance:/],
     ["known", "ok", /^Nothing is new and wrong\. Compared with 1 earlier run/],
     ["new", "ok", /^Nothing is new and wrong\./, { suppressed }],

@@ -82,8 +82,8 @@ export function PairView({ shown }: { shown: Case }) {
           ` One solid is ${short(ratio, 2)} times as large as the other. The smaller one may be too small to see.`}
         {drawing.near &&
           (gap < 0
-            ? " The dots on a line are approximately the deepest points of each solid in the other."
-            : " The dots on a line are approximately the nearest points.")}
+            ? " The line joins two dots. Each dot marks roughly the deepest point of one solid in the other."
+            : " The line joins two dots. They mark roughly the nearest points of the solids.")}
       </figcaption>
     </figure>
   );

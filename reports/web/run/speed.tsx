@@ -49,10 +49,12 @@ const describePoint = (p: SpeedPoint) =>
   [
     p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""),
     `${time(p.ns)} a pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}`,
-    (p.digits === 0 ? "not always right even at 1e\u22121" : `right above a margin of 1e\u2212${short(p.digits)}`) +
+    (p.digits === 0
+      ? "not always right even at 1e\u22121"
+      : `always right if the margin exceeds 1e\u2212${short(p.digits)}`) +
       (p.digits_low === null
         ? "; too few answers to show it"
-        : `; with 95 % confidence above 1e\u2212${short(p.digits_low)}`),
+        : `; with 95 % confidence if it exceeds 1e\u2212${short(p.digits_low)}`),
     `wrongly reported disjoint ${grouped(p.wrong_disjoint)}, intersecting ${grouped(p.wrong_intersecting)} of ` +
       `${grouped(p.asked)}`,
   ].join("\n");
@@ -92,7 +94,7 @@ export function speedPlot(all: SpeedPoint[], o: Options, claimed: number[]): Ele
       marginRight,
       x: { type: "log", label: "time a pair (logarithmic) \u2192", domain, ticks, tickFormat: time, grid: true },
       y: {
-        label: "\u2191 right down to a margin of",
+        label: "\u2191 always right if the margin exceeds",
         labelAnchor: "top",
         grid: true,
         domain: [0, highest],
@@ -158,9 +160,8 @@ export function Speed({ report }: { report: Report }) {
       id="speed"
       title="Speed against accuracy"
       lead={
-        "One mark for each library, at its most accurate setting. Accuracy is a margin: the method was right about " +
-        "yes or no on every pair with a signed distance of at least that part of the size. It does not cover the " +
-        "error of distances."
+        "One mark for each library, at its most accurate setting. Accuracy is a margin. On every pair with at " +
+        "least this margin, the library's yes or no was right. Errors of distances do not count."
       }>
       <p class="tools">
         <Select label="Question" value={query} onChange={ask} options={asked.map((q) => [q, questions[q]!])} />

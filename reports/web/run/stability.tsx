@@ -92,9 +92,9 @@ export function Stability({ report }: { report: Report }) {
       title="Stability"
       lead={
         "Answers along a path of pairs, step by step. If the path goes through touching, one flip of the verdict is " +
-        "right. If the gap or overlap stays the same, no flip is right. Each further flip is noise. Jumps of the " +
-        "distance are in sizes, beyond the jump of the true distance. Jumps of the direction count only if the " +
-        "direction is unique."
+        "right. If the gap or overlap stays the same, no flip is right. Each further flip is noise. A distance " +
+        "jump is the excess over the jump of the true distance, divided by the size. Jumps of the direction count " +
+        "only if the direction is unique."
       }>
       <div class="case">
         <div class="tall">

@@ -108,7 +108,8 @@ function Answer({ report }: { report: Report }) {
           ? `Compared with ${plural(report.against.length, "earlier run")}.`
           : "There are no causes of earlier runs to compare with."}
         {undrawn > 0 &&
-          ` No earlier run drew the families of ${plural(undrawn, "new fault")} for their methods. Chance is unknown.`}
+          ` For ${plural(undrawn, "new fault")}, no earlier run tested the method on these families. So it is ` +
+            `unknown whether ${undrawn === 1 ? "it is" : "they are"} really new.`}
       </p>
     </div>
   );

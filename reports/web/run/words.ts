@@ -20,7 +20,7 @@ export function formatClaim(claim: Claim): string {
   const parts = [];
   if (claim.relative !== 0) parts.push(`${short(claim.relative)} of the size`);
   if (claim.absolute !== 0) parts.push(`a length of ${short(claim.absolute)}`);
-  return parts.length === 0 ? "always right" : `right above a margin of ${parts.join(" plus ")}`;
+  return parts.length === 0 ? "always right" : `always right if the gap or overlap exceeds ${parts.join(" plus ")}`;
 }
 
 export function formatCoordinate(x: Coordinate): string {
@@ -31,7 +31,7 @@ export function formatCoordinate(x: Coordinate): string {
 
 export const isRounded = ({ a, b }: Pair) => Boolean(a.rounding || b.rounding);
 
-/** Whether it is new, but of pairs that no earlier run drew. Then nothing is known of chance. */
+/** Whether it is new, but no earlier run tested its method on its families. It may then be old. */
 export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_before === false;
 
 /** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
@@ -47,16 +47,15 @@ export function sentenceOf(b: Cause): string {
     s = many ? "" : "s",
     solids = isRounded(b.worst.pair) ? "solids" : "cylinders",
     largest = b.margin?.[1] ?? 0,
-    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than 1e308 times ";
+    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of` : "more than 1e308 times",
+    said = (verdict: string) => `${who} report${s} \u201c${verdict}\u201d, but the ${solids}`;
   switch (b.kind) {
     case "wrong_intersecting":
-      return `${who} report${s} ${solids} as intersecting that are ${amount}their size apart`;
+      return `${said("intersecting")} are ${amount} their size apart`;
     case "wrong_disjoint":
-      return largest === 0
-        ? `${who} report${s} ${solids} as disjoint that touch`
-        : `${who} report${s} ${solids} as disjoint that overlap by ${amount}their size`;
+      return `${said("disjoint")} ${largest === 0 ? "touch" : `overlap by ${amount} their size`}`;
     case "distance_outside":
-      return `${who} return${s} a distance that is wrong by ${amount}the size`;
+      return `${who} return${s} a distance that is wrong by ${amount} the size`;
     case "bad_witness":
       return `${who} offer${s} a witness that does not prove the answer`;
     case "crash":

@@ -11,6 +11,6 @@ namespace cyl {
 
 /// Asks once more, contained, with the sums of our support function in another order. Returns whether this
 /// failure is then absent. Returns nothing if the library does not call our support function.
-std::optional<bool> hangs_on_our_sums(std::string_view method, FindingKind kind, const Pair& pair);
+std::optional<bool> depends_on_last_bit(std::string_view method, FindingKind kind, const Pair& pair);
 
 }  // namespace cyl
