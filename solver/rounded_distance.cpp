@@ -3,9 +3,7 @@
 #include <cmath>
 
 #include "solver/decide.hpp"
-#include "solver/detail/distance_frame.hpp"
-#include "solver/detail/rounded.hpp"
-#include "solver/distance.hpp"
+#include "solver/detail/rounded_cores.hpp"
 
 namespace cyl {
 namespace {
@@ -32,9 +30,7 @@ double longest_of(const Prepared& c) noexcept {
 
 // Its core, in another unit.
 Prepared core_in_unit(const Prepared& c, double unit) noexcept {
-  Prepared core = c;
-  core.rounding = 0;
-  core.ordinary = c.moderate;
+  Prepared core = core_of(c);
   if (unit != 1) {
     core.center *= unit;
     core.radius *= unit;

@@ -6,7 +6,8 @@
     exact.py PAIRS.jsonl ANSWERS.jsonl  checks answers of `daylight check`; exit status 2 if a certificate fails
 
 A cylinder is solid and closed. It has center, axis (of any length), radius, full height, and rounding. It is all
-points within the rounding of the cylinder proper, its core. Floats are taken exactly. A coordinate of a certificate may
+points within the rounding of the cylinder proper, its core. A sphere and a capsule are rounded points and segments. A
+half-space has a point of its plane and the outward normal. Floats are taken exactly. A coordinate of a certificate may
 also be a list of floats (their exact sum) or a string "n/d".
 
 A direction proves that two solids are apart if planes square to it show a gap. A point proves that they meet if it lies
@@ -75,6 +76,32 @@ def root(square, bits, above):
     return Fraction(isqrt((top << 2 * shift) // bottom) + above, 1 << shift)
 
 
+def plain(solid):
+    """The solid with the fields of a cylinder: of a half-space the point is the center, and the normal the axis."""
+    if not isinstance(solid, dict):
+        return solid
+    shape, solid = solid.get('shape', 'cylinder'), dict(solid)
+    if 'quaternion' in solid and 'axis' not in solid:
+        w, x, y, z = map(float, solid.pop('quaternion'))
+        solid['axis'] = [2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z]
+    if shape == 'half_space':
+        return {'shape': shape, 'center': solid.get('point'), 'axis': solid.get('normal'), 'radius': 0, 'height': 0}
+    if shape == 'sphere':
+        solid.update(axis=[0, 0, 1], height=0)
+    if shape in ('sphere', 'capsule'):
+        solid.update(rounding=solid.get('radius'), radius=0)
+    return {key: value for key, value in solid.items() if key != 'shape'}
+
+
+def is_half_space(solid):
+    return 'shape' in solid
+
+
+def beyond(plane, x):
+    """How far x is beyond the plane of a half-space, times the length of the normal."""
+    return dot(vector(plane['axis']), minus(x, vector(plane['center'])))
+
+
 def contact_distance(pair):
     return sum(exact(pair[k].get('rounding', 0)) for k in 'ab')
 
@@ -85,7 +112,11 @@ def gap(pair, direction, bits, above=False):
     d = vector(direction)
     if not any(d):
         return Fraction(-1)
-    width = abs(dot(d, minus(vector(pair['b']['center']), vector(pair['a']['center']))))
+    width = dot(d, minus(vector(pair['b']['center']), vector(pair['a']['center'])))
+    planes = [(sign, vector(pair[k]['axis'])) for sign, k in ((1, 'a'), (-1, 'b')) if is_half_space(pair[k])]
+    if any(any(cross(d, n)) or sign * dot(d, n) < 0 for sign, n in planes):
+        return Fraction(-1)  # a half-space ends in one direction only
+    width = width if planes else abs(width)
     for solid in (pair['a'], pair['b']):
         w = vector(solid['axis'])
         across = cross(d, w)
@@ -102,7 +133,7 @@ def separates(pair, direction, clearance=0):
 def equations(solid, hull):
     """The equations n.x = k of the points of a hull, as rows (n, k)."""
     w, c = vector(solid['axis']), vector(solid['center'])
-    if hull == 'space':
+    if hull == 'space' or is_half_space(solid):
         return []
     if hull == 'plane':
         return [(w, dot(w, c))]
@@ -130,6 +161,8 @@ def nearest(point, rows):
 
 def in_core(solid, x):
     """Decided exactly: squares instead of square roots."""
+    if is_half_space(solid):
+        return beyond(solid, x) <= 0
     w = vector(solid['axis'])
     from_center = minus(x, vector(solid['center']))
     across = cross(from_center, w)
@@ -153,6 +186,8 @@ def come_near(pair, points, hulls=SPACE, extra=0):
 def normals(solid, x):
     """Vectors that span the cone of the outward normals of the core at its point x, and the normal of their plane, or
     None. Inner points have none."""
+    if is_half_space(solid):
+        return [vector(solid['axis'])] if beyond(solid, x) == 0 else [], None
     w, out = vector(solid['axis']), minus(x, vector(solid['center']))
     along, height, radius = dot(out, w), exact(solid['height']), exact(solid['radius'])
     across = minus(out, [along / dot(w, w) * c for c in w])
@@ -169,6 +204,9 @@ def normals(solid, x):
 
 def supports(solid, x, n):
     """Whether no point of the core lies farther along n than its point x."""
+    if is_half_space(solid):
+        w = vector(solid['axis'])
+        return beyond(solid, x) == 0 and not any(cross(n, w)) and dot(n, w) > 0
     w, out = vector(solid['axis']), minus(x, vector(solid['center']))
     across = minus(n, [dot(n, w) / dot(w, w) * c for c in w])
     along, beside = dot(n, w) * dot(out, w), dot(across, out)
@@ -208,7 +246,7 @@ def defect(pair):
             value = solid.get(key, 0 if key == 'rounding' else None)
             if not is_number(value) or value < 0:
                 return f'{side}.{key} is not a length'
-    return None
+    return 'both are half-spaces' if is_half_space(pair['a']) and is_half_space(pair['b']) else None
 
 
 def is_number(value):
@@ -220,11 +258,19 @@ def is_number(value):
 
 
 def nearly_touch(pair, near):
-    slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + contact_distance(pair)) / 2**200
+    lengths = sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height'))
+    slack = (lengths + contact_distance(pair)) / 2**200
+
+    def grown(solid, by):
+        if is_half_space(solid):  # the plane moves by a little more
+            n = vector(solid['axis'])
+            share = by / root(dot(n, n), DIGITS[0], False)
+            return dict(solid, center=[x + share * y for x, y in zip(vector(solid['center']), n)])
+        return dict(solid, radius=max(Fraction(0), exact(solid['radius']) + by),
+                    height=max(Fraction(0), exact(solid['height']) + 2 * by))
 
     def resized(by):
-        return {k: dict(pair[k], radius=max(Fraction(0), exact(pair[k]['radius']) + by),
-                        height=max(Fraction(0), exact(pair[k]['height']) + 2 * by)) for k in 'ab'}
+        return {k: grown(pair[k], by) for k in 'ab'}
     if not (come_near(resized(slack), near['points'], SPACE, slack) if 'points' in near
             else in_both(resized(slack), near['point'])):
         return False
@@ -242,9 +288,11 @@ def is_uncertified(answer):
 
 def fault(pair, answer):
     """The fault of an answer and its certificate in words, or None."""
+    if isinstance(pair, dict):
+        pair = {key: plain(value) if key in ('a', 'b') else value for key, value in pair.items()}
     verdict, why = answer.get('verdict'), defect(pair)
     if verdict == 'invalid':
-        known = {'center', 'axis', 'radius', 'height', 'rounding'}
+        known = {'center', 'axis', 'radius', 'height', 'rounding', 'shape'}
         if not why and all(set(pair[side]) <= known for side in 'ab'):
             return 'the pair is valid'
         return None if answer.get('error') else 'invalid without an error'
@@ -271,7 +319,9 @@ def fault(pair, answer):
                 return 'the direction does not show that the overlap is tolerated'
             agrees = {'disjoint': 0 < low, 'intersecting': high < 0}.get(verdict, verdict == 'undecided')
             return None if low <= high and agrees else 'the distance contradicts the verdict'
-        pair = dict(pair, a=dict(pair['a'], rounding=exact(pair['a'].get('rounding', 0)) + exact(answer['clearance'])))
+        side = 'b' if is_half_space(pair['a']) else 'a'
+        rounding = exact(pair[side].get('rounding', 0)) + exact(answer['clearance'])
+        pair = {**pair, side: dict(pair[side], rounding=rounding)}
     hulls = answer.get('hulls', SPACE)
     if verdict == 'disjoint' and not separates(pair, answer['direction']):
         return 'the direction does not separate'
@@ -306,6 +356,7 @@ def wrong_interval(pair, answer):
 
 def refuted(pair, said):
     """A claim in words that refutes an answer about a pair, and whether it holds."""
+    pair = {k: plain(pair[k]) for k in 'ab'}
     if 'distance' not in said:
         if 'direction' in said:
             return 'the direction said does not separate them', gap(pair, said['direction'], DIGITS[0], True) <= 0
@@ -341,7 +392,7 @@ def prove(claims):
             shown = not fault(pair, answer)
             what = claim['name'] + ': they ' + ('touch, to within 2^-200 of their size' if 'near' in answer else 'meet')
             if answer['verdict'] == 'disjoint':
-                width = gap(pair, answer['direction'], DIGITS[0])
+                width = gap({k: plain(pair[k]) for k in 'ab'}, answer['direction'], DIGITS[0])
                 what = f'{claim["name"]}: disjoint, at least {in_digits(width)} apart'
         status |= not shown
         print(what + ':', 'proved' if shown else 'NOT PROVED')

@@ -52,6 +52,30 @@ class Exact(unittest.TestCase):
             moved = exact.nearest(exact.vector((5, 6, 7)), exact.equations(UP, hull))
             self.assertEqual(moved, {'plane': [5, 6, 0], 'line': [0, 0, 7], 'point': [0, 0, 0]}[hull])
 
+    def test_a_half_space(self):
+        plane = {'shape': 'half_space', 'point': [0, 0, 0], 'normal': [0, 3, 4]}
+        ball = {'shape': 'sphere', 'center': [0, 0, 6], 'radius': 4}
+        touching = dict(ball, center=[0, 0, 5])
+
+        def why(a, b, verdict, **certificate):
+            return exact.fault({'a': a, 'b': b}, dict(certificate, verdict=verdict))
+        self.assertIsNone(why(plane, ball, 'disjoint', direction=[0, 3, 4], distance=[0.75, 0.85]))
+        self.assertIsNone(why(ball, plane, 'disjoint', direction=[0, -0.75, -1]))
+        for d in ((0, -3, -4), (0, 3, 4 + JUST), (0, 0, 0)):
+            self.assertIn('separate', why(plane, ball, 'disjoint', direction=d))
+        self.assertIn('separate', why(plane, touching, 'disjoint', direction=[0, 3, 4]))
+        on_plane = [0, '-12/5', '9/5']
+        self.assertIsNone(why(plane, touching, 'touching', points=[on_plane, [0, 0, 5]]))
+        self.assertIn('not in the cores', why(plane, touching, 'touching', points=[[0, '-12/5', 2], [0, 0, 5]]))
+        self.assertIn('overlap', why(plane, dict(touching, radius=5), 'touching', points=[on_plane, [0, 0, 5]]))
+        rod = {'shape': 'capsule', 'center': [0, 0, 5], 'quaternion': [1, 0, 0, 0], 'radius': 2, 'height': 10}
+        self.assertIsNone(why(plane, rod, 'intersecting', point=[0, 0, 0]))
+        self.assertIn('not valid', why(plane, plane, 'disjoint', direction=[0, 3, 4]))
+        self.assertIn('not valid', why(dict(plane, normal=[0, 0, 0]), ball, 'disjoint', direction=[0, 3, 4]))
+        near = {'point': [0, 0, 0], 'direction': [0, 3, 4]}
+        self.assertIsNone(why(plane, dict(UP, axis=[0, 3, 4], height=10, center=[0, 3, 4]), 'touching', near=near))
+        self.assertIn('2^-200', why(plane, dict(UP, axis=[0, 3, 4], height=10, center=[0, 3, 4.1]), 'touching', near=near))
+
     def test_two_points(self):
         for q, near in ((5, True), (5 + JUST, False)):
             asked = pair(dict(UP, rounding=1), (q, 0, 0), rounding=1)

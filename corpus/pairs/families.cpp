@@ -72,9 +72,7 @@ void cross_over(RandomStream& s, Pair& p) {
 }
 
 Pair random_pair(RandomStream& s, std::uint64_t = 0) {
-  Pair p;
-  p.a = draw_solid(s);
-  p.b = draw_solid(s);
+  Pair p{draw_solid(s), draw_solid(s)};
   scatter(s, p);
   return p;
 }
@@ -199,8 +197,7 @@ Pair contained(RandomStream& s, std::uint64_t) {
   Pair p = random_pair(s);
   const double ball = std::min(p.a.radius, p.a.height / 2);
   const double shrink = s.between(0.05, 0.45) * ball / reach(p.b);
-  p.b.radius *= shrink;
-  p.b.height *= shrink;
+  p.b.radius *= shrink, p.b.height *= shrink;
   const double along = s.between(-1, 1) * (p.a.height / 2 - ball);
   const double across = s.between(0, 1) * (p.a.radius - ball);
   const double inside = s.between(0, 0.5) * ball;
@@ -248,11 +245,7 @@ Pair far(RandomStream& s, std::uint64_t index) {
 Pair tiny_and_huge(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
   const double scale = scales[index % scales.size()];
-  for (Solid* c : {&p.a, &p.b}) {
-    c->center *= scale;
-    c->radius *= scale;
-    c->height *= scale;
-  }
+  for (Solid* c : {&p.a, &p.b}) c->center *= scale, c->radius *= scale, c->height *= scale;
   return p;
 }
 
@@ -261,8 +254,7 @@ Pair tiny_and_huge(RandomStream& s, std::uint64_t index) {
 Pair mixed_scale(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
   const double ratio = large[index % large.size()];
-  p.b.radius /= ratio;
-  p.b.height /= ratio;
+  p.b.radius /= ratio, p.b.height /= ratio;
   const Vector3 radial = s.perpendicular(p.a.axis), end = s.sign() * p.a.axis;
   const bool on_cap = s.coin();
   const double along = on_cap ? 0.5 : s.between(-0.5, 0.5);
@@ -285,69 +277,66 @@ Pair close(RandomStream& s, std::uint64_t index) {
   return draw_close_contact(kind, s, index).pair;
 }
 
+using enum ContactKind;
+using enum CloseKind;
+using enum SolidKind;
+
 struct Entry {
   std::string_view name, summary;
   Pair (*draw)(RandomStream&, std::uint64_t index);
 };
 
-constexpr std::array entries{
-    Entry{"random", "any two solids, lengths 0.1 to 10, about half of the pairs intersecting", random_pair},
-    Entry{"touching_side_side", "side meets side at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::side_side>},
-    Entry{"touching_side_rim", "side meets rim at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::side_rim>},
-    Entry{"touching_rim_rim", "rim meets rim at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::rim_rim>},
-    Entry{"touching_cap_rim", "a rim stands on a cap at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::cap_rim>},
-    Entry{"touching_cap_side", "a side lies on a cap at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::cap_side>},
-    Entry{"touching_cap_cap", "cap faces cap at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::cap_cap>},
-    Entry{"touching_parallel_sides", "parallel sides at margins 1e-2 to 1e-15, gap and penetration",
-          touching<ContactKind::parallel_sides>},
-    Entry{"touching_needles", "crossing needles at margins 1e-6 to 1e-15, gap and penetration",
-          touching<ContactKind::needle_needle>},
-    Entry{"touching_disks", "rims of thin disks at margins 1e-6 to 1e-15, gap and penetration",
-          touching<ContactKind::disk_disk>},
-    Entry{"axes_parallel", "axes exactly parallel or antiparallel", axes_parallel},
-    Entry{"axes_nearly_parallel", "axes 1e-2 to 1e-16 rad from parallel or antiparallel",
-          axes_nearly_parallel},
-    Entry{"axes_perpendicular", "axes at right angles, half of them exactly", axes_perpendicular},
-    Entry{"axes_crossing", "the two axis segments have a common point, up to rounding", axes_crossing},
-    Entry{"needles", "radius 1e-6 to 1e-2 of the height, passing each other closely", needles},
-    Entry{"disks", "height 1e-6 to 1e-2 of the radius", disks},
-    Entry{"needle_and_disk", "a needle that passes through or beside a thin disk", needle_and_disk},
-    Entry{"segments", "radius exactly 0 in one solid or both", segments},
-    Entry{"flat_disks", "height exactly 0 in one solid or both", flat_disks},
-    Entry{"points", "radius and height exactly 0 in one solid or both", points},
-    Entry{"contained", "one solid inside the other", contained},
-    Entry{"coaxial", "one common axis line, up to rounding: overlapping, nested or apart", coaxial},
-    Entry{"equal", "the same solid twice, every other time with its axis reversed", equal},
-    Entry{"far", "a random pair 1e3 to 1e12 away from the origin", far},
-    Entry{"tiny_and_huge", "a random pair scaled by 1e-300 to 1e150", tiny_and_huge},
-    Entry{"mixed_scale", "a solid 1e3 to 1e12 times smaller than the other, at its surface", mixed_scale},
-    Entry{"lattice", "small integers throughout: exact ties", draw_on_lattice},
-    Entry{"lattice_dust", "lattice poses turned by 0 to 1e-3 rad: cubes, disks, needles, disk and needle",
-          draw_beside_lattice},
-    Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
-    Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
-          coins_edge_to_edge},
+constexpr Entry entries[] = {
+    {"random", "any two solids, lengths 0.1 to 10, about half of the pairs intersecting", random_pair},
+    {"touching_side_side", "side meets side at margins 1e-2 to 1e-15, gap and penetration",
+     touching<side_side>},
+    {"touching_side_rim", "side meets rim at margins 1e-2 to 1e-15, gap and penetration", touching<side_rim>},
+    {"touching_rim_rim", "rim meets rim at margins 1e-2 to 1e-15, gap and penetration", touching<rim_rim>},
+    {"touching_cap_rim", "a rim stands on a cap at margins 1e-2 to 1e-15, gap and penetration",
+     touching<cap_rim>},
+    {"touching_cap_side", "a side lies on a cap at margins 1e-2 to 1e-15, gap and penetration",
+     touching<cap_side>},
+    {"touching_cap_cap", "cap faces cap at margins 1e-2 to 1e-15, gap and penetration", touching<cap_cap>},
+    {"touching_parallel_sides", "parallel sides at margins 1e-2 to 1e-15, gap and penetration",
+     touching<parallel_sides>},
+    {"touching_needles", "crossing needles at margins 1e-6 to 1e-15, gap and penetration",
+     touching<needle_needle>},
+    {"touching_disks", "rims of thin disks at margins 1e-6 to 1e-15, gap and penetration",
+     touching<disk_disk>},
+    {"axes_parallel", "axes exactly parallel or antiparallel", axes_parallel},
+    {"axes_nearly_parallel", "axes 1e-2 to 1e-16 rad from parallel or antiparallel", axes_nearly_parallel},
+    {"axes_perpendicular", "axes at right angles, half of them exactly", axes_perpendicular},
+    {"axes_crossing", "the two axis segments have a common point, up to rounding", axes_crossing},
+    {"needles", "radius 1e-6 to 1e-2 of the height, passing each other closely", needles},
+    {"disks", "height 1e-6 to 1e-2 of the radius", disks},
+    {"needle_and_disk", "a needle that passes through or beside a thin disk", needle_and_disk},
+    {"segments", "radius exactly 0 in one solid or both", segments},
+    {"flat_disks", "height exactly 0 in one solid or both", flat_disks},
+    {"points", "radius and height exactly 0 in one solid or both", points},
+    {"contained", "one solid inside the other", contained},
+    {"coaxial", "one common axis line, up to rounding: overlapping, nested or apart", coaxial},
+    {"equal", "the same solid twice, every other time with its axis reversed", equal},
+    {"far", "a random pair 1e3 to 1e12 away from the origin", far},
+    {"tiny_and_huge", "a random pair scaled by 1e-300 to 1e150", tiny_and_huge},
+    {"mixed_scale", "a solid 1e3 to 1e12 times smaller than the other, at its surface", mixed_scale},
+    {"lattice", "small integers throughout: exact ties", draw_on_lattice},
+    {"lattice_dust", "lattice poses turned by 0 to 1e-3 rad: cubes, disks, needles, disk and needle",
+     draw_beside_lattice},
+    {"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
+    {"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
+     coins_edge_to_edge},
 };
 
-constexpr std::array close_entries{
-    Entry{"close_contacts",
-          "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
-          close<CloseKind::by_decade>},
-    Entry{"close_contacts_by_angle", "margins 0.1 to 1 of the axes' small angle, which is 1e-1 to 1e-13 rad",
-          close<CloseKind::by_angle>},
-    Entry{"close_rods", "overlapping rods 2e-13 to 9e-13 rad from parallel, no deeper than that",
-          close<CloseKind::rods>},
-    Entry{"close_rims", "rim on rim, one radius 1e-4 to 1e-1 of the other, margins 1e-1 to 1e-13",
-          close<CloseKind::rims>},
-    Entry{"range_ends", "beside the largest and the smallest doubles, and farther apart than either",
-          draw_range_end},
-    Entry{"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
+constexpr Entry close_entries[] = {
+    {"close_contacts", "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
+     close<by_decade>},
+    {"close_contacts_by_angle", "margins 0.1 to 1 of the axes' small angle, which is 1e-1 to 1e-13 rad",
+     close<by_angle>},
+    {"close_rods", "overlapping rods 2e-13 to 9e-13 rad from parallel, no deeper than that", close<rods>},
+    {"close_rims", "rim on rim, one radius 1e-4 to 1e-1 of the other, margins 1e-1 to 1e-13", close<rims>},
+    {"range_ends", "beside the largest and the smallest doubles, and farther apart than either",
+     draw_range_end},
+    {"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
 };
 
 template <SolidKind a, SolidKind b>
@@ -355,22 +344,18 @@ Pair rounded_pair(RandomStream& s, std::uint64_t index) {
   return draw_rounded(a, b, s, index);
 }
 
-constexpr std::array rounded_entries{
-    Entry{"sphere_sphere", "two balls", rounded_pair<SolidKind::sphere, SolidKind::sphere>},
-    Entry{"sphere_capsule", "a ball and a capsule", rounded_pair<SolidKind::sphere, SolidKind::capsule>},
-    Entry{"sphere_cylinder", "a ball and a cylinder", rounded_pair<SolidKind::sphere, SolidKind::cylinder>},
-    Entry{"sphere_rounded", "a ball and a rounded cylinder",
-          rounded_pair<SolidKind::sphere, SolidKind::rounded>},
-    Entry{"capsule_capsule", "two capsules", rounded_pair<SolidKind::capsule, SolidKind::capsule>},
-    Entry{"capsule_cylinder", "a capsule and a cylinder",
-          rounded_pair<SolidKind::capsule, SolidKind::cylinder>},
-    Entry{"capsule_rounded", "a capsule and a rounded cylinder",
-          rounded_pair<SolidKind::capsule, SolidKind::rounded>},
-    Entry{"cylinder_rounded", "a cylinder and a rounded one",
-          rounded_pair<SolidKind::cylinder, SolidKind::rounded>},
-    Entry{"rounded_rounded", "two rounded cylinders", rounded_pair<SolidKind::rounded, SolidKind::rounded>},
-    Entry{"rounded_unequal", "nearly touching at margins 1e-1 to 1e-12, one solid 1e-6 to 1 of the other",
-          draw_unequal},
+constexpr Entry rounded_entries[] = {
+    {"sphere_sphere", "two balls", rounded_pair<sphere, sphere>},
+    {"sphere_capsule", "a ball and a capsule", rounded_pair<sphere, capsule>},
+    {"sphere_cylinder", "a ball and a cylinder", rounded_pair<sphere, cylinder>},
+    {"sphere_rounded", "a ball and a rounded cylinder", rounded_pair<sphere, rounded>},
+    {"capsule_capsule", "two capsules", rounded_pair<capsule, capsule>},
+    {"capsule_cylinder", "a capsule and a cylinder", rounded_pair<capsule, cylinder>},
+    {"capsule_rounded", "a capsule and a rounded cylinder", rounded_pair<capsule, rounded>},
+    {"cylinder_rounded", "a cylinder and a rounded one", rounded_pair<cylinder, rounded>},
+    {"rounded_rounded", "two rounded cylinders", rounded_pair<rounded, rounded>},
+    {"rounded_unequal", "nearly touching at margins 1e-1 to 1e-12, one solid 1e-6 to 1 of the other",
+     draw_unequal},
 };
 
 template <HalfSpaceKind kind>
@@ -378,23 +363,18 @@ Pair half_space_pair(RandomStream& s, std::uint64_t index) {
   return draw_half_space(kind, s, index);
 }
 
-constexpr std::array half_space_entries{
-    Entry{"half_space_sphere", "a half-space and a ball",
-          rounded_pair<SolidKind::half_space, SolidKind::sphere>},
-    Entry{"half_space_capsule", "a half-space and a capsule",
-          rounded_pair<SolidKind::half_space, SolidKind::capsule>},
-    Entry{"half_space_cylinder", "a half-space and a cylinder",
-          rounded_pair<SolidKind::half_space, SolidKind::cylinder>},
-    Entry{"half_space_rounded", "a half-space and a rounded cylinder",
-          rounded_pair<SolidKind::half_space, SolidKind::rounded>},
-    Entry{"half_space_tilted", "a plane up to 1e-3 rad from along or square to the axis",
-          half_space_pair<HalfSpaceKind::tilted>},
-    Entry{"half_space_thin", "a plane and a solid that is flat, thin or nearly so",
-          half_space_pair<HalfSpaceKind::thin>},
-    Entry{"half_space_far", "a plane and a solid 1e2 to 1e12 from the origin",
-          half_space_pair<HalfSpaceKind::far>},
-    Entry{"half_space_normal", "normals of length 1e-300 to 1e300",
-          half_space_pair<HalfSpaceKind::scaled_normal>},
+constexpr Entry half_space_entries[] = {
+    {"half_space_sphere", "a half-space and a ball", rounded_pair<half_space, sphere>},
+    {"half_space_capsule", "a half-space and a capsule", rounded_pair<half_space, capsule>},
+    {"half_space_cylinder", "a half-space and a cylinder", rounded_pair<half_space, cylinder>},
+    {"half_space_rounded", "a half-space and a rounded cylinder", rounded_pair<half_space, rounded>},
+    {"half_space_tilted", "a plane up to 1e-3 rad from along or square to the axis",
+     half_space_pair<HalfSpaceKind::tilted>},
+    {"half_space_thin", "a plane and a solid that is flat, thin or nearly so",
+     half_space_pair<HalfSpaceKind::thin>},
+    {"half_space_far", "a plane and a solid 1e2 to 1e12 from the origin",
+     half_space_pair<HalfSpaceKind::far>},
+    {"half_space_normal", "normals of length 1e-300 to 1e300", half_space_pair<HalfSpaceKind::scaled_normal>},
 };
 
 template <const auto& some, std::size_t i>
@@ -404,40 +384,42 @@ Pair generate(std::uint64_t seed, std::uint64_t index) {
 }
 
 template <const auto& some, std::size_t... i>
-constexpr std::array<Family, some.size()> make_families(std::index_sequence<i...>) {
+constexpr std::array<Family, sizeof...(i)> make_families(std::index_sequence<i...>) {
   return {Family{some[i].name, some[i].summary, generate<some, i>}...};
 }
 
 // The families of a campaign: first those without rounding.
 constexpr auto drawn = [] {
-  std::array<Family,
-             entries.size() + close_entries.size() + rounded_entries.size() + half_space_entries.size()>
+  std::array<Family, std::size(entries) + std::size(close_entries) + std::size(rounded_entries) +
+                         std::size(half_space_entries)>
       all;
   auto next = all.begin();
   const auto add = [&](const auto& some) { next = std::ranges::copy(some, next).out; };
-  add(make_families<entries>(std::make_index_sequence<entries.size()>()));
-  add(make_families<close_entries>(std::make_index_sequence<close_entries.size()>()));
-  add(make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>()));
-  add(make_families<half_space_entries>(std::make_index_sequence<half_space_entries.size()>()));
+  add(make_families<entries>(std::make_index_sequence<std::size(entries)>()));
+  add(make_families<close_entries>(std::make_index_sequence<std::size(close_entries)>()));
+  add(make_families<rounded_entries>(std::make_index_sequence<std::size(rounded_entries)>()));
+  add(make_families<half_space_entries>(std::make_index_sequence<std::size(half_space_entries)>()));
   return all;
 }();
 
 }  // namespace
 
-std::span<const Family> families() { return std::span(drawn).first<entries.size() + close_entries.size()>(); }
-std::span<const Family> close_families() { return families().last<close_entries.size()>(); }
+std::span<const Family> families() {
+  return std::span(drawn).first<std::size(entries) + std::size(close_entries)>();
+}
+std::span<const Family> close_families() { return families().last<std::size(close_entries)>(); }
 std::span<const Family> rounded_families() {
   return std::span(drawn)
-      .last<rounded_entries.size() + half_space_entries.size()>()
-      .first<rounded_entries.size()>();
+      .subspan<std::size(entries) + std::size(close_entries), std::size(rounded_entries)>();
 }
-std::span<const Family> half_space_families() { return std::span(drawn).last<half_space_entries.size()>(); }
+std::span<const Family> half_space_families() {
+  return std::span(drawn).last<std::size(half_space_entries)>();
+}
 std::span<const Family> campaign_families() { return drawn; }
 
 const Family* find_family(std::string_view name) {
   for (const std::span<const Family> some : {campaign_families(), margin_families()}) {
-    const auto found =
-        std::find_if(some.begin(), some.end(), [&](const Family& f) { return f.name == name; });
+    const auto found = std::ranges::find(some, name, &Family::name);
     if (found != some.end()) return &*found;
   }
   return nullptr;

@@ -76,7 +76,7 @@ TEST(Families, HaveNamesAndSummaries) {
     EXPECT_EQ(find_family(f.name), &f);
   }
   EXPECT_EQ(families().size(), 36u);
-  EXPECT_EQ(names.size(), families().size() + rounded_families().size());
+  EXPECT_EQ(names.size(), families().size() + rounded_families().size() + half_space_families().size());
   EXPECT_EQ(find_family("axes"), nullptr);
 }
 
@@ -132,6 +132,14 @@ TEST(Families, KeepTheirPairsForEver) {
     for (std::uint64_t i = 0; i < 500; ++i) digest = fnv1a(format_pair(f.generate(seed, i)), digest);
   }
   EXPECT_EQ(digest, 15129444820110717u);
+  digest = fnv1a({});
+  for (const Family& f : half_space_families())
+    for (std::uint64_t i = 0; i < 500; ++i) {
+      const Pair pair = f.generate(seed, i);
+      EXPECT_TRUE(is_legal(pair) && has_half_space(pair)) << f.name << ' ' << i;
+      digest = fnv1a(format_pair(pair), digest);
+    }
+  EXPECT_EQ(digest, 0u);
 }
 
 TEST(Families, RandomIntersectsAboutHalfTheTime) {

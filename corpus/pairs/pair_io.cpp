@@ -330,7 +330,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   // A cylinder begins without a defect, so the first defect is in the field just read.
   bool check_field(const std::string& shown) {
     const Defect defect = find_defect(cylinder());
-    return defect == Defect::none || fail(key_ + "." + to_string(defect) + shown);
+    const std::string_view what = to_string(defect);  // "axis is zero", of a field that may be a normal
+    return defect == Defect::none || fail(subject() + std::string(what.substr(what.find(' '))) + shown);
   }
 
   std::string_view text_;

@@ -161,6 +161,33 @@ TEST(PairIo, WritesWhatItReads) {
             "b\"");
 }
 
+TEST(PairIo, ReadsShapesByName) {
+  const auto read = [](const std::string& a) {
+    const std::string b = R"({"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2})";
+    const CaseLine line = parse_case(R"({"a":)" + a + R"(,"b":)" + b + "}", 1);
+    EXPECT_EQ(line.error, "") << a;
+    return line.value ? line.value->pair.a : Solid{};
+  };
+  const Solid sphere = read(R"({"radius":3,"shape":"sphere","center":[1,2,3]})");
+  EXPECT_EQ(sphere.rounding, 3);
+  EXPECT_EQ(sphere.radius + sphere.height, 0);
+  const Solid capsule =
+      read(R"({"shape":"capsule","center":[1,2,3],"quaternion":[0,1,0,1],"radius":3,"height":4})");
+  EXPECT_EQ(capsule.axis, Vector3(2, 0, 0));
+  EXPECT_EQ(capsule.rounding, 3);
+  EXPECT_EQ(capsule.radius, 0);
+  EXPECT_EQ(capsule.height, 4);
+  EXPECT_EQ(read(R"({"shape":"cylinder","center":[0,0,0],"axis":[0,1,0],"radius":1,"height":2})").radius, 1);
+  const Solid plane = read(R"({"shape":"half_space","normal":[0,0,-2],"point":[1,2,3]})");
+  EXPECT_EQ(plane.shape, Shape::half_space);
+  EXPECT_EQ(plane.center, Vector3(1, 2, 3));
+  EXPECT_EQ(plane.axis, Vector3(0, 0, -2));
+  const std::string written = format_pair({plane, capsule});
+  EXPECT_EQ(written.substr(0, written.find(",\"b\"")),
+            R"({"a":{"shape":"half_space","point":[1,2,3],"normal":[0,0,-2]})");
+  EXPECT_TRUE(same_bits(parse_case(written, 1).value->pair, {plane, capsule}));
+}
+
 struct Refusal {
   std::string marked;  ///< a line with '@' before the place that the error must name
   std::string error;
@@ -168,8 +195,21 @@ struct Refusal {
 
 TEST(PairIo, NamesTheFaultAndItsPlace) {
   const std::string start = R"({"center":[0,0,0],"axis":[0,0,1],"radius":)";
-  const std::string only = "; expected center, axis, radius, height, rounding";
+  const std::string only = "; a cylinder has center, axis, radius, height, rounding";
   const std::vector<Refusal> refusals = {
+      // Shapes by name.
+      {with_a(R"({"shape":@"ball","center":[0,0,0],"radius":1})"),
+       "a.shape is \"ball\", expected cylinder, capsule, sphere or half_space"},
+      {with_a(R"({"shape":"sphere","center":[0,0,0],"radius":1,"height":2@})"),
+       "a.height is given, but a sphere has center and radius"},
+      {with_a(R"({"shape":"half_space","point":[0,0,0]@})"), "a.normal is missing"},
+      {with_a(R"({"shape":"half_space","point":[0,0,0],"normal":@[0,0,0]})"), "a.normal is zero"},
+      {with_a(R"({"shape":"capsule","center":[0,0,0],"quaternion":@[1,0,0],"radius":1,"height":2})"),
+       "a.quaternion has 3 coordinates, expected 4"},
+      {with_a(R"({"center":[0,0,0],"axis":[0,0,1],"quaternion":[1,0,0,0],"radius":1,"height":2@})"),
+       "a has an axis and a quaternion; give one of them"},
+      {with_a(R"({"center":[0,0,0],"axis":[0,0,1],"radius":1,@"half_height":2})"),
+       "a.half_height is not a field of a solid; give height, which is twice as much"},
       // Values of a cylinder.
       {with_a(start + R"(@-1,"height":2})"), "a.radius is negative (-1)"},
       {with_a(start + R"(1,"height":@-0.5})"), "a.height is negative (-0.5)"},
@@ -217,10 +257,10 @@ TEST(PairIo, NamesTheFaultAndItsPlace) {
        "b.height is negative (-2)"},
       // Fields of a cylinder.
       {with_a(R"({"center":[0,0,0],"axis":[0,0,1],@"raduis":1,"height":2})"),
-       "a.raduis is not a field of a cylinder" + only},
-      {with_a(start + R"(1,"height":2,@"color":3})"), "a.color is not a field of a cylinder" + only},
+       "a.raduis is not a field of a solid" + only},
+      {with_a(start + R"(1,"height":2,@"color":3})"), "a.color is not a field of a solid" + only},
       {with_a(R"({@")" + std::string(50, 'x') + R"(":1})"),
-       "a." + std::string(40, 'x') + "... is not a field of a cylinder" + only},
+       "a." + std::string(40, 'x') + "... is not a field of a solid" + only},
       {with_a(start + R"(1@})"), "a.height is missing"},
       {with_a("{@}"), "a.center is missing"},
       {with_a(start + R"(1,@"radius":1,"height":2})"), "a.radius is given twice"},

@@ -30,20 +30,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::uint64_t nanoseconds_since(Clock::time_point start) {
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
+  return static_cast<std::uint64_t>(std::chrono::nanoseconds(Clock::now() - start).count());
 }
 
 /// Returns the answers of the methods that were asked, in the form of FindingRecord::answers.
-template <class Asked>
 std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
-                         std::span<const MethodAnswer> answers, Asked asked) {
+                         std::span<const MethodAnswer> answers, auto asked) {
   std::vector<std::pair<std::string, std::string>> named;  // each different answer, with names
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (!asked(m)) continue;
     const std::string answer = format_method_answer(answers[m]);
-    const auto same =
-        std::find_if(named.begin(), named.end(), [&](const auto& other) { return other.first == answer; });
+    const auto same = std::ranges::find(named, answer, &std::pair<std::string, std::string>::first);
     if (same == named.end())
       named.emplace_back(answer, quote_json(methods[m]->name()));
     else
@@ -83,8 +80,7 @@ class Batch {
     draw_pairs(first, next);
     ask_own_methods();
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return on_share(m, p); });
-    for (std::size_t p = 0; p < pairs_.size(); ++p) judge_once(p);
-    for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) judge_once(p), compare_all(p);
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       if (!in_dispute(p)) continue;
@@ -94,18 +90,15 @@ class Batch {
     }
     repeat_own_methods();
     ask_findings_again();
-    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
-    for (std::size_t p = 0; p < pairs_.size(); ++p) count_cells(p);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p), count_cells(p);
   }
 
   BatchRecord finish() {
     BatchRecord record;
-    for (std::size_t row = 0; row < rows(); ++row) {
-      for (std::size_t family = 0; family < by_family_.size(); ++family) {
-        if (counts(row, family).asked == 0) continue;
-        record.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
-      }
-    }
+    for (std::size_t row = 0; row < rows(); ++row)
+      for (std::size_t family = 0; family < by_family_.size(); ++family)
+        if (const Counts& tally = counts(row, family); tally.asked > 0)
+          record.tallies.push_back({row_name(row), family_name(family), tally});
     record.groups = kept_.groups();
     record.findings = std::move(findings_);
     record.cells = cells_.records();
@@ -119,9 +112,6 @@ class Batch {
   std::size_t stage_row_index(Stage stage) const { return methods() + 2 + static_cast<std::size_t>(stage); }
   std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
-  std::size_t share_of_cells(std::size_t p) const {
-    return !foreign_ ? own_cell_share : index_of(p) < every_cell_until ? 1 : cell_share;
-  }
   /// Returns whether the pair is drawn for this method, for which the answers of other methods do not
   /// matter.
   bool on_share(std::size_t m, std::size_t p) const {
@@ -142,22 +132,21 @@ class Batch {
   bool asked(std::size_t m, std::size_t p) const { return asked_[at(m, p)]; }
   Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
   std::span<const MethodAnswer> answers_of(std::size_t p) const {
-    return {answers_.data() + p * methods(), methods()};
+    return std::span(answers_).subspan(at(0, p), methods());
   }
 
   void draw_pairs(std::uint64_t first, std::uint64_t next) {
     first_ = first;
     pairs_.clear();
     for (auto& family : by_family_) family.clear();
+    trials_.resize(next - first);
     for (std::uint64_t i = first; i < next; ++i) {
       by_family_[family_index_of(i).family].push_back(pairs_.size());
-      pairs_.push_back(pair_at(workload_, seed_, family_index_of(i)));
+      trials_[i - first].pair = pairs_.emplace_back(pair_at(workload_, seed_, family_index_of(i)));
     }
     answers_.assign(pairs_.size() * methods(), {});
     asked_.assign(pairs_.size() * methods(), false);
     wrong_.assign(pairs_.size() * methods(), {});
-    trials_.resize(pairs_.size());
-    for (std::size_t p = 0; p < pairs_.size(); ++p) trials_[p].pair = pairs_[p];
     judging_.assign(pairs_.size(), 0);
   }
 
@@ -178,15 +167,13 @@ class Batch {
     }
   }
 
-  template <class Wanted>
-  void ask_foreign_methods(Wanted wanted) {
+  void ask_foreign_methods(auto wanted) {
     std::vector<Question> questions;
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!workload_.methods[m]->foreign()) continue;
-      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+      for (std::size_t family = 0; family < by_family_.size(); ++family)
         for (const std::size_t p : by_family_[family])
           if (wanted(m, p)) questions.push_back({m, p, CallMode::usual, static_cast<unsigned>(family)});
-      }
     }
     if (questions.empty()) return;
     const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
@@ -224,10 +211,9 @@ class Batch {
 
   void compare_all(std::size_t p) {
     trials_[p].forget_distance();
-    for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked(m, p)) continue;
-      wrong_[at(m, p)] = compare(trials_[p], workload_.methods[m]->claim(), answers_of(p)[m]);
-    }
+    for (std::size_t m = 0; m < methods(); ++m)
+      if (asked(m, p))
+        wrong_[at(m, p)] = compare(trials_[p], workload_.methods[m]->claim(), answers_of(p)[m]);
   }
 
   bool in_dispute(std::size_t p) const {
@@ -268,16 +254,14 @@ class Batch {
   }
 
   void count_cells(std::size_t p) {
-    const Verdict truth = trials_[p].truth.verdict;
     if (!trials_[p].decided()) return;
-    if (share_of_cells(p) > 1 && RandomStream("cells", seed_, index_of(p)).below(share_of_cells(p)) != 0)
-      return;
-    const auto cells = cells_of(pairs_[p], truth);
+    const std::size_t share = !foreign_ ? own_cell_share : index_of(p) < every_cell_until ? 1 : cell_share;
+    if (share > 1 && RandomStream("cells", seed_, index_of(p)).below(share) != 0) return;
+    const auto cells = cells_of(pairs_[p], trials_[p].truth.verdict);
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
       auto& counts = cells_.at(to_string(planes[plane]), cells[plane].x, cells[plane].y, methods());
-      for (std::size_t m = 0; m < methods(); ++m) {
+      for (std::size_t m = 0; m < methods(); ++m)
         if (on_share(m, p)) cyl::count_answer(counts[m], answers_of(p)[m], wrong_[at(m, p)]);
-      }
     }
   }
 
@@ -293,9 +277,8 @@ class Batch {
       for (std::size_t m = 0; m < methods(); ++m) {
         Method& method = *workload_.methods[m];
         if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
-        if (!same_answer(ask_noexcept(method, pairs_[p], CallMode::usual), answers_of(p)[m])) {
+        if (!same_answer(ask_noexcept(method, pairs_[p], CallMode::usual), answers_of(p)[m]))
           wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
-        }
       }
     }
   }
@@ -309,12 +292,10 @@ class Batch {
 
   void ask_findings_again() {
     std::vector<Suspect> suspects;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      for (std::size_t m = 0; m < methods(); ++m) {
-        const auto& wrong = wrong_[at(m, p)];
-        if (wrong && is_worth_asking_again(m, *wrong)) suspects.push_back({m, p, wrong->kind});
-      }
-    }
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      for (std::size_t m = 0; m < methods(); ++m)
+        if (const auto& wrong = wrong_[at(m, p)]; wrong && is_worth_asking_again(m, *wrong))
+          suspects.push_back({m, p, wrong->kind});
     for (const Suspect& doubt : confirm_in_isolation(workload_.methods, trials_, suspects)) {
       std::optional<Finding>& wrong = wrong_[at(doubt.method, doubt.pair)];
       MethodAnswer& answer = answers_[at(doubt.method, doubt.pair)];
@@ -332,20 +313,17 @@ class Batch {
     Counts& tally = counts(row, drawn.family);
     const bool broke =
         finding.kind == FindingKind::state_dependent && answers_of(p)[row].status == Status::failed;
-    if (is_failure(finding.kind) || broke) {
+    if (is_failure(finding.kind) || broke)
       ++tally.failed;
-    } else if (finding.severity == Severity::contract) {
+    else if (finding.severity == Severity::contract)
       ++tally.contract;
-    } else if (finding.severity == Severity::resolution) {
+    else if (finding.severity == Severity::resolution)
       ++tally.resolution;
-    }
     FindingRecord record;
+    static_cast<FindingGroup&>(record) = {row_name(row), finding.kind, finding.severity,
+                                          family_name(drawn.family)};
     record.index = index_of(p);
-    record.family = family_name(drawn.family);
     record.family_index = drawn.index;
-    record.method = row_name(row);
-    record.kind = finding.kind;
-    record.severity = finding.severity;
     record.margin = finding.margin;
     // Both count it. The job's findings of earlier batches make most findings of a later batch needless
     // (representatives.cpp has the proof).
@@ -353,7 +331,7 @@ class Batch {
     if (!of_batch || !of_job) return;
     if (findings_.empty() || findings_.back().index != record.index) {
       const Truth truth = judge(pairs_[p], offers_.with_own_witness(pairs_[p], answers_of(p)));
-      record.pair = case_line(p, drawn);
+      record.pair = format_case_at(workload_, seed_, index_of(p), drawn, pairs_[p], trials_[p].truth);
       record.answers =
           answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
       record.truth = format_truth(truth);
@@ -367,16 +345,6 @@ class Batch {
                             finding.kind == FindingKind::state_dependent;
     if (row < methods() && has_reason) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
-  }
-
-  std::string case_line(std::size_t p, const FamilyIndex& drawn) const {
-    if (drawn.family == 0) return format_case(workload_.cases[drawn.index]);
-    Case line;
-    line.pair = pairs_[p];
-    line.id = fmt::format("{}/{}", family_name(drawn.family), drawn.index);
-    line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
-    if (trials_[p].truth.verdict != Verdict::undecided) line.truth = trials_[p].truth.verdict;
-    return format_case(line);
   }
 
   const Workload& workload_;
@@ -407,31 +375,8 @@ class Batch {
 
 }  // namespace
 
-std::uint64_t batch_size_for(const Workload& workload) {
-  const auto is_program = [](const auto& method) { return method->program(); };
-  if (std::any_of(workload.methods.begin(), workload.methods.end(), is_program)) return program_batch_size;
-  return any_foreign(workload) ? batch_size : own_batch_size;
-}
-
-namespace {
-
-BatchRecord make_batch(const Workload& workload, std::uint64_t seed, Asker& asker, Representatives& kept,
-                       std::uint64_t first, std::uint64_t next) {
-  Batch batch(workload, seed, asker, kept);
-  const std::uint64_t stretch = any_foreign(workload) ? next - first : own_stretch_size;
-  for (std::uint64_t at = first; at < next; at += stretch) batch.work_on(at, std::min(next, at + stretch));
-  BatchRecord record = batch.finish();
-  record.first = first;
-  record.next = next;
-  return record;
-}
-
-}  // namespace
-
 BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  Asker asker(workload.methods, batch_caps);
-  Representatives kept;
-  return make_batch(workload, seed, asker, kept, first, next);
+  return batch_maker(workload, seed)(first, next);
 }
 
 std::function<BatchRecord(std::uint64_t, std::uint64_t)> batch_maker(const Workload& workload,
@@ -442,7 +387,13 @@ std::function<BatchRecord(std::uint64_t, std::uint64_t)> batch_maker(const Workl
   };
   return [&workload, seed, kept = std::make_shared<Kept>(Kept{Asker(workload.methods, batch_caps), {}})](
              std::uint64_t first, std::uint64_t next) {
-    return make_batch(workload, seed, kept->asker, kept->findings, first, next);
+    Batch batch(workload, seed, kept->asker, kept->findings);
+    const std::uint64_t stretch = any_foreign(workload) ? next - first : own_stretch_size;
+    for (std::uint64_t at = first; at < next; at += stretch) batch.work_on(at, std::min(next, at + stretch));
+    BatchRecord record = batch.finish();
+    record.first = first;
+    record.next = next;
+    return record;
   };
 }
 

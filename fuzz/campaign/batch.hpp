@@ -22,13 +22,6 @@ inline constexpr std::uint64_t repeat_share = 64;
 inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
 inline constexpr std::uint64_t every_cell_until = 65536;
 
-/// Indices of a batch, about a second of work for the packaged methods. Each batch costs two new workers (one
-/// of them confirms the findings) and hands over its counts and the findings that the run may keep. In
-/// smaller batches that takes longer than the answers of a fast library, or of our own methods. Programs
-/// answer slowly, so their batches are short: the campaign shows progress, and a lost batch costs little.
-inline constexpr std::uint64_t batch_size = 2048, own_batch_size = 131072, program_batch_size = 512;
-std::uint64_t batch_size_for(const Workload& workload);
-
 /// Own methods are asked in this process, foreign ones in a contained one. A costly method (share() > 1) is
 /// asked on its share of the indices (on_share()), and if another verdict is wrong beyond its claim or the
 /// truth is undecided. Within their claims tolerant methods differ on a quarter of all pairs. Asking costly

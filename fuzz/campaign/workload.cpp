@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/campaign/workload.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -53,6 +55,23 @@ bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index) {
 bool any_foreign(const Workload& workload) {
   return std::any_of(workload.methods.begin(), workload.methods.end(),
                      [](const auto& method) { return method->foreign(); });
+}
+
+std::string format_case_at(const Workload& workload, std::uint64_t seed, std::uint64_t index,
+                           const FamilyIndex& at, const Pair& pair, const Truth& truth) {
+  if (at.family == 0) return format_case(workload.cases[at.index]);
+  Case line;
+  line.pair = pair;
+  line.id = fmt::format("{}/{}", family_name(workload, at.family), at.index);
+  line.source = fmt::format("daylight campaign --seed {}, index {}", seed, index);
+  if (truth.verdict != Verdict::undecided) line.truth = truth.verdict;
+  return format_case(line);
+}
+
+std::uint64_t batch_size_for(const Workload& workload) {
+  const auto is_program = [](const auto& method) { return method->program(); };
+  if (std::any_of(workload.methods.begin(), workload.methods.end(), is_program)) return program_batch_size;
+  return any_foreign(workload) ? batch_size : own_batch_size;
 }
 
 }  // namespace cyl

@@ -12,6 +12,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/campaign/schedule.hpp"
 #include "oracles/methods/method.hpp"
+#include "oracles/referee/referee.hpp"
 
 namespace cyl {
 
@@ -36,6 +37,9 @@ Schedule schedule_of(const Workload& workload);
 FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
 Pair pair_at(const Workload& workload, std::uint64_t seed, const FamilyIndex& at);
 std::string family_name(const Workload& workload, std::size_t family);
+/// Returns the pair at an index as a line of a file of cases.
+std::string format_case_at(const Workload& workload, std::uint64_t seed, std::uint64_t index,
+                           const FamilyIndex& at, const Pair& pair, const Truth& truth);
 /// The number of families, those of the cases and of the corpus included.
 std::size_t family_count(const Workload& workload);
 
@@ -45,5 +49,12 @@ bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index);
 
 /// Returns whether a method is asked that is not ours.
 bool any_foreign(const Workload& workload);
+
+/// Indices of a batch, about a second of work for the packaged methods. Each batch costs two new workers (one
+/// of them confirms the findings) and hands over its counts and the findings that the run may keep. In
+/// smaller batches that takes longer than the answers of a fast library, or of our own methods. Programs
+/// answer slowly, so their batches are short: the campaign shows progress, and a lost batch costs little.
+inline constexpr std::uint64_t batch_size = 2048, own_batch_size = 131072, program_batch_size = 512;
+std::uint64_t batch_size_for(const Workload& workload);
 
 }  // namespace cyl

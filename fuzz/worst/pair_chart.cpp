@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/worst/pair_chart.hpp"
 
+#include <nlopt.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <memory>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
@@ -33,6 +37,10 @@ constexpr double exact_decades = 15.5, most_decades = 16;
 constexpr double length_reach = 3, move_reach = 1;
 /// Decades by which the distance may.
 constexpr double margin_reach = 6;
+/// Evaluations of one walk. Walks of this length from several places find more than longer ones.
+constexpr int walk_cap = 250;
+/// Changes in a coordinate below which a walk is over.
+constexpr double walk_step_tol = 1e-5;
 
 std::array<double*, 4> lengths_of(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
 
@@ -57,6 +65,7 @@ double farthest(const Pair& p) {
 
 // By a power of two, so that only lengths that leave the range of doubles are rounded.
 std::optional<Pair> bring_into(const Domain& domain, const Pair& pair) {
+  if (has_half_space(pair)) return {};  // no search for these yet
   Pair p = pair;
   const double size = is_legal(p) ? size_of(p) : 0;
   if (!(size > 0)) return {};
@@ -162,6 +171,49 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
     }
   }
   return p;
+}
+
+// One slide may not quite touch, so there are two.
+std::optional<Ray> ray_of(const Pair& pair) {
+  Ray ray{pair, {0, 0, 0}, size_of(pair)};
+  for (int i = 0; i < 2; ++i) {
+    const MeasuredDistance d = approximate_distance(ray.touching);
+    if (!(d.direction.norm() > 0.5)) return {};
+    ray.direction = d.direction;
+    ray.touching.b.center -= d.value * d.direction;
+  }
+  return ray;
+}
+
+// NLopt's status codes do not matter, because `value` notes the finds on the way.
+void PairChart::walk(const Point& first_step,
+                     const std::function<std::optional<double>(const Pair&)>& value) const {
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimizer(
+      nlopt_create(NLOPT_LN_SBPLX, dimensions), nlopt_destroy);
+  std::exception_ptr thrown;
+  std::function<double(const double*)> objective = [&](const double* x) {
+    std::optional<double> found;
+    try {
+      found = value(pair(std::span<const double, dimensions>(x, dimensions)));
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    if (!found) nlopt_force_stop(optimizer.get());
+    return found.value_or(0);
+  };
+  const auto call = [](unsigned, const double* x, double*, void* data) {
+    return (*static_cast<std::function<double(const double*)>*>(data))(x);
+  };
+  nlopt_set_max_objective(optimizer.get(), call, &objective);
+  nlopt_set_lower_bounds(optimizer.get(), low_.data());
+  nlopt_set_upper_bounds(optimizer.get(), high_.data());
+  nlopt_set_initial_step(optimizer.get(), first_step.data());
+  nlopt_set_xtol_abs1(optimizer.get(), walk_step_tol);
+  nlopt_set_maxeval(optimizer.get(), walk_cap);
+  Point x{};
+  double best = 0;
+  nlopt_optimize(optimizer.get(), x.data(), &best);
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace cyl

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -31,6 +32,23 @@ std::optional<Pair> bring_into(const Domain& domain, const Pair& pair);
 /// Returns whether a pair is in the domain, rounding allowed for.
 bool is_in(const Domain& domain, const Pair& pair);
 
+/// A shape: two solids that touch, and the direction in which b moves away from a. Apart, the margin along it
+/// is the distance; into each other it is no less than the depth.
+struct Ray {
+  Pair touching;
+  Vector3 direction;
+  double size;
+
+  Pair at(double margin) const {
+    Pair p = touching;
+    p.b.center += margin * size * direction;
+    return p;
+  }
+};
+
+/// Returns the shape of a pair. Nothing if the direction of its distance is not known.
+std::optional<Ray> ray_of(const Pair& pair);
+
 class PairChart {
  public:
   static constexpr std::size_t dimensions = 14;
@@ -47,6 +65,10 @@ class PairChart {
   const Point& high() const { return high_; }
   /// Lengths of coordinates over which pairs change as much as a step of a search should change them.
   const Point& step() const { return step_; }
+
+  /// Walks by NLopt from the start towards pairs of greater value. `first_step`: in each coordinate. `value`
+  /// gives nothing to end the walk. Throws what it throws.
+  void walk(const Point& first_step, const std::function<std::optional<double>(const Pair&)>& value) const;
 
  private:
   Vector3 turned_axis(double decades, double azimuth) const;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Searches for the worst pair of one method: the largest proved error beyond its claim, or the
-// slowest answer. From given pairs it walks through shapes (fuzz/worst/pair_chart.hpp) by NLopt. For
-// each shape it moves the solids until they touch, and then apart and into each other along the
-// direction of their distance. The optimiser gets how far the method stays wrong. Only proved errors
-// count.
+// Searches for the worst pair of one method: the largest proved error beyond its claim, or the slowest
+// answer. From given pairs it walks through shapes (fuzz/worst/pair_chart.hpp). For each shape it asks about
+// pairs on its ray. The optimiser gets how far the method stays wrong. Only proved errors count.
 #pragma once
 
 #include <array>
@@ -19,6 +17,7 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
+#include "fuzz/worst/call_time.hpp"
 #include "fuzz/worst/pair_chart.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
@@ -42,10 +41,6 @@ struct Sought {
   std::function<bool(const Pair&)> also = {};
   std::optional<FindingKind> kind = {};
 };
-
-/// In ns: CPU time of this process, and time in all, which counts what another process does for a guest.
-double cpu_clock();
-double wall_clock();
 
 struct WorstOptions {
   Objective objective = Objective::margin;
@@ -107,9 +102,5 @@ Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> star
 /// at which solvers like ours are worst. Some pairs of every family follow.
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
                                Objective objective = Objective::margin);
-
-/// The method's usual time of a call: the median over pairs of family `random`, each the least of a few
-/// calls. Nothing if it answers none.
-std::optional<double> usual_ns(const std::unique_ptr<Method>& method, double (*clock)() = cpu_clock);
 
 }  // namespace cyl

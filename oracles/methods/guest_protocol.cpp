@@ -109,7 +109,9 @@ GuestHello hello_of(const json& line) {
     hello.supports.fill(false);
     for (const json& word : *supports) {
       const auto kind = from_word<SolidKind>(word.is_string() ? word.get<std::string>() : "");
-      if (!kind) throw std::invalid_argument("takes has what is none of sphere, capsule, cylinder, rounded");
+      if (!kind)
+        throw std::invalid_argument(
+            "takes has what is none of sphere, capsule, cylinder, rounded, half_space");
       hello.supports[static_cast<std::size_t>(*kind)] = true;
     }
   }

@@ -6,11 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -34,23 +35,19 @@ constexpr std::size_t label_cap = 32768;
 /// The cap on the methods of one library.
 constexpr std::size_t methods_cap = 32;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbid it
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-constexpr int own_symbols_first = 0;
-#else
-constexpr int own_symbols_first = RTLD_DEEPBIND;
+#ifndef __has_feature
+#define __has_feature(name) 0
 #endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
+    __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbid it
 #else
 constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
 #endif
 
-/// The number of doubles behind the ones that a plug-in may write, and their value.
-constexpr std::size_t guard_size = 16;
+/// The number of doubles that a plug-in may write, the number of those behind them, and the value of these.
+constexpr std::size_t more_size = 7, guard_size = 16;
 constexpr double guard = -0x1.5a5a5a5a5a5a5p+77;
-/// The number of doubles that it may write.
-constexpr std::size_t more_size = 7;
 
 bool is_untouched(const double* guards) {
   return std::all_of(guards, guards + guard_size, [](double x) { return x == guard; });
@@ -60,10 +57,9 @@ bool is_untouched(const double* guards) {
 struct Label {
   std::string name, version, source;
   double relative = 0, absolute = 0;
-  bool batch = false;     ///< it has `ask_all`
-  bool many = false;      ///< it has `ask_many`
-  bool rounding = false;  ///< a cylinder is nine numbers
-  int shapes = 0;         ///< the sum of its DaylightShapes
+  bool batch = false, many = false;  ///< it has `ask_all` and `ask_many`
+  bool rounding = false;             ///< a cylinder is nine numbers
+  int shapes = 0;                    ///< the sum of its DaylightShapes
   SizeRange sizes;
   bool depth_at_most = false;  ///< its depths are upper bounds
 };
@@ -75,51 +71,46 @@ std::string text_of(const char* text, std::size_t cap) {
   return text ? std::string(text, strnlen(text, cap)) : "";
 }
 
-/// Interface 1 ends with `ask_all`, interface 2 with `takes_rounding`, interface 3 with `no_zero_lengths`.
-constexpr int first_interface = 1, second_interface = 2, third_interface = 3;
-
-bool has_second_part(const DaylightMethod& method) { return method.abi > first_interface; }
-bool has_third_part(const DaylightMethod& method) { return method.abi > second_interface; }
-bool has_fourth_part(const DaylightMethod& method) { return method.abi > third_interface; }
+/// The bytes of a method of each interface. Later ones only add fields.
+constexpr std::array interface_sizes{offsetof(DaylightMethod, reason), offsetof(DaylightMethod, shapes),
+                                     offsetof(DaylightMethod, greatest_coordinate), sizeof(DaylightMethod)};
+static_assert(interface_sizes.size() == DAYLIGHT_PLUGIN_ABI);
 
 constexpr int all_shapes = DAYLIGHT_SPHERE | DAYLIGHT_CAPSULE | DAYLIGHT_CYLINDER | DAYLIGHT_ROUNDED_CYLINDER;
 
-void check(const DaylightMethod* method) {
-  if (!method) throw std::runtime_error("its daylight_method() returns none");
-  if (method->abi < first_interface || method->abi > DAYLIGHT_PLUGIN_ABI) {
-    throw std::runtime_error("it is of interface " + std::to_string(method->abi) + ", this build's is " +
+/// Returns the method with all fields of today's interface. Those that its own does not have are 0.
+DaylightMethod checked(const DaylightMethod* given) {
+  if (!given) throw std::runtime_error("its daylight_method() returns none");
+  if (given->abi < 1 || given->abi > DAYLIGHT_PLUGIN_ABI)
+    throw std::runtime_error("it is of interface " + std::to_string(given->abi) + ", this build's is " +
                              std::to_string(DAYLIGHT_PLUGIN_ABI) + ": build it with this oracles/plugin.h");
-  }
-  if (!method->name || !method->ask) throw std::runtime_error("it has no name or no `ask`");
-  if (!(method->claim_relative >= 0) || !(method->claim_absolute >= 0))
+  DaylightMethod method{};
+  std::memcpy(&method, given, interface_sizes[static_cast<std::size_t>(given->abi) - 1]);
+  if (!method.name || !method.ask) throw std::runtime_error("it has no name or no `ask`");
+  if (!(method.claim_relative >= 0) || !(method.claim_absolute >= 0))
     throw std::runtime_error("its claim is negative");
-  if (!has_third_part(*method)) return;
-  if (method->shapes < 0 || method->shapes > all_shapes)
+  if (method.shapes < 0 || method.shapes > all_shapes)
     throw std::runtime_error("its shapes are not a sum of DaylightShapes");
-  if ((method->shapes & ~DAYLIGHT_CYLINDER) != 0 && method->takes_rounding != 1)
+  if ((method.shapes & ~DAYLIGHT_CYLINDER) != 0 && method.takes_rounding != 1)
     throw std::runtime_error("it lists shapes with a rounding; set takes_rounding to 1");
-  for (const double limit : {method->least_length, method->greatest_length, method->greatest_aspect})
+  for (const double limit : {method.least_length, method.greatest_length, method.greatest_aspect})
     if (!(limit >= 0) || std::isinf(limit)) throw std::runtime_error("a limit of its sizes is not a length");
-  if (method->greatest_length != 0 && method->greatest_length < method->least_length)
+  if (method.greatest_length != 0 && method.greatest_length < method.least_length)
     throw std::runtime_error("its greatest_length is less than its least_length");
-  if (!has_fourth_part(*method)) return;
-  for (const double limit : {method->greatest_coordinate, method->greatest_gap})
+  for (const double limit : {method.greatest_coordinate, method.greatest_gap})
     if (!(limit >= 0) || std::isinf(limit))
       throw std::runtime_error("a limit of its positions is not a length");
-  if (method->depth != DAYLIGHT_DEPTH_EXACT && method->depth != DAYLIGHT_DEPTH_AT_MOST)
+  if (method.depth != DAYLIGHT_DEPTH_EXACT && method.depth != DAYLIGHT_DEPTH_AT_MOST)
     throw std::runtime_error("its depth is not one of DaylightDepth");
-}
-
-int shapes_of(const DaylightMethod& method) {
-  if (has_third_part(method) && method.shapes != 0) return method.shapes;
-  return has_second_part(method) && method.takes_rounding == 1 ? all_shapes : DAYLIGHT_CYLINDER;
+  if (method.shapes == 0) method.shapes = method.takes_rounding == 1 ? all_shapes : DAYLIGHT_CYLINDER;
+  return method;
 }
 
 /// In the interface, 0 means no limit.
 double limit_or_none(double limit) { return limit == 0 ? std::numeric_limits<double>::infinity() : limit; }
 
 /// Returns all methods of a library.
-std::vector<const DaylightMethod*> load(const std::string& file) {
+std::vector<DaylightMethod> load(const std::string& file) {
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | own_symbols_first);
   if (!library) {  // dlerror() may begin with the file, which the caller names
     const std::string fault = dlerror(), named = file + ": ";
@@ -127,13 +118,11 @@ std::vector<const DaylightMethod*> load(const std::string& file) {
   }
   const auto function = reinterpret_cast<const DaylightMethod* (*)()>(dlsym(library, "daylight_method"));
   if (!function) throw std::runtime_error("it has no function daylight_method");
-  std::vector<const DaylightMethod*> methods{function()};
-  check(methods[0]);
-  while (has_second_part(*methods.back()) && methods.back()->next) {
+  std::vector<DaylightMethod> methods{checked(function())};
+  while (methods.back().next) {
     if (methods.size() == methods_cap)
       throw std::runtime_error("it has more than " + std::to_string(methods_cap) + " methods");
-    methods.push_back(methods.back()->next);
-    check(methods.back());
+    methods.push_back(checked(methods.back().next));
   }
   return methods;
 }
@@ -141,19 +130,13 @@ std::vector<const DaylightMethod*> load(const std::string& file) {
 /// Returns the labels of its methods as CBOR, or a text with the reason why there are none.
 nlohmann::json describe(const std::string& file) try {
   nlohmann::json labels = nlohmann::json::array();
-  for (const DaylightMethod* method : load(file)) {
-    const bool third = has_third_part(*method), fourth = has_fourth_part(*method);
-    labels.push_back(
-        {text_of(method->name, name_cap), text_of(method->version, name_cap),
-         text_of(method->claim_source, source_cap), method->claim_relative, method->claim_absolute,
-         method->ask_all != nullptr, has_second_part(*method) && method->ask_many,
-         has_second_part(*method) && method->takes_rounding == 1, shapes_of(*method),
-         third ? method->least_length : 0, limit_or_none(third ? method->greatest_length : 0),
-         limit_or_none(third ? method->greatest_aspect : 0), !(third && method->no_zero_lengths == 1),
-         limit_or_none(fourth ? method->greatest_coordinate : 0),
-         limit_or_none(fourth ? method->greatest_gap : 0),
-         fourth && method->depth == DAYLIGHT_DEPTH_AT_MOST});
-  }
+  for (const DaylightMethod& m : load(file))
+    labels.push_back({text_of(m.name, name_cap), text_of(m.version, name_cap),
+                      text_of(m.claim_source, source_cap), m.claim_relative, m.claim_absolute,
+                      m.ask_all != nullptr, m.ask_many != nullptr, m.takes_rounding == 1, m.shapes,
+                      m.least_length, limit_or_none(m.greatest_length), limit_or_none(m.greatest_aspect),
+                      m.no_zero_lengths != 1, limit_or_none(m.greatest_coordinate),
+                      limit_or_none(m.greatest_gap), m.depth == DAYLIGHT_DEPTH_AT_MOST});
   return labels;
 } catch (const std::exception& error) {
   return text_of(error.what(), source_cap);
@@ -265,7 +248,8 @@ class Plugin final : public Method {
   bool supports(SolidKind kind) const override {
     static_assert(1 << static_cast<int>(SolidKind::sphere) == DAYLIGHT_SPHERE &&
                   1 << static_cast<int>(SolidKind::rounded) == DAYLIGHT_ROUNDED_CYLINDER);
-    return (label_.shapes >> static_cast<int>(kind) & 1) != 0;
+    // No interface has half-spaces yet.
+    return kind != SolidKind::half_space && (label_.shapes >> static_cast<int>(kind) & 1) != 0;
   }
   const SizeRange* sizes() const override { return &label_.sizes; }
 
@@ -278,7 +262,8 @@ class Plugin final : public Method {
     std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
     std::fill_n(more + more_size, guard_size, guard);
     const int word = loaded().ask(a.data(), b.data(), more);
-    MethodAnswer answer = answer_of(pair, word, more, word < 0 ? reason() : nullptr);
+    const char* const reason = word < 0 && loaded().reason ? loaded().reason() : nullptr;
+    MethodAnswer answer = answer_of(pair, word, more, reason);
     if (!is_untouched(more + more_size)) {
       answer.side_effect = SideEffect::memory;
       if (answer.status == Status::answered) answer.set_reason("wrote behind more[6]");
@@ -330,12 +315,6 @@ class Plugin final : public Method {
   }
 
  private:
-  /// Returns why the last call declined or failed, in its words. Returns null if it gives no reason.
-  const char* reason() {
-    const DaylightMethod& method = loaded();
-    return has_second_part(method) && method.reason ? method.reason() : nullptr;
-  }
-
   MethodAnswer answer_of(const Pair& pair, int word, const double* more, const char* reason) const {
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
@@ -393,7 +372,7 @@ class Plugin final : public Method {
   std::size_t place_;  ///< among the methods of its library
   Label label_;
   std::string version_;
-  const DaylightMethod* method_ = nullptr;
+  std::optional<DaylightMethod> method_;
   // Buffers of ask_many().
   std::vector<double> flat_, more_;
   std::vector<int> words_;

@@ -25,19 +25,6 @@ namespace cyl {
 /// contacts gets at least 681 pairs, half of them gaps.
 inline constexpr std::uint64_t gate_pairs = 500'000;
 
-/// The number of pairs, in rounds. A round of laws has up to 64 pairs. A round of strata has 4 pairs of each
-/// stratum, and a round of close contacts has close_round pairs.
-struct GateAmount {
-  std::optional<std::uint64_t> cases_under_laws;  ///< all, if not given
-  std::uint64_t law_rounds = 0, sample_rounds = 0;
-  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 if an older report does not have it
-  std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
-};
-
-/// Splits the pairs equally among strata, close contacts and, if a guest supports them, rounded solids. Each
-/// part has whole rounds, and at least one.
-GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
-
 /// After four hangs, or three crashes of a program, the rest of a batch is skipped.
 inline constexpr Caps gate_caps{.call_wall = 4 * call_cpu_cap, .hangs = 4, .program_crashes = 3};
 

@@ -99,11 +99,12 @@ struct VerdictCount {
 struct GateMethod {
   std::string name, version;
   Claim claim;
-  AnswerCounts counts;
+  AnswerCounts counts = {};
   std::vector<GateCell> cells;
   std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
-  VerdictCount rounded;                    ///< of pairs with a sphere, a capsule or a rounded cylinder
-  std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
+  VerdictCount rounded = {};               ///< of pairs with a sphere, a capsule or a rounded cylinder
+  std::string remark =
+      {};  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };
 
 /// Returns the counts of all cells of close contacts, claimed or not.

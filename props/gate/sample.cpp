@@ -10,10 +10,13 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/trial/compare.hpp"
+#include "props/gate/law_pairs.hpp"
 
 namespace cyl {
 namespace {
 
+/// A pair under all laws takes as long as this many of the sample. Both phases are to take equally long.
+constexpr std::uint64_t law_cost = 50;
 /// A relative allowance, so that a computed 10^-13 and a claim that is rounded up still count as 1e-13.
 constexpr double claim_rounding_error = 0x1p-48;
 
@@ -116,6 +119,30 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
   solids.rounded =
       static_cast<std::uint64_t>(std::ranges::count_if(draw_rounded_solids(0, 0).pairs, some_guest_supports));
   return solids;
+}
+
+GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
+  constexpr std::uint64_t law_round = draws_per_round * pairs_per_draw;
+  constexpr std::uint64_t sample_round = pairs_per_stratum * drawn_strata.size();
+  const auto rounds = [](std::uint64_t amount, std::uint64_t round) {
+    return std::max<std::uint64_t>(1, (amount + round - 1) / round);
+  };
+  const std::uint64_t parts = std::max<std::uint64_t>(1, (solids.cylinders ? 2 : 0) + (solids.rounded > 0));
+  const std::uint64_t under_laws = pairs / (1 + law_cost) / parts,
+                      sampled = (pairs - parts * under_laws) / parts;
+  GateAmount amount;
+  if (solids.cylinders) {
+    amount.law_rounds = amount.close_law_rounds = rounds(under_laws, law_round);
+    amount.sample_rounds = rounds(sampled, sample_round);
+    amount.close_rounds = rounds(sampled, close_round);
+  }
+  if (solids.rounded > 0) {
+    // Only the drawn pairs that a method supports are asked.
+    const std::uint64_t all = pairs_per_kinds * rounded_families().size() + close_round;
+    amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
+    amount.rounded_rounds = rounds(sampled, solids.rounded);
+  }
+  return amount;
 }
 
 void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,

@@ -46,6 +46,19 @@ struct DrawnSolids {
 };
 DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods);
 
+/// The number of pairs, in rounds. A round of laws has up to 64 pairs. A round of strata has 4 pairs of each
+/// stratum, and a round of close contacts has close_round pairs.
+struct GateAmount {
+  std::optional<std::uint64_t> cases_under_laws;  ///< all, if not given
+  std::uint64_t law_rounds = 0, sample_rounds = 0;
+  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 if an older report does not have it
+  std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
+};
+
+/// Returns an amount with this many pairs in all: equal parts for the strata together, close contacts,
+/// and rounded solids if some guest supports them. Each has whole rounds, and at least one.
+GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
+
 /// Scales the pairs into the range. Drops those that do not fit or that no method supports.
 void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,
                     const SizeRange& sizes);

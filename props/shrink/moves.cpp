@@ -40,6 +40,10 @@ double rounded(double x, int digits) {
   return std::from_chars(text, end, y).ec == std::errc() ? y : x;
 }
 
+Vector3 rounded(const Vector3& v, int digits) {
+  return v.unaryExpr([&](double x) { return rounded(x, digits); });
+}
+
 std::array<double*, 2 * cylinder_number_count> numbers(Pair& p) {
   std::array<double*, 2 * cylinder_number_count> all;
   std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
@@ -103,10 +107,8 @@ Vector3 smallest_multiple(const Vector3& integers) {
 std::vector<Vector3> near_axes(const Vector3& w) {
   std::vector<Vector3> out;
   const Vector3 unit = w / w.cwiseAbs().maxCoeff();
-  for (const double most : {1, 2, 3, 4, 8, 16}) {
-    Vector3 v = (most * unit).array().round();
-    out.push_back(smallest_multiple(v));
-  }
+  for (const double most : {1, 2, 3, 4, 8, 16})
+    out.push_back(smallest_multiple((most * unit).array().round()));
   std::ranges::copy(multiples(w), std::back_inserter(out));
   out.push_back(w / std::ldexp(1, std::ilogb(w.cwiseAbs().maxCoeff())));
   return out;
@@ -207,9 +209,7 @@ Pairs translations(const Pair& p) {
     add(of_a, Vector3::Zero());
     for (int digits = 1; digits <= 4; ++digits)
       out.push_back(with(out.back(), [&](Pair& q) {
-        Vector3& other = (of_a ? q.b : q.a).center;
-        other = (p.b.center - p.a.center) * (of_a ? 1 : -1);
-        other = other.unaryExpr([&](double x) { return rounded(x, digits); }).eval();
+        (of_a ? q.b : q.a).center = rounded((p.b.center - p.a.center) * (of_a ? 1 : -1), digits);
       }));
     Eigen::Index most = 0;
     c.cwiseAbs().maxCoeff(&most);
@@ -217,7 +217,7 @@ Pairs translations(const Pair& p) {
     const int e = decimal_of(c[most]).exponent;
     for (const int exponent : {e + 1, e, e - 1}) add(of_a, decimal(1, exponent) * Vector3::UnitZ());
     for (int digits = 1; digits <= 4; ++digits) {
-      const Vector3 to = c.unaryExpr([&](double x) { return rounded(x, digits); });
+      const Vector3 to = rounded(c, digits);
       add(of_a, to);
       add(of_a, to[most] * Vector3::Unit(most));
     }
@@ -247,12 +247,9 @@ Pairs frames(const Pair& p) {
           q.b.center = p.a.center.isZero(0) ? turned(delta) : turned(p.b.center);
         }));
   };
-  add(p.a.axis, p.b.axis);
-  add(p.a.axis, delta);
-  add(p.b.axis, p.a.axis);
-  add(p.b.axis, delta);
-  add(n, p.a.axis);
-  add(n, p.b.axis);
+  for (const Vector3& side : {p.b.axis, delta}) add(p.a.axis, side);
+  for (const Vector3& side : {p.a.axis, delta}) add(p.b.axis, side);
+  for (const Vector3& side : {p.a.axis, p.b.axis}) add(n, side);
   return out;
 }
 
@@ -321,13 +318,13 @@ Pairs shapes(const Pair& p) {
 
 Pairs axes(const Pair& p) {
   Pairs out;
-  std::vector<Vector3> for_a{p.a.axis}, for_b{p.b.axis};
-  std::ranges::copy(near_axes(p.a.axis), std::back_inserter(for_a));
-  std::ranges::copy(near_axes(p.b.axis), std::back_inserter(for_b));
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    for_a.push_back(Vector3::Unit(i));
-    for_b.push_back(Vector3::Unit(i));
-  }
+  const auto tried_for = [](const Vector3& axis) {
+    std::vector<Vector3> all{axis};
+    std::ranges::copy(near_axes(axis), std::back_inserter(all));
+    for (Eigen::Index i = 0; i < 3; ++i) all.push_back(Vector3::Unit(i));
+    return all;
+  };
+  const std::vector<Vector3> for_a = tried_for(p.a.axis), for_b = tried_for(p.b.axis);
   const auto add = [&](const Vector3& a, const Vector3& b) {
     out.push_back(with(p, [&](Pair& q) { q.a.axis = a, q.b.axis = b; }));
   };

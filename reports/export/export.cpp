@@ -35,14 +35,16 @@ std::string triple(const Vector3& v) {
 }
 
 std::string row(const char* name, const Solid& c, bool rounded) {
+  const bool plane = is_half_space(c);
   return fmt::format("| {} | {} | {} | {} | {} |{}\n", name, triple(c.center), triple(c.axis),
-                     format_double(c.radius), format_double(c.height),
+                     plane ? "half-space" : format_double(c.radius), plane ? "" : format_double(c.height),
                      rounded ? fmt::format(" {} |", format_double(c.rounding)) : "");
 }
 
 /// Returns "two spheres", "a capsule and a rounded cylinder".
 std::string solids_in_words(const Pair& pair) {
   const auto word = [](const Solid& c) {
+    if (is_half_space(c)) return std::string("half-space");
     return std::string(to_string(kind_of(c))) + (kind_of(c) == SolidKind::rounded ? " cylinder" : "");
   };
   const std::string a = word(pair.a), b = word(pair.b);
@@ -228,7 +230,10 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
       "### Question\n\nDo these solids, {}, meet? Heights are full heights. {}All numbers are exact "
       "doubles.\n\n",
       solids_in_words(p.pair),
-      is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "");
+      std::string(is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "") +
+          (has_half_space(p.pair) ? "The centre of a half-space is a point of its plane, and its axis the "
+                                    "outward normal. "
+                                  : ""));
   text += table_of(p.pair);
   text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p, method));
   text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
@@ -359,11 +364,9 @@ std::string refusal(std::string_view name, FindingKind kind, const Pair& pair, b
     return fmt::format("export knows guests and FCL, Bullet, libccd, ODE and MuJoCo, but not '{}'", name);
   if (!(is_guest ? one_call_shows(kind) : program_shows(kind)))
     return fmt::format("one call cannot show a finding of kind {}", to_string(kind));
-  if (is_guest || !is_rounded(pair)) return {};
-  return fmt::format(
-      "programs for packaged libraries do not support roundings: daylight check --method {} asks about the "
-      "pair",
-      name);
+  if (is_guest || program_takes(find_library_call(name)->library, pair)) return {};
+  return fmt::format("no program of {} has these solids: daylight check --method {} asks about the pair",
+                     find_library_call(name)->library, name);
 }
 
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <vector>
 
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "oracles/methods/adapter.hpp"
 
 namespace cyl {
@@ -44,6 +47,51 @@ std::string listed(const double* numbers, int count) {
   return text;
 }
 
+/// The solid as each library declares it. No program of a library is made for other kinds.
+std::string in_fcl(const std::string& name, const Solid& c) {
+  switch (kind_of(c)) {
+    case SolidKind::half_space:
+      return fmt::format("fcl::Halfspaced {}(fcl::Vector3d::UnitZ(), 0)", name);
+    case SolidKind::sphere:
+      return fmt::format("fcl::Sphered {}({})", name, literal(c.rounding));
+    case SolidKind::capsule:
+      return fmt::format("fcl::Capsuled {}({}, {})", name, literal(c.rounding), literal(c.height));
+    default:
+      return fmt::format("fcl::Cylinderd {}({}, {})", name, literal(c.radius), literal(c.height));
+  }
+}
+std::string in_ode(const Solid& c) {
+  const Vector3 n = unit_axis(c.axis);
+  switch (kind_of(c)) {
+    case SolidKind::half_space:
+      return fmt::format("dCreatePlane(nullptr, {}, {})", listed(n.data(), 3), literal(n.dot(c.center)));
+    case SolidKind::sphere:
+      return fmt::format("dCreateSphere(nullptr, {})", literal(c.rounding));
+    case SolidKind::capsule:
+      return fmt::format("dCreateCapsule(nullptr, {}, {})", literal(c.rounding), literal(c.height));
+    default:
+      return fmt::format("dCreateCylinder(nullptr, {}, {})", literal(c.radius), literal(c.height));
+  }
+}
+struct MujocoGeom {
+  int order;  ///< the table of colliders has the lesser type first
+  const char* type;
+  std::string size;
+};
+MujocoGeom in_mujoco(const Solid& c) {
+  const std::string half = literal(c.height / 2);
+  switch (kind_of(c)) {
+    case SolidKind::half_space:
+      return {0, "mjGEOM_PLANE", "0, 0, 0"};
+    case SolidKind::sphere:
+      return {2, "mjGEOM_SPHERE", literal(c.rounding) + ", 0, 0"};
+    case SolidKind::capsule:
+      return {3, "mjGEOM_CAPSULE", literal(c.rounding) + ", " + half + ", 0"};
+    default:
+      return {5, "mjGEOM_CYLINDER", literal(c.radius) + ", " + half + ", 0"};
+  }
+}
+
 /// Adds @a.radius@, @a.rotation@ and the other words of one solid.
 void add_solid(Words& words, const std::string& name, const Solid& c) {
   const Vector3 axis = unit_axis(c.axis);
@@ -56,6 +104,17 @@ void add_solid(Words& words, const std::string& name, const Solid& c) {
   words[name + ".rotation"] = listed(rows.data(), 9);
   words[name + ".rotation4"] = listed(rows.data(), 3) + ", 0, " + listed(rows.data() + 3, 3) + ", 0, " +
                                listed(rows.data() + 6, 3) + ", 0";
+  words[name + ".fcl"] = in_fcl(name, c);
+  words[name + ".ode"] = in_ode(c);
+  words[name + ".ode_pose"] =
+      is_half_space(c)
+          ? ""
+          : fmt::format(
+                "  const dMatrix3 rotation_{0} = {{{1}}};\n  dGeomSetRotation({0}, rotation_{0});\n"
+                "  dGeomSetPosition({0}, {2});\n",
+                name, words[name + ".rotation4"], words[name + ".center"]);
+  words[name + ".mujoco_type"] = in_mujoco(c).type;
+  words[name + ".mujoco_size"] = in_mujoco(c).size;
 }
 
 /// Covers the roundings of cosine, quotient and product in a vertex of a prism, as the method does.
@@ -213,6 +272,13 @@ bool program_shows(FindingKind kind) {
   }
 }
 
+bool program_takes(std::string_view library, const Pair& pair) {
+  const bool all = library == "FCL" || library == "ODE" || library == "MuJoCo";
+  return std::ranges::all_of(std::array{kind_of(pair.a), kind_of(pair.b)}, [&](SolidKind kind) {
+    return kind == SolidKind::cylinder || (all && kind != SolidKind::rounded);
+  });
+}
+
 Pair as_given(const Pair& pair) {
   Pair given = pair;
   given.a.axis = unit_axis(pair.a.axis);
@@ -222,8 +288,9 @@ Pair as_given(const Pair& pair) {
 
 std::string reproducing_program(const LibraryCall& call, const Trial& asked, const Method& method) {
   Words words;
-  add_solid(words, "a", asked.pair.a);
-  add_solid(words, "b", asked.pair.b);
+  const bool swap = call.library == "MuJoCo" && in_mujoco(asked.pair.a).order > in_mujoco(asked.pair.b).order;
+  add_solid(words, swap ? "b" : "a", asked.pair.a);
+  add_solid(words, swap ? "a" : "b", asked.pair.b);
   const bool misses = asked.answer().verdict == Verdict::disjoint;
   words["stretch"] = misses ? outward : inward;
   words["around"] = misses ? "around" : "within";
@@ -233,7 +300,7 @@ std::string reproducing_program(const LibraryCall& call, const Trial& asked, con
   words.insert(program.words.begin(), program.words.end());
   words["before"] = announcement(asked.finding()->kind);
   words["after"] = verdict_on(call, words, asked, method);
-  return fmt::format("// Asks {} ({}) about two cylinders: {}.\n// c++ {} reproduce.cpp -o reproduce {}\n",
+  return fmt::format("// Asks {} ({}) about two solids: {}.\n// c++ {} reproduce.cpp -o reproduce {}\n",
                      call.library, call.call, call.settings, compiler_options, call.flags) +
          filled(template_text(program.source), words);
 }

@@ -38,6 +38,9 @@ const LibraryCall* find_library_call(std::string_view method);
 /// Returns whether a program can show a finding of this kind.
 bool program_shows(FindingKind kind);
 
+/// Returns whether a program of the library ("ODE") can have both solids.
+bool program_takes(std::string_view library, const Pair& pair);
+
 /// Returns the pair as the libraries get it: axes of unit length, rounded.
 Pair as_given(const Pair& pair);
 

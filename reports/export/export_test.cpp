@@ -223,7 +223,7 @@ TEST(Export, APairWithoutRoundingsIsSentOfALibrary) {
   const FindingKind kind = FindingKind::wrong_disjoint;
   EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, rounded, sharp)));
   EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, sharp, rounded)));
-  EXPECT_TRUE(has(refusal("ode", kind, rounded, false), "do not support roundings"));
+  EXPECT_TRUE(has(refusal("ode", kind, rounded, false), "no program of ODE has these solids"));
   EXPECT_EQ(refusal("ode", kind, rounded, true), "");
 }
 

@@ -48,9 +48,10 @@ inline bool keeps_to(const std::string& schema, const std::string& document) {
 import json, sys, jsonschema
 for line in sys.stdin:
     try:
-        s, d = (json.load(open(f, encoding="utf-8")) for f in line.rstrip().split("\t"))
+        files = line.rstrip().split("\t")
+        s, d = (json.load(open(f, encoding="utf-8")) for f in files)
         jsonschema.Draft7Validator.check_schema(s)
-        jsonschema.Draft7Validator(s).validate(d)
+        jsonschema.Draft7Validator(s, resolver=jsonschema.RefResolver("file://" + files[0], s)).validate(d)
         print("it does")
     except (ValueError, jsonschema.ValidationError) as error:
         print("it does not")')",

@@ -49,7 +49,7 @@ def changed(document):
 def hold(name, documents, refused=('more', 'less', 'kind')):
     schema = json.loads((HERE / name).read_text())
     jsonschema.Draft7Validator.check_schema(schema)
-    validator = jsonschema.Draft7Validator(schema)
+    validator = jsonschema.Draft7Validator(schema, resolver=jsonschema.RefResolver(f'{HERE.as_uri()}/{name}', schema))
     documents = list(documents)
     if not documents:
         sys.exit(f'{name}: nothing was written')

@@ -4,11 +4,20 @@
 // 0, and infinite if their sum overflows. Both solids are valid.
 #pragma once
 
+#include <limits>
+
 #include "solver/distance.hpp"
 
 namespace cyl {
 
-double contact_distance_of(const Prepared& a, const Prepared& b, double clearance) noexcept;
+inline double contact_distance_of(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  return (a.rounding + b.rounding) + clearance;
+}
+inline bool is_valid_question(const Prepared& a, const Prepared& b, double clearance,
+                              double contact_distance) noexcept {
+  return (a.defect == Defect::none) & (b.defect == Defect::none) & (clearance >= 0) &
+         (contact_distance >= 0) & (contact_distance <= std::numeric_limits<double>::max());
+}
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
 /// If the solids are not moderate, but would be at another scale, sets the verdict at that scale and returns
 /// true. So one computation decides a pair at all its scales. Other computations may differ from it within

@@ -14,9 +14,18 @@ export interface Cylinder {
   height: number;
   rounding?: number; // all points within this of the cylinder, which is its core
 }
+/** All points behind a plane; the normal points outward and has any length. */
+export interface HalfSpace {
+  shape: "half_space";
+  point: Vec;
+  normal: Vec;
+}
+export type Solid = Cylinder | HalfSpace;
+export const isHalfSpace = (s: Solid): s is HalfSpace => "shape" in s;
+/** At most one is a half-space. */
 export interface Pair {
-  a: Cylinder;
-  b: Cylinder;
+  a: Solid;
+  b: Solid;
 }
 
 /** The plane, line or point in which a flat solid lies. It places a point more exactly than doubles can. */

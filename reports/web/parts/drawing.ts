@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawing of a case, in a frame of its own. The origin is the middle of the centres. The larger of the pair's
 // extent and the way between its centres is about 1. It uses doubles, for a drawing proves nothing.
-import type { Coordinate, Pair, Shown, Vec } from "./data.ts";
+import { isHalfSpace, type Coordinate, type Cylinder, type Shown, type Solid as Given, type Vec } from "./data.ts";
 import { add, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 
 export interface Drawing {
@@ -34,7 +34,17 @@ export const reach = (s: Solid, n: Vec) => {
   return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + s.rounding;
 };
 
-function unitOf(pair: Pair): number {
+/** A half-space is drawn as a disk of its plane, below the other solid. */
+function drawable(s: Given, other: Given): Cylinder {
+  if (!isHalfSpace(s)) return s;
+  const of = isHalfSpace(other) ? { center: s.point, axis: s.normal, radius: 1, height: 0 } : other,
+    n = unit(s.normal),
+    above = dot(n, sub(of.center, s.point));
+  const radius = 1.6 * (Math.hypot(of.radius, of.height / 2) + (of.rounding ?? 0));
+  return { center: sub(of.center, scale(n, above)), axis: n, radius, height: 0 };
+}
+
+function unitOf(pair: { a: Cylinder; b: Cylinder }): number {
   const apart = sub(scale(pair.b.center, 0.5), scale(pair.a.center, 0.5));
   const lengths = [pair.a, pair.b].flatMap((c) => [c.radius, c.height / 2, c.rounding ?? 0]);
   const longest = Math.max(...lengths, ...apart.map(Math.abs));
@@ -54,8 +64,9 @@ function support(s: Solid, n: Vec): Vec {
 const finite = (x: Vec | null) => (x?.every(Number.isFinite) ? x : null);
 
 export function drawingOf(c: Shown): Drawing {
-  const u = unitOf(c.pair);
-  const { a, b } = c.pair;
+  const a = drawable(c.pair.a, c.pair.b),
+    b = drawable(c.pair.b, c.pair.a),
+    u = unitOf({ a, b });
   // Halves first: the sum of two doubles may overflow, and centres far out lose nothing but their common offset.
   const halfWay = scale(sub(scale(b.center, 1 / u), scale(a.center, 1 / u)), 0.5);
   const exactWay: Vec = [0, 1, 2].map((i) => (b.center[i]! / 2 - a.center[i]! / 2) / u) as Vec;

@@ -5,6 +5,7 @@
 //   direction D   f(D) = sum over both of  r |w x D|/|w| + h/2 |w.D|/|w|  -  |D.(c_b - c_a)|  < 0
 //   point X       |(X - c).w| <= h/2 |w|  and  |(X - c) x w| <= r |w|  of both, squared
 //   points P, Q   P in a, Q in b, |P - Q| <= R, squared
+//   half-space    D is its outward normal, times a positive number; X is behind the plane: n.(X - p) <= 0
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
 //
 // A point may come with hulls: the axes and middle planes of flat solids. It stands for the point of the hulls that is
@@ -15,7 +16,7 @@
 //
 // f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k, and k
 // doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bitsCap the answer is "not decided".
-import type { Coordinate, Cylinder, Hull, Pair, Truth } from "./data.ts";
+import { isHalfSpace, type Coordinate, type Hull, type Pair, type Solid as Given, type Truth } from "./data.ts";
 
 /** n/d, d > 0; not reduced. */
 interface Rational {
@@ -24,6 +25,7 @@ interface Rational {
 }
 type Vector = [Rational, Rational, Rational];
 interface Solid {
+  plane: boolean; // a half-space: the center is a point of its plane, the axis its normal, and the lengths are 0
   center: Vector;
   axis: Vector;
   radius: Rational;
@@ -95,8 +97,14 @@ function vector(v: Coordinate[] | undefined, what: string): Vector {
   return [coordinate(v[0]!), coordinate(v[1]!), coordinate(v[2]!)];
 }
 
-function solid(c: Cylinder): Solid {
+function solid(c: Given): Solid {
+  if (isHalfSpace(c)) {
+    const axis = vector(c.normal, "a normal");
+    if (isZero(axis)) throw new Error("a normal is zero");
+    return { plane: true, center: vector(c.point, "a point"), axis, radius: zero, height: zero, rounding: zero };
+  }
   const read = {
+    plane: false,
     center: vector(c.center, "a centre"),
     axis: vector(c.axis, "an axis"),
     radius: exact(c.radius),
@@ -155,6 +163,9 @@ interface Side {
 
 /** The sign of f(D), or 0 if it did not show. */
 function signOfF(a: Solid, b: Solid, d: Vector): Side {
+  const planes = [...(a.plane ? [a.axis] : []), ...(b.plane ? [turned(b.axis)] : [])];
+  if (planes.some((n) => !isZero(cross(d, n)) || dot(d, n).n < 0n))
+    return { sign: 1, bits: 0, steps: ["D is not along the normal of the half-space, which has no end there"] };
   const terms = [a, b].flatMap((s, i) => {
     const ww = dot(s.axis, s.axis);
     if (ww.n === 0n) throw new Error("an axis is zero");
@@ -168,10 +179,11 @@ function signOfF(a: Solid, b: Solid, d: Vector): Side {
   });
   const contactDistance = add(a.rounding, b.rounding);
   if (contactDistance.n !== 0n) terms.push({ what: "roundings: R |D|", q: mul(square(contactDistance), dot(d, d)) });
-  const apart = abs(dot(d, minus(b.center, a.center)));
+  const between = dot(d, minus(b.center, a.center)),
+    apart = planes.length > 0 ? between : abs(between);
   // Roots far below 1 need their own digits: count from the size of the projection.
   const length = (x: bigint) => x.toString(16).length * 4;
-  const small = BigInt(Math.max(0, length(apart.d) - length(apart.n)));
+  const small = BigInt(Math.max(0, length(apart.d) - length(abs(apart).n)));
   for (let bits = bitsFirst; ; bits *= 2) {
     const roots = terms.map((t) => root(t.q, BigInt(bits) + small));
     const low = roots.reduce((sum, r) => add(sum, r[0]), zero),
@@ -198,6 +210,8 @@ function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: str
   const from = minus(x, s.center),
     along = dot(from, s.axis),
     across = cross(from, s.axis);
+  if (s.plane)
+    return { inside: along.n <= 0n, steps: [`${name}, beyond its plane, n.(x\u2212p): ${decimal(along)} against 0`] };
   const axial = [mul(rational(4n), square(along)), mul(square(s.height), ww)] as const;
   const radial = [dot(across, across), mul(square(s.radius), ww)] as const;
   const line = (what: string, [value, limit]: readonly [Rational, Rational]) => {
@@ -252,6 +266,7 @@ const moved = (u: Vector, k: Rational, v: Vector): Vector => [
 
 /** The planes that a hull lies in: one for a plane, two for a line, three for a centre. */
 function planesOf(s: Solid, hull: Hull): Plane[] {
+  if (s.plane) return [];
   const through = (normal: Vector): Plane => ({ normal, offset: dot(normal, s.center) }),
     level = hull === "plane" || hull === "center" || s.height.n === 0n,
     thin = hull === "line" || hull === "center" || s.radius.n === 0n;
@@ -294,6 +309,10 @@ function inBoth(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string
 }
 
 function grown(s: Solid, by: Rational): Solid {
+  if (s.plane) {
+    const share = div(by, root(dot(s.axis, s.axis), BigInt(bitsFirst))[0]); // the plane moves by a little more
+    return { ...s, center: moved(s.center, share, s.axis) };
+  }
   const atLeastZero = (x: Rational) => (x.n < 0n ? zero : x);
   return {
     ...s,
@@ -327,6 +346,7 @@ function seen(s: Solid, x: Vector) {
 /** Vectors that span the cone of the outward normals of a core at its point x, and the normal of their plane, if they
  *  lie in one. Inner points have none. */
 function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null } {
+  if (s.plane) return { spans: dot(minus(x, s.center), s.axis).n === 0n ? [s.axis] : [], plane: null };
   const { along, ww, across } = seen(s, x),
     onCap = equal(square(along), mul(square(half(s.height)), ww)),
     onWall = equal(dot(across, across), square(s.radius)),
@@ -344,6 +364,8 @@ function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null }
 
 /** Whether no point of the core lies farther along n than its point x. */
 function supports(s: Solid, x: Vector, n: Vector): boolean {
+  if (s.plane)
+    return dot(minus(x, s.center), s.axis).n === 0n && isZero(cross(n, s.axis)) && dot(n, s.axis).n > 0n;
   const { out, ww, along } = seen(s, x),
     nw = dot(n, s.axis),
     across = moved(n, neg(div(nw, ww)), s.axis),

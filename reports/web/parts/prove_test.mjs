@@ -194,3 +194,21 @@ test("a point in hulls is the nearest point of both", () => {
   assert.equal(holds({ a: capsule, b: ball }, points), false);
   assert.equal(holds({ a: capsule, b: ball }, { ...points, hulls: ["line", "center"] }), true);
 });
+
+test("a half-space: its normal separates, and points lie behind its plane", () => {
+  const plane = { shape: "half_space", point: [0, 0, 0], normal: [0, 3, 4] },
+    ball = (z) => ({ ...cylinder([0, 0, z], [0, 0, 1], 0, 0), rounding: 4 });
+  const direction = (...d) => ({ verdict: "disjoint", direction: d });
+  assert.equal(holds({ a: plane, b: ball(6) }, direction(0, 3, 4)), true);
+  assert.equal(holds({ a: plane, b: ball(6) }, direction(0, 0.75, 1)), true);
+  assert.equal(holds({ a: plane, b: ball(6) }, direction(0, 3, 4.000001)), false, "beside the normal");
+  assert.equal(holds({ a: plane, b: ball(6) }, direction(0, -3, -4)), false, "inward");
+  assert.equal(holds({ a: ball(6), b: plane }, direction(0, -3, -4)), true);
+  assert.equal(holds({ a: plane, b: ball(5) }, direction(0, 3, 4)), null, "they touch");
+  const points = (verdict, y, z) => ({ verdict, points: [[0, y, z], [0, 0, 5]] });
+  assert.equal(holds({ a: plane, b: ball(5) }, points("touching", "-12/5", "9/5")), true);
+  assert.equal(holds({ a: plane, b: ball(5) }, points("touching", "-12/5", "10/5")), false, "outside");
+  const rod = cylinder([0, 0, 1], [1, 0, 0], 1, 2);
+  assert.equal(holds({ a: plane, b: rod }, { verdict: "touching", point: [0, 0, 0] }), false, "they overlap there");
+  assert.equal(holds({ a: plane, b: rod }, { verdict: "intersecting", point: [0, 0, 0] }), true);
+});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
-import type { Pair } from "../parts/data.ts";
+import { isHalfSpace, type Pair, type Solid } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
@@ -9,7 +9,7 @@ import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isOfNewFamilies, isRounded, isText, kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
 
 /** The runs, the last one first. */
 const Runs = ({ b }: { b: Cause }) => (
@@ -28,8 +28,9 @@ const Runs = ({ b }: { b: Cause }) => (
   </Table>
 );
 
-/** `export` writes a program for one of these libraries, whose solids have no rounding, or a case for a guest. */
+/** `export` writes a program for one of these libraries, or a case for a guest. */
 const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
+  ofCylindersAlone = ["bullet", "libccd"],
   manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
   ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
 function refusal({ methods }: Report, { method, kind, pair }: { method: string; kind: string; pair: Pair }): string {
@@ -38,7 +39,9 @@ function refusal({ methods }: Report, { method, kind, pair }: { method: string; 
   if (own || isText(library) || library === "nlopt") return `it does not know the library of ${method}`;
   if (manyCalls.includes(kind) || (isPackaged && ofGuests.includes(kind)))
     return `one call cannot show a finding of the kind "${kindLabel(kind)}"`;
-  return isPackaged && isRounded(pair) ? "its programs for packaged libraries do not support roundings" : "";
+  const takes = (s: Solid) =>
+    !isHalfSpace(s) && !s.rounding ? true : !ofCylindersAlone.includes(library) && (isHalfSpace(s) || s.radius === 0);
+  return isPackaged && !(takes(pair.a) && takes(pair.b)) ? `no program of ${library} has these solids` : "";
 }
 /** Why `export` refuses every pair of the cause, or "" if it does not. */
 export function whyNoExport(report: Report, { key, method, kind, simplest, worst }: Cause): string {

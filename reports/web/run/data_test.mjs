@@ -70,7 +70,7 @@ test("export is offered only for what it can write", () => {
     whyNoExport(report, { key: "k", method, kind, simplest: shown(rounding), worst: shown(rounding) });
   for (const [method, kind, rounding, reason] of [
     ["ode", "crash", 0, /^$/],
-    ["ode", "crash", 1, /roundings/],
+    ["ode", "crash", 1, /no program of ode/],
     ["ode", "malformed", 0, /one call .* "malformed"/],
     ["mine", "malformed", 1, /^$/],
     ["mine", "state_dependent", 0, /one call .* "state dependent"/],

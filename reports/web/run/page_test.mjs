@@ -154,7 +154,7 @@ async function looksAndProves(page) {
     whole = await picture.innerHTML(),
     box = await picture.boundingBox();
   assert.ok(box.width > 300 && box.height > 300, JSON.stringify(box));
-  assert.match(await picture.getAttribute("aria-label"), /^Cylinder a and cylinder b, (disjoint|intersecting)/);
+  assert.match(await picture.getAttribute("aria-label"), /^Solid a and solid b, (disjoint|intersecting)/);
   await click(page, button(page, "Contact"));
   assert.notEqual(await picture.innerHTML(), whole, "close up, it looks another way");
   await click(page, button(page, "Whole pair"));

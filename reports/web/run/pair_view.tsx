@@ -65,7 +65,7 @@ export function PairView({ shown }: { shown: Case }) {
         <Projection
           drawing={drawing}
           close={close}
-          label={`Cylinder a and cylinder b, ${shown.truth.verdict}${trueDrawing.gap === null ? "" : `, ${words}`}`}
+          label={`Solid a and solid b, ${shown.truth.verdict}${trueDrawing.gap === null ? "" : `, ${words}`}`}
         />
       </div>
       <figcaption>

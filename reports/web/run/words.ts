@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names of a run as people read them, and a cause in one plain sentence.
-import type { Coordinate, Pair } from "../parts/data.ts";
+import { isHalfSpace, type Coordinate, type Pair } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
 import type { Cause, Claim } from "./data.ts";
 
@@ -29,7 +29,7 @@ export function formatCoordinate(x: Coordinate): string {
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
-export const isRounded = ({ a, b }: Pair) => Boolean(a.rounding || b.rounding);
+const areCylinders = ({ a, b }: Pair) => ![a, b].some((s) => isHalfSpace(s) || s.rounding);
 
 /** Whether it is new, but no earlier run tested its method on its families. It may then be old. */
 export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_before === false;
@@ -45,7 +45,7 @@ function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries 
 export function sentenceOf(b: Cause): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
-    solids = isRounded(b.worst.pair) ? "solids" : "cylinders",
+    solids = areCylinders(b.worst.pair) ? "cylinders" : "solids",
     largest = b.margin?.[1] ?? 0,
     amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of` : "more than 1e308 times",
     said = (verdict: string) => `${who} report${s} \u201c${verdict}\u201d, but the ${solids}`;
