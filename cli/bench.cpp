@@ -105,9 +105,7 @@ void add_bench(Program& program) {
       program.command("Measure", "bench", "Times each method on each family, and counts its wrong answers");
   auto options = std::make_shared<BenchArguments>();
   command.section("Methods");
-  command.option(
-      "--methods LIST", options->methods,
-      "names or prefixes, separated by commas; a '-' before the list excludes, as in --methods=-nlopt");
+  add_methods_option(command, options->methods);
   add_guest_options(command, options->guests);
   command.section("Pairs");
   command.option(

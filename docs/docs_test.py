@@ -6,6 +6,7 @@ Runs every command line of the program given as the first argument, with less ti
 command lines that other tests run. The files for CI name commands and options that exist. README.md's first pair stays
 wrong when it is moved, and its numbers match the output of its command. "docs_test.py PROGRAM write" writes these
 numbers."""
+import functools
 import json
 import math
 import os
@@ -82,12 +83,15 @@ def check_size(page, text):
             fail(f'{page.name}:{number} is {len(line)} columns wide')
 
 
+@functools.cache
 def sources():
-    """The files of the source tree with comments that plain_english.py reads."""
+    """The files of the source tree with comments that plain_english.py reads, each with its text."""
+    texts = {}
     for folder, names, files in os.walk(ROOT):
         names[:] = sorted(set(names) - {'build', 'node_modules', '.git'})
         paths = [pathlib.Path(folder) / name for name in sorted(files)]
-        yield from (path for path in paths if path.suffix in plain_english.SPLITS)
+        texts |= {path: path.read_text() for path in paths if path.suffix in plain_english.SPLITS}
+    return texts
 
 
 # Words that the glossary replaced, wherever they stand in code or comments.
@@ -96,8 +100,8 @@ OLD_WORDS = re.compile('(?i)' + '|'.join(['buck' 'et', 'gains' 'ay', 'unt' 'old'
 
 def check_old_words():
     """No source has a word that the glossary replaced."""
-    found = [f'{source.relative_to(ROOT)}: {word}' for source in sources() if source.name != 'plain_english.py'
-             for word in sorted(set(OLD_WORDS.findall(source.read_text())))]
+    found = [f'{source.relative_to(ROOT)}: {word}' for source, text in sources().items()
+             if source.name != 'plain_english.py' for word in sorted(set(OLD_WORDS.findall(text)))]
     if found:
         fail('\n'.join(['old words, see docs/glossary.md'] + found))
 
@@ -105,7 +109,7 @@ def check_old_words():
 def check_names():
     """The files that CONTRIBUTING.md and data-flow.md name exist, and so do the functions and types of data-flow.md."""
     files = {source.name for source in sources()}
-    words = set(re.findall(r'\w+', ' '.join(source.read_text() for source in sources())))
+    words = set(re.findall(r'\w+', ' '.join(sources().values())))
     for page in (ROOT / 'CONTRIBUTING.md', ROOT / 'docs/data-flow.md'):
         text = page.read_text()
         named = set(re.findall(r'(?<![*\w])(\w+\.(?:cpp|hpp|tsx?|py))\b', text)) - files
@@ -130,11 +134,10 @@ def check_english():
             fail(f'the pattern of "{habit}" misses its example: {example}')
     found = [f'{page.relative_to(ROOT)}:{number}: {message}'
              for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
-    files = list(sources())
-    if len(files) < 500 or set(plain_english.SPLITS) - {file.suffix for file in files}:
-        fail(f'only {len(files)} sources, or none of a language, were found')
-    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source in files
-              for number, _, message in plain_english.findings(source.read_text(), plain_english.SPLITS[source.suffix])]
+    if len(sources()) < 500 or set(plain_english.SPLITS) - {file.suffix for file in sources()}:
+        fail(f'only {len(sources())} sources, or none of a language, were found')
+    found += [f'{source.relative_to(ROOT)}:{number}: {message}' for source, text in sources().items()
+              for number, _, message in plain_english.findings(text, plain_english.SPLITS[source.suffix])]
     described = list(descriptions())
     if len(described) < 50:
         fail(f'only {len(described)} descriptions were found in schemas')

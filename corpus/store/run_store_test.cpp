@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -28,12 +29,8 @@ class Store : public testing::Test, protected Scratch {};
 
 FindingRecord finding_at(std::uint64_t index, double margin) {
   FindingRecord f;
-  f.index = index;
-  f.family = "scene";
-  f.family_index = index;
-  f.method = "fake";
-  f.kind = FindingKind::wrong_disjoint;
-  f.severity = Severity::contract;
+  static_cast<FindingGroup&>(f) = {"fake", FindingKind::wrong_disjoint, Severity::contract, "scene"};
+  f.index = f.family_index = index;
   f.margin = Enclosure{margin, margin * 2};
   f.pair = R"({"a":{},"b":{}})";
   f.answers = "[]";
@@ -42,9 +39,23 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   return f;
 }
 
+/// Returns the message of what `act` throws.
+template <class Error = std::runtime_error>
+std::string error_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
 /// Scatters small numbers over 24 bits (Knuth's multiplicative hash), for cuts and margins without a
 /// pattern.
 std::uint64_t scatter(std::uint64_t i) { return (i + 1) * 2654435761u % 4294967296u >> 8; }
+
+/// A margin of one of 60 binades.
+double scattered_margin(std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(scatter(i) % 60)); }
 
 /// Returns the findings i in [first, next) as a batch would send them. `margin(i)` is the margin of each.
 template <class Margin>
@@ -111,13 +122,8 @@ TEST_F(Store, AWordThatNoVersionWroteIsRefusedWithTheFile) {
   store.commit(batch, 0);
   SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE)
       .exec("UPDATE finding_group SET kind = 'odd'");
-  try {
-    store.groups();
-    FAIL() << "accepted";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string_view(error.what()).find("run.sqlite"), std::string_view::npos) << error.what();
-    EXPECT_NE(std::string_view(error.what()).find("'odd'"), std::string_view::npos) << error.what();
-  }
+  const std::string error = error_of([&] { store.groups(); });
+  for (const char* part : {"run.sqlite", "'odd'"}) EXPECT_NE(error.find(part), std::string::npos) << error;
 }
 
 TEST_F(Store, StoresTheAnswersOfAPairOnce) {
@@ -156,14 +162,8 @@ TEST_F(Store, OfAnotherVersionIsRefused) {
   for (const std::string version : {"1", "1000"}) {
     SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE)
         .exec("PRAGMA user_version=" + version);
-    try {
-      RunStore::open(folder);
-      FAIL() << "opened version " << version;
-    } catch (const std::runtime_error& refusal) {
-      EXPECT_NE(std::string(refusal.what()).find(" was written in store version " + version + ';'),
-                std::string::npos)
-          << refusal.what();
-    }
+    const std::string error = error_of([&] { RunStore::open(folder); });
+    EXPECT_NE(error.find(" was written in store version " + version + ';'), std::string::npos) << error;
   }
 }
 
@@ -172,12 +172,7 @@ std::string refused_after(const fs::path& folder, const std::string& script) {
   fs::remove_all(folder);
   RunStore::create(folder, {}).commit(batch_of(0, 50, [](auto) { return 1.0; }), 0);
   SQLite::Database(folder / "run.sqlite", SQLite::OPEN_READWRITE).exec(script);
-  try {
-    RunStore::open(folder).findings();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "opened";
+  return error_of<InputError>([&] { RunStore::open(folder).findings(); });
 }
 
 TEST_F(Store, OnlyTheTablesThatThisBuildWritesAreRead) {
@@ -195,16 +190,15 @@ TEST_F(Store, OnlyTheTablesThatThisBuildWritesAreRead) {
            {"CREATE INDEX evil ON wrong_answer(hex(reason))", "index 'evil'"},
            {"ALTER TABLE progress ADD COLUMN x", "table 'progress'"}})
     EXPECT_NE(refused_after(run, script).find(what), std::string::npos) << refused_after(run, script);
-  EXPECT_EQ(refused_after(run, "UPDATE progress SET next = 5"), "opened");
+  EXPECT_EQ(refused_after(run, "UPDATE progress SET next = 5"), "nothing thrown");
 }
 
 TEST_F(Store, FindingsThatARunDoesNotCountAreRefused) {
   const std::string copies =
       "WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM r WHERE x < 3000) INSERT INTO "
-      "wrong_answer "
-      "SELECT 1000 + x, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, "
-      "reason "
-      "FROM r, wrong_answer WHERE id = 1";
+      "wrong_answer SELECT 1000 + x, pair_index, family, family_index, method, kind, severity, margin_lo, "
+      "margin_hi, "
+      "reason FROM r, wrong_answer WHERE id = 1";
   const std::string of = "findings of fake (wrong_disjoint, beyond its claim, scene)";
   for (const auto& [script, what] : std::initializer_list<std::pair<std::string, std::string>>{
            {"UPDATE judged_pair SET pair_index = pair_index + 1000",
@@ -224,15 +218,9 @@ TEST_F(Store, NoQueryIsLongerThanTheFileExplains) {
   SqliteFile file(folder / "any.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   const std::string endless = "WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x FROM r) ";
   for (const char* rest : {"SELECT count(*) FROM r", "SELECT 'a text of some bytes' FROM r"}) {
-    try {
-      file.rows<std::string>(endless + rest);
-      FAIL() << "ended";
-    } catch (const InputError& error) {
-      EXPECT_TRUE(std::string(error.what())
-                      .ends_with("any.sqlite: it holds more than its size explains: it is "
-                                 "damaged or forged"))
-          << error.what();
-    }
+    const std::string error = error_of<InputError>([&] { file.rows<std::string>(endless + rest); });
+    EXPECT_TRUE(error.ends_with("any.sqlite: it holds more than its size explains: it is damaged or forged"))
+        << error;
   }
   EXPECT_THROW(file.rows<std::string>("SELECT hex(zeroblob(40000000))"), std::runtime_error);
   EXPECT_THROW(file.script("ATTACH ':memory:' AS other"), std::runtime_error);
@@ -265,15 +253,11 @@ TEST_F(Store, TextSteersNoTerminalAndLegalTextStays) {
 
 TEST(RunFacts, ABadNumberIsNamed) {
   EXPECT_EQ(number_of({{"seed", "18446744073709551615"}}, "seed"), std::numeric_limits<std::uint64_t>::max());
-  for (const char* bad : {"", "x", "-1", "1.5", "7 ", "18446744073709551616"}) {
-    try {
-      number_of({{"seed", bad}}, "seed");
-      FAIL() << bad;
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                std::string("the seed of the run is '") + bad + "', no whole number");
-    }
-  }
+  for (const std::string bad : {"", "x", "-1", "1.5", "7 ", "18446744073709551616"})
+    EXPECT_EQ(error_of<InputError>([&] {
+                number_of({{"seed", bad}}, "seed");
+              }),
+              "the seed of the run is '" + bad + "', no whole number");
   EXPECT_THROW(number_of({}, "seed"), InputError);
   EXPECT_THROW(shard_of({{"shard", "3/2 of batches of 1"}}), InputError);
 }
@@ -288,13 +272,8 @@ TEST_F(Store, NamesTheFileThatCannotBeRead) {
   fs::create_directories(folder);
   std::ofstream(folder / "run.sqlite")
       << "not a database, and longer than the header of one would be: " << folder;
-  try {
-    RunStore::open(folder);
-    FAIL() << "opened";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find((folder / "run.sqlite").string()), std::string::npos)
-        << error.what();
-  }
+  const std::string error = error_of([&] { RunStore::open(folder); });
+  EXPECT_NE(error.find((folder / "run.sqlite").string()), std::string::npos) << error;
 }
 
 TEST_F(Store, RunsInAFolderAreFoundByTheirStores) {
@@ -331,16 +310,12 @@ TEST_F(Store, KeepsTheFirstAndEveryNewBinadeAndCountsAll) {
 }
 
 TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
-  std::vector<double> margins(2000);
-  for (std::size_t i = 0; i < margins.size(); ++i)
-    margins[i] = std::ldexp(1.0, -static_cast<int>(scatter(i) % 60));
-  const auto margin = [&](std::uint64_t i) { return margins[i]; };
   RunStore whole = RunStore::create(folder / "whole", {});
-  whole.commit(batch_of(0, 2000, margin), 0);
+  whole.commit(batch_of(0, 2000, scattered_margin), 0);
   RunStore cut = RunStore::create(folder / "cut", {});
   for (std::uint64_t first = 0; first < 2000;) {
     const std::uint64_t next = std::min<std::uint64_t>(2000, first + 1 + scatter(first) % 200);
-    cut.commit(batch_of(first, next, margin), 0);
+    cut.commit(batch_of(first, next, scattered_margin), 0);
     first = next;
   }
   EXPECT_EQ(indices(cut), indices(whole));
@@ -349,24 +324,21 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
 }
 
 TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
-  const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(scatter(i) % 60)); };
   RunStore whole = RunStore::create(folder / "whole", {});
-  whole.commit(batch_of(0, 2000, margin), 0);
+  whole.commit(batch_of(0, 2000, scattered_margin), 0);
   for (const std::uint64_t shards : {1u, 2u, 3u, 7u}) {
     BatchRecord all;
     all.next = 2000;
     Representatives count;
     for (std::uint64_t shard = 0; shard < shards; ++shard) {
       Representatives kept;
-      for (std::uint64_t i = 0; i < 2000; ++i) {
-        if (i / 16 % shards == shard && kept.admit(finding_at(i, margin(i))))
-          all.findings.push_back(finding_at(i, margin(i)));
-      }
+      for (std::uint64_t i = 0; i < 2000; ++i)
+        if (i / 16 % shards == shard && kept.admit(finding_at(i, scattered_margin(i))))
+          all.findings.push_back(finding_at(i, scattered_margin(i)));
       for (const GroupRecord& group : kept.groups()) count.add(group);
     }
     all.groups = count.groups();
-    std::sort(all.findings.begin(), all.findings.end(),
-              [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
+    std::ranges::sort(all.findings, {}, &FindingRecord::index);
     RunStore merged = RunStore::create(folder / std::to_string(shards), {});
     merged.commit(all, 0);
     EXPECT_EQ(indices(merged), indices(whole)) << shards;

@@ -45,7 +45,7 @@ constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbi
 constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
 #endif
 
-/// The number of doubles that a plug-in may write, the number of those behind them, and the value of these.
+/// A plug-in may write the first of so many doubles. The guards behind them have this value.
 constexpr std::size_t more_size = 7, guard_size = 16;
 constexpr double guard = -0x1.5a5a5a5a5a5a5p+77;
 
@@ -78,7 +78,7 @@ static_assert(interface_sizes.size() == DAYLIGHT_PLUGIN_ABI);
 
 constexpr int all_shapes = DAYLIGHT_SPHERE | DAYLIGHT_CAPSULE | DAYLIGHT_CYLINDER | DAYLIGHT_ROUNDED_CYLINDER;
 
-/// Returns the method with all fields of today's interface. Those that its own does not have are 0.
+/// Returns the method with all fields of today's interface. A field that its own does not have is 0.
 DaylightMethod checked(const DaylightMethod* given) {
   if (!given) throw std::runtime_error("its daylight_method() returns none");
   if (given->abi < 1 || given->abi > DAYLIGHT_PLUGIN_ABI)

@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -22,15 +25,8 @@ Truth truth_of(Verdict verdict) {
   return truth;
 }
 
-MethodAnswer said(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
-}
-
 MethodAnswer said_distance(Verdict verdict, double distance) {
-  MethodAnswer answer = said(verdict);
+  MethodAnswer answer = answered(verdict);
   answer.has_distance = true;
   answer.distance = distance;
   return answer;
@@ -59,50 +55,51 @@ std::optional<Finding> judged(Verdict truth, double distance, const Claim& claim
 
 const Claim none{0, 0, ""};
 
+using Found = std::pair<FindingKind, Severity>;
+std::optional<Found> found(const std::optional<Finding>& finding) {
+  return finding ? std::optional(Found(finding->kind, finding->severity)) : std::nullopt;
+}
+
 TEST(Compare, ARightAnswerIsNoFindingAndAsksNoDistance) {
   Known known{0.5};
   Trial trial = known.trial(Verdict::disjoint);
-  EXPECT_FALSE(compare(trial, none, said(Verdict::disjoint)));
+  EXPECT_FALSE(compare(trial, none, answered(Verdict::disjoint)));
   EXPECT_EQ(known.asked, 0);
-  EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, said(Verdict::intersecting)));
-  EXPECT_FALSE(judged(Verdict::touching, 0, none, said(Verdict::intersecting)));
-  EXPECT_FALSE(judged(Verdict::touching, 0, none, said(Verdict::touching)));
+  EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, answered(Verdict::intersecting)));
+  EXPECT_FALSE(judged(Verdict::touching, 0, none, answered(Verdict::intersecting)));
+  EXPECT_FALSE(judged(Verdict::touching, 0, none, answered(Verdict::touching)));
 }
 
 TEST(Compare, AWrongVerdictBeyondTheClaimIsAContractFinding) {
   const Claim claim{1e-3, 1e-3, ""};  // reaches to 9e-3
-  const auto disjoint = judged(Verdict::intersecting, -0.01, claim, said(Verdict::disjoint));
-  ASSERT_TRUE(disjoint);
-  EXPECT_EQ(disjoint->kind, FindingKind::wrong_disjoint);
-  EXPECT_EQ(disjoint->severity, Severity::contract);
+  const auto disjoint = judged(Verdict::intersecting, -0.01, claim, answered(Verdict::disjoint));
+  ASSERT_EQ(found(disjoint), Found(FindingKind::wrong_disjoint, Severity::contract));
   EXPECT_LE(disjoint->margin->lo, 0.01 / size);
   EXPECT_GE(disjoint->margin->hi, 0.01 / size);
-  const auto intersecting = judged(Verdict::disjoint, 0.01, claim, said(Verdict::intersecting));
-  ASSERT_TRUE(intersecting);
-  EXPECT_EQ(intersecting->kind, FindingKind::wrong_intersecting);
-  EXPECT_EQ(intersecting->severity, Severity::contract);
+  const auto intersecting = judged(Verdict::disjoint, 0.01, claim, answered(Verdict::intersecting));
+  ASSERT_EQ(found(intersecting), Found(FindingKind::wrong_intersecting, Severity::contract));
 }
 
 TEST(Compare, AWrongVerdictWithinTheClaimIsAResolutionFinding) {
   const Claim claim{1e-3, 1e-3, ""};
-  EXPECT_EQ(judged(Verdict::intersecting, -0.0089, claim, said(Verdict::disjoint))->severity,
+  EXPECT_EQ(judged(Verdict::intersecting, -0.0089, claim, answered(Verdict::disjoint))->severity,
             Severity::resolution);
-  EXPECT_EQ(judged(Verdict::disjoint, 0.0089, claim, said(Verdict::touching))->severity,
+  EXPECT_EQ(judged(Verdict::disjoint, 0.0089, claim, answered(Verdict::touching))->severity,
             Severity::resolution);
 }
 
 TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
   // 1e-11 / 8 is above a claim of 1e-13 and below one of 1e-11. The first enclosure shows neither.
-  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-13, 0, ""}, said(Verdict::intersecting))->severity,
+  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-13, 0, ""}, answered(Verdict::intersecting))->severity,
             Severity::contract);
-  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-11, 0, ""}, said(Verdict::intersecting))->severity,
+  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-11, 0, ""}, answered(Verdict::intersecting))->severity,
             Severity::resolution);
 }
 
 TEST(Compare, WhereTheEnclosureCannotBeNarrowedTheClaimCountsAsKept) {
   Trial trial(upright(0.5), truth_of(Verdict::disjoint));
   trial.enclose = [](double) { return Enclosure{0.1, 0.9}; };
-  const auto finding = compare(trial, {0, 0.5, ""}, said(Verdict::intersecting));
+  const auto finding = compare(trial, {0, 0.5, ""}, answered(Verdict::intersecting));
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::resolution);
 }
@@ -111,7 +108,7 @@ TEST(Compare, AtTheClaimItselfTheMethodPromises) {
   Trial trial(upright(0.5), truth_of(Verdict::disjoint));
   trial.enclose = [](double) { return Enclosure{0.5, 0.5}; };
   const auto severity = [&](double absolute) {
-    return compare(trial, {0, absolute, ""}, said(Verdict::intersecting))->severity;
+    return compare(trial, {0, absolute, ""}, answered(Verdict::intersecting))->severity;
   };
   EXPECT_EQ(severity(0.5 * (1 - 0x1p-30)), Severity::contract);
   EXPECT_EQ(severity(0.5 * (1 + 0x1p-40)), Severity::resolution);
@@ -126,13 +123,11 @@ TEST(Compare, NoLengthIsAskedBelowTheRoundingOfWhatIsMeasured) {
 }
 
 TEST(Compare, DisjointOfATouchingPairHasMarginZero) {
-  const auto tolerant = judged(Verdict::touching, 0, {0, 1e-9, ""}, said(Verdict::disjoint));
-  ASSERT_TRUE(tolerant);
-  EXPECT_EQ(tolerant->kind, FindingKind::wrong_disjoint);
-  EXPECT_EQ(tolerant->severity, Severity::resolution);
+  const auto tolerant = judged(Verdict::touching, 0, {0, 1e-9, ""}, answered(Verdict::disjoint));
+  ASSERT_EQ(found(tolerant), Found(FindingKind::wrong_disjoint, Severity::resolution));
   EXPECT_EQ(tolerant->margin->lo, 0);
   EXPECT_EQ(tolerant->margin->hi, 0);
-  EXPECT_EQ(judged(Verdict::touching, 0, none, said(Verdict::disjoint))->severity, Severity::contract);
+  EXPECT_EQ(judged(Verdict::touching, 0, none, answered(Verdict::disjoint))->severity, Severity::contract);
 }
 
 TEST(Compare, ALowerBoundOfTheDistanceIsWrongOnlyIfTheDistanceIsLess) {
@@ -146,9 +141,7 @@ TEST(Compare, ALowerBoundOfTheDistanceIsWrongOnlyIfTheDistanceIsLess) {
   EXPECT_FALSE(bound(Verdict::intersecting, -0.5, -0.75)) << "a depth of at most 0.75";
   const auto apart = bound(Verdict::disjoint, 0.25, 0.5), deep = bound(Verdict::intersecting, -0.75, -0.5);
   for (const auto& wrong : {apart, deep}) {
-    ASSERT_TRUE(wrong);
-    EXPECT_EQ(wrong->kind, FindingKind::distance_outside);
-    EXPECT_EQ(wrong->severity, Severity::contract);
+    ASSERT_EQ(found(wrong), Found(FindingKind::distance_outside, Severity::contract));
     EXPECT_LE(wrong->margin->lo, 0.25 / size);
     EXPECT_GE(wrong->margin->hi, 0.25 / size);
   }
@@ -169,24 +162,20 @@ TEST(Compare, TwoBoundsAreTheSameOnlyIfTheirLengthsAre) {
 }
 
 TEST(Compare, TouchingIsWrongOnlyWhereTheDistanceIsCertainlyNotZero) {
-  EXPECT_FALSE(judged(Verdict::intersecting, -1e-8, none, said(Verdict::touching)));
-  const auto deep = judged(Verdict::intersecting, -0.5, none, said(Verdict::touching));
-  ASSERT_TRUE(deep);
-  EXPECT_EQ(deep->kind, FindingKind::wrong_touching);
-  EXPECT_EQ(deep->severity, Severity::contract);
+  EXPECT_FALSE(judged(Verdict::intersecting, -1e-8, none, answered(Verdict::touching)));
+  const auto deep = judged(Verdict::intersecting, -0.5, none, answered(Verdict::touching));
+  ASSERT_EQ(found(deep), Found(FindingKind::wrong_touching, Severity::contract));
 }
 
 TEST(Compare, UndecidedIsNeverWrongAndNothingIsWrongOfAnUndecidedTruth) {
-  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, said(Verdict::undecided)));
-  EXPECT_FALSE(judged(Verdict::undecided, 0, none, said(Verdict::disjoint)));
+  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answered(Verdict::undecided)));
+  EXPECT_FALSE(judged(Verdict::undecided, 0, none, answered(Verdict::disjoint)));
   EXPECT_FALSE(judged(Verdict::undecided, 0, none, said_distance(Verdict::intersecting, 9)));
 }
 
 TEST(Compare, InvalidOfALegalPairIsWrong) {
-  const auto finding = judged(Verdict::disjoint, 1, {1, 1, ""}, said(Verdict::invalid));
-  ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->kind, FindingKind::wrong_invalid);
-  EXPECT_EQ(finding->severity, Severity::contract);
+  const auto finding = judged(Verdict::disjoint, 1, {1, 1, ""}, answered(Verdict::invalid));
+  ASSERT_EQ(found(finding), Found(FindingKind::wrong_invalid, Severity::contract));
 }
 
 TEST(Compare, AFailureIsAContractFindingWhateverTheTruthAndADeclinedPairIsNone) {
@@ -201,9 +190,7 @@ TEST(Compare, AFailureIsAContractFindingWhateverTheTruthAndADeclinedPairIsNone) 
     answer.failure = failure;
     for (const Verdict truth : {Verdict::disjoint, Verdict::undecided}) {
       const auto finding = judged(truth, 1, {1, 1, ""}, answer);
-      ASSERT_TRUE(finding);
-      EXPECT_EQ(finding->kind, kind);
-      EXPECT_EQ(finding->severity, Severity::contract);
+      ASSERT_EQ(found(finding), Found(kind, Severity::contract));
       EXPECT_EQ(finding->margin.has_value(), truth == Verdict::disjoint);  // the pair's own
     }
   }
@@ -213,7 +200,7 @@ TEST(Compare, ANumberThatIsNotFiniteIsAFinding) {
   const double bad = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(judged(Verdict::disjoint, 1, none, said_distance(Verdict::disjoint, bad))->kind,
             FindingKind::non_finite);
-  MethodAnswer answer = said(Verdict::disjoint);
+  MethodAnswer answer = answered(Verdict::disjoint);
   answer.head[1] = bad;
   EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));  // no witness offered: the bytes mean nothing
   answer.witness = CertificateKind::direction;
@@ -226,9 +213,7 @@ TEST(Compare, ADistanceMayBeOffByTheClaimAndNoMore) {
   EXPECT_FALSE(judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.4911)));
   for (const double off : {0.01, -0.01}) {
     const auto finding = judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.5 + off));
-    ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->kind, FindingKind::distance_outside);
-    EXPECT_EQ(finding->severity, Severity::contract);
+    ASSERT_EQ(found(finding), Found(FindingKind::distance_outside, Severity::contract));
     EXPECT_NEAR(finding->margin->lo, 0.01 / size, 1e-5);
     EXPECT_LE(finding->margin->lo, 0.01 / size);
     EXPECT_GE(finding->margin->hi, 0.01 / size);
@@ -278,14 +263,12 @@ TEST(Compare, UndecidedIsAFaultWhereAVerdictIsPromised) {
   const auto of = [](DecisionScope promised, double gap) {
     Claim claim;
     claim.decides = promised;
-    return judged(Verdict::disjoint, gap, claim, said(Verdict::undecided));
+    return judged(Verdict::disjoint, gap, claim, answered(Verdict::undecided));
   };
   EXPECT_FALSE(of(DecisionScope::not_promised, 0.5));
   EXPECT_FALSE(of(DecisionScope::above_1e13, 1e-14));
   for (const auto& finding : {of(DecisionScope::above_1e13, 1e-11), of(DecisionScope::all, 1e-14)}) {
-    ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->kind, FindingKind::left_undecided);
-    EXPECT_EQ(finding->severity, Severity::contract);
+    ASSERT_EQ(found(finding), Found(FindingKind::left_undecided, Severity::contract));
   }
 }
 
@@ -293,9 +276,7 @@ TEST(Compare, TheLargestDoubleIsNoDistance) {
   for (const double said : {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()}) {
     const Verdict verdict = said > 0 ? Verdict::disjoint : Verdict::intersecting;
     const auto finding = judged(verdict, said > 0 ? 0.5 : -0.5, {0, 1e-6, ""}, said_distance(verdict, said));
-    ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->kind, FindingKind::non_finite);
-    EXPECT_EQ(finding->severity, Severity::contract);
+    ASSERT_EQ(found(finding), Found(FindingKind::non_finite, Severity::contract));
   }
 }
 
@@ -317,22 +298,20 @@ TEST(Compare, AVerdictWithinTheClaimExcusesNoDistance) {
 }
 
 TEST(Compare, AWitnessMustProveWhatWasSaid) {
-  MethodAnswer direction = said(Verdict::disjoint);
+  MethodAnswer direction = answered(Verdict::disjoint);
   direction.witness = CertificateKind::direction;
   direction.head[0] = 1;
   EXPECT_FALSE(judged(Verdict::disjoint, 0.5, none, direction));
   direction.head[0] = 0;
   direction.head[1] = 1;
   const auto finding = judged(Verdict::disjoint, 0.5, none, direction);
-  ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->kind, FindingKind::bad_witness);
-  EXPECT_EQ(finding->severity, Severity::contract);
+  ASSERT_EQ(found(finding), Found(FindingKind::bad_witness, Severity::contract));
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::contract);
   direction.has_distance = true;
   direction.distance = 3;
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->kind, FindingKind::distance_outside);
 
-  MethodAnswer point = said(Verdict::intersecting);
+  MethodAnswer point = answered(Verdict::intersecting);
   point.witness = CertificateKind::point;
   point.head[0] = 1;
   point.tail[0] = -0x1p-60;
@@ -347,7 +326,7 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
 // upright(): the diameters are hypot(2, 3) each, so W = 7.21. The true direction is x.
 TEST(Compare, AClaimExplainsADirectionThatIsOffByTwiceTheClaimOverTheGap) {
   const auto severity = [](double gap, double claim, double x, double y, double z) {
-    MethodAnswer answer = said(Verdict::disjoint);
+    MethodAnswer answer = answered(Verdict::disjoint);
     answer.set_direction({x, y, z});
     const auto finding = judged(Verdict::disjoint, gap, {0, claim, ""}, answer);
     EXPECT_TRUE(finding && finding->kind == FindingKind::bad_witness);
@@ -367,7 +346,7 @@ TEST(Compare, AClaimExplainsADirectionThatIsOffByTwiceTheClaimOverTheGap) {
 
 TEST(Compare, AClaimExplainsAPointThatIsOutsideByTheClaim) {
   const auto severity = [](double y, double claim) {
-    MethodAnswer answer = said(Verdict::intersecting);
+    MethodAnswer answer = answered(Verdict::intersecting);
     answer.witness = CertificateKind::point;
     answer.head[0] = 1 - 0.25;
     answer.head[1] = y;
@@ -383,7 +362,7 @@ TEST(Compare, OfTwoPointsTheMarginIsZeroOrInfinite) {
   const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, 0, 0}};
   Trial trial(points, truth_of(Verdict::disjoint));
   trial.enclose = [](double) { return Enclosure{1, 1}; };
-  const auto finding = compare(trial, {1e-3, 0, ""}, said(Verdict::intersecting));
+  const auto finding = compare(trial, {1e-3, 0, ""}, answered(Verdict::intersecting));
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::contract);
   EXPECT_EQ(finding->margin->lo, std::numeric_limits<double>::infinity());
@@ -393,13 +372,10 @@ TEST(SameAnswer, ComparesWhatWasSaidBitForBit) {
   const MethodAnswer x = said_distance(Verdict::disjoint, 0.0);
   EXPECT_TRUE(same_answer(x, x));
   EXPECT_FALSE(same_answer(x, said_distance(Verdict::disjoint, -0.0)));
-  EXPECT_FALSE(same_answer(x, said(Verdict::disjoint)));
+  EXPECT_FALSE(same_answer(x, answered(Verdict::disjoint)));
   EXPECT_FALSE(same_answer(x, MethodAnswer{}));
-  MethodAnswer hung;
-  hung.status = Status::failed;
-  hung.failure = Failure::hang;
-  EXPECT_TRUE(same_answer(x, hung));  // time is not a function of the pair
-  MethodAnswer point = said(Verdict::intersecting), elsewhere = point;
+  EXPECT_TRUE(same_answer(x, failed_answer(Failure::hang, "")));  // time is not a function of the pair
+  MethodAnswer point = answered(Verdict::intersecting), elsewhere = point;
   point.witness = elsewhere.witness = CertificateKind::point;
   EXPECT_TRUE(same_answer(point, elsewhere));
   elsewhere.hulls[1] = Hull::line;
@@ -416,11 +392,7 @@ TEST(FormatMethodAnswer, SaysWhatWasSaidAsJson) {
   answer.distance = -std::numeric_limits<double>::infinity();
   answer.witness = CertificateKind::none;
   EXPECT_EQ(format_method_answer(answer), R"({"verdict":"disjoint","distance":"-inf"})");
-  MethodAnswer crashed;
-  crashed.status = Status::failed;
-  crashed.failure = Failure::crash;
-  crashed.reason[0] = '"';
-  EXPECT_EQ(format_method_answer(crashed), R"({"failed":"crash","reason":"\""})");
+  EXPECT_EQ(format_method_answer(failed_answer(Failure::crash, "\"")), R"({"failed":"crash","reason":"\""})");
 }
 
 }  // namespace

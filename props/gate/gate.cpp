@@ -150,7 +150,7 @@ class Gate {
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, since(options_.start)});
   }
 
-  /// Adds a break to the breaks of the same law and cause. Of these it keeps the first, and then the worst.
+  /// Adds a break to the breaks of the same law and cause. The first is kept until a worse one comes.
   void record(const LawViolation& found, const Pair& pair, const std::string& origin,
               const std::optional<Stratum>& stratum = {}) {
     const Law& law = *found.law;

@@ -8,37 +8,29 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/laws/laws_test.hpp"
-#include "solver/decide.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
-MethodAnswer say(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
+MethodAnswer honest(const Pair& pair) { return answered(intersect(pair.a, pair.b)); }
+
+Planted::Ask always(Verdict verdict) {
+  return [=](const Pair&) { return answered(verdict); };
 }
 
-MethodAnswer honest(const Pair& pair) { return say(intersect(pair.a, pair.b)); }
-
 MethodAnswer wrong_of_wide_a(const Pair& pair) {
-  return pair.a.radius > pair.b.radius ? say(Verdict::disjoint) : honest(pair);
+  return pair.a.radius > pair.b.radius ? answered(Verdict::disjoint) : honest(pair);
 }
 
 const std::vector<Case>& few_cases() {
@@ -54,34 +46,12 @@ const std::vector<Case>& few_cases() {
 /// One round of either law search, three of the strata and four of close contacts: 12 pairs of each stratum.
 constexpr std::uint64_t few_pairs = 2500;
 
-/// A guest with spheres and capsules of ordinary size.
-class OfBalls : public FakeMethod {
- public:
-  explicit OfBalls(Ask ask)
-      : FakeMethod("balls", std::move(ask),
-                   {.claim = Claim{1e-12, 0, "planted"}, .foreign = false, .guest = true}) {}
-  using FakeMethod::supports;
-  bool supports(SolidKind kind) const override {
-    return kind == SolidKind::sphere || kind == SolidKind::capsule;
-  }
-  const SizeRange* sizes() const override { return &sizes_; }
-
- private:
-  SizeRange sizes_{.least = 0.01, .greatest = 100};
-};
-
-GateReport gate_on_balls(FakeMethod::Ask ask, std::uint64_t pairs) {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<OfBalls>(std::move(ask)));
-  return run_gate(methods, few_cases(), {.pairs = pairs, .as_found = true});
-}
-
-GateReport run_on(const Planted::Ask& ask, GateOptions options) {
+GateReport run_on(const Planted::Ask& ask, GateOptions options, std::span<const Case> cases = few_cases()) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::make_unique<Planted>(ask, "planted", Claim{1e-12, 0, "planted"}));
   options.caps = {
       .call_cpu = std::chrono::milliseconds(100), .call_wall = std::chrono::milliseconds(100), .hangs = 2};
-  return run_gate(methods, few_cases(), options);
+  return run_gate(methods, cases, options);
 }
 
 /// Leaves failures as they are found. This takes a tenth of the time.
@@ -92,7 +62,7 @@ GateReport gate_on(const Planted::Ask& ask, std::uint64_t pairs = few_pairs,
 
 /// Returns whether a contract failure of that law was reported, with `what` in its text.
 bool reported(const GateReport& report, int law, const std::string& what = {}) {
-  return std::any_of(report.failures.begin(), report.failures.end(), [&](const GateFailure& f) {
+  return std::ranges::any_of(report.failures, [&](const GateFailure& f) {
     return f.law->number == law && f.severity == Severity::contract && f.what.find(what) != std::string::npos;
   });
 }
@@ -134,8 +104,8 @@ TEST(Gate, ACapOnTimeSaysWhatItDidNotAsk) {
 
 TEST(Gate, ACutGateStillFailsForWhatItFound) {
   // Even a fast machine does not draw so many pairs in that time.
-  const GateReport report = gate_on([](const Pair&) { return say(Verdict::intersecting); },
-                                    std::numeric_limits<std::uint32_t>::max(), std::chrono::seconds(1));
+  const GateReport report = gate_on(always(Verdict::intersecting), std::numeric_limits<std::uint32_t>::max(),
+                                    std::chrono::seconds(1));
   EXPECT_FALSE(report.not_asked.empty());
   EXPECT_EQ(exit_code(report), 2);
 }
@@ -149,59 +119,6 @@ TEST(Gate, AllIsAskedWithinAWideCap) {
   EXPECT_EQ(exit_code(report), 3);
 }
 
-TEST(Gate, AsksAGuestOfSpheresAndCapsulesAboutThese) {
-  const GateReport report =
-      gate_on_balls([](const Pair& pair) { return say(decide(pair.a, pair.b).verdict); }, 4000);
-  EXPECT_EQ(exit_code(report), 0);
-  const GateMethod& method = report.methods.at(0);
-  EXPECT_GE(method.counts.asked, 3000u);
-  EXPECT_EQ(method.counts.declined, 0u);
-  EXPECT_GE(method.rounded.pairs, 3000u);
-  EXPECT_EQ(method.rounded.wrong, 0u);
-  for (const GatePhaseReport& phase : report.phases)
-    EXPECT_TRUE(phase.phase != GatePhase::sample && phase.phase != GatePhase::close_sample);
-
-  // The classic fault takes nearly parallel capsules for parallel ones.
-  const GateReport parallel = gate_on_balls(
-      [](const Pair& pair) {
-        Pair taken = pair;
-        const Vector3 x = pair.a.axis.normalized(), y = pair.b.axis.normalized();
-        if (1 - std::abs(x.dot(y)) < 1e-8) taken.b.axis = pair.a.axis;
-        return say(decide(taken.a, taken.b).verdict);
-      },
-      4000);
-  EXPECT_EQ(exit_code(parallel), 2);
-
-  const GateReport wrong = gate_on_balls([](const Pair&) { return say(Verdict::disjoint); }, 500);
-  EXPECT_EQ(exit_code(wrong), 2);
-  EXPECT_GT(wrong.methods.at(0).rounded.wrong, 0u);
-}
-
-TEST(Gate, SharesThePairsAmongTheSolidsOfAGuest) {
-  const GateAmount all = amount_of(30'000, {.cylinders = true, .rounded = 400});
-  EXPECT_EQ(all.sample_rounds, amount_of(20'000).sample_rounds);
-  EXPECT_EQ(all.rounded_rounds, amount_of(10'000, {.cylinders = false, .rounded = 400}).rounded_rounds);
-  EXPECT_EQ(amount_of(20'000).rounded_rounds, 0u);
-  EXPECT_EQ(amount_of(40 * 50 * 51 / 50, {.cylinders = false, .rounded = 40}).rounded_rounds, 50u);
-}
-
-TEST(Gate, TheAmountIsAFunctionOfTheNumberOfPairs) {
-  const auto is = [](std::uint64_t pairs, std::uint64_t laws, std::uint64_t sample, std::uint64_t close) {
-    const GateAmount amount = amount_of(pairs);
-    EXPECT_FALSE(amount.cases_under_laws);
-    EXPECT_EQ(amount.law_rounds, laws) << pairs;
-    EXPECT_EQ(amount.sample_rounds, sample) << pairs;
-    EXPECT_EQ(amount.close_law_rounds, laws) << pairs;
-    EXPECT_EQ(amount.close_rounds, close) << pairs;
-  };
-  is(1, 1, 1, 1);
-  is(few_pairs, 1, 3, 4);
-  is(2 * 51 * 64, 1, 8, 9);
-  is(2 * 51 * 65, 2, 8, 10);
-  is(250'000, 39, 292, 341);
-  is(gate_pairs, 77, 584, 681);
-}
-
 TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
   const auto digests = [](const Planted::Ask& ask) {
     std::vector<std::uint64_t> all;
@@ -210,13 +127,15 @@ TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
   };
   const auto all = digests(honest);
   EXPECT_EQ(std::set<std::uint64_t>(all.begin(), all.end()).size(), 5u) << "the corpus twice";
-  EXPECT_EQ(all, digests([](const Pair&) { return say(Verdict::disjoint); }));
+  EXPECT_EQ(all, digests(always(Verdict::disjoint)));
 }
 
-TEST(Gate, ReportsWhoAlwaysAbstains) {
-  const GateReport report = gate_on([](const Pair&) { return say(Verdict::undecided); });
-  EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
-  EXPECT_EQ(exit_code(report), 3);
+TEST(Gate, ReportsWhoAlwaysAbstainsOrDeclines) {
+  for (const MethodAnswer& always : {answered(Verdict::undecided), MethodAnswer{}}) {
+    const GateReport report = gate_on([&](const Pair&) { return always; });
+    EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
+    EXPECT_EQ(exit_code(report), 3);
+  }
 }
 
 TEST(Gate, DoesNotDoubtTheTruthOfWhatIsDeclined) {
@@ -230,20 +149,14 @@ TEST(Gate, DoesNotDoubtTheTruthOfWhatIsDeclined) {
 
 TEST(Gate, ReportsWhoMostlyAbstains) {
   const GateReport report = gate_on(
-      [](const Pair& pair) { return pair.a.axis.x() > 0.5 ? honest(pair) : say(Verdict::undecided); });
+      [](const Pair& pair) { return pair.a.axis.x() > 0.5 ? honest(pair) : answered(Verdict::undecided); });
   EXPECT_TRUE(report.methods.at(0).remark.starts_with("abstains on ")) << report.methods.at(0).remark;
   EXPECT_EQ(report.methods.at(0).remark.find("every"), std::string::npos);
   EXPECT_NE(exit_code(report), 0);
 }
 
-TEST(Gate, ReportsWhoAlwaysDeclines) {
-  const GateReport report = gate_on([](const Pair&) { return MethodAnswer{}; });
-  EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
-  EXPECT_EQ(exit_code(report), 3);
-}
-
 TEST(Gate, ReportsWhoAlwaysAnswersIntersecting) {
-  const GateReport report = gate_on([](const Pair&) { return say(Verdict::intersecting); });
+  const GateReport report = gate_on(always(Verdict::intersecting));
   EXPECT_EQ(report.methods.at(0).remark, "answers intersecting to every pair");
   EXPECT_TRUE(reported(report, 31, "wrong_intersecting"));
   EXPECT_EQ(exit_code(report), 2);
@@ -277,12 +190,7 @@ TEST(Gate, ReportsWhoThrows) {
 
 TEST(Gate, KeepsHowTheMethodFailedWhateverLawMeetsIt) {
   const GateReport report = gate_on([](const Pair& pair) {
-    if (pair.a.radius <= pair.b.radius) return honest(pair);
-    MethodAnswer answer;
-    answer.status = Status::failed;
-    answer.failure = Failure::reported;
-    answer.set_reason("no convergence");
-    return answer;
+    return pair.a.radius <= pair.b.radius ? honest(pair) : failed_answer(Failure::reported, "no convergence");
   });
   EXPECT_TRUE(reported(report, 30, "failed: no convergence"));
   std::set<int> laws;
@@ -296,7 +204,7 @@ TEST(Gate, KeepsHowTheMethodFailedWhateverLawMeetsIt) {
 }
 
 TEST(Gate, ReportsWhoWritesGarbage) {
-  const GateReport verdict = gate_on([](const Pair&) { return say(static_cast<Verdict>(77)); });
+  const GateReport verdict = gate_on(always(static_cast<Verdict>(77)));
   EXPECT_TRUE(reported(verdict, 30, "malformed"));
   const GateReport distance = gate_on([](const Pair& pair) {
     MethodAnswer answer = honest(pair);
@@ -309,21 +217,21 @@ TEST(Gate, ReportsWhoWritesGarbage) {
 
 TEST(Gate, SimplifiesRunsAgainAndDistinguishesCauses) {
   const GateReport report = run_on(wrong_of_wide_a, {.pairs = few_pairs});
-  const auto wrong = std::find_if(report.failures.begin(), report.failures.end(), [](const GateFailure& f) {
+  const auto is_wrong = [](const GateFailure& f) {
     return f.law->number == 31 && f.severity == Severity::contract;
-  });
+  };
+  const auto wrong = std::ranges::find_if(report.failures, is_wrong);
   ASSERT_NE(wrong, report.failures.end());
   EXPECT_GT(wrong->simplest.a.radius, wrong->simplest.b.radius);
   EXPECT_EQ(wrong->simplest.a.center, Vector3(0, 0, 0)) << wrong->origin;
-  const Trial simplest(wrong->simplest);
-  const double depth = -Trial(simplest).distance_at(1e-12).hi / size_of(wrong->simplest);
+  const double depth = -Trial(wrong->simplest).distance_at(1e-12).hi / size_of(wrong->simplest);
   EXPECT_EQ(wrong->what_of_simplest, fmt::format("wrong_disjoint, margin {:.3g}", depth)) << wrong->what;
   EXPECT_EQ(wrong->reruns, 10u);
   EXPECT_EQ(wrong->failed_again, 10u);
   EXPECT_TRUE(reported(report, 1)) << "swap";
   std::set<std::string> causes;
   for (const GateFailure& f : report.failures) {
-    if (f.law->number != 31 || f.severity != Severity::contract) continue;
+    if (!is_wrong(f)) continue;
     EXPECT_TRUE(causes.insert(f.cause).second) << f.cause;
     EXPECT_TRUE(f.cause.starts_with("planted/wrong_disjoint/")) << f.cause;
   }
@@ -339,7 +247,7 @@ TEST(Gate, TheSimplestFailsWithoutTheQuestionsBeforeIt) {
       [&](const Pair& pair) {
         static int calls = 0;  // of this worker
         const bool lies = format_pair(pair) == wrong || (++calls > 40 && pair.a.radius == pair.b.radius);
-        return lies ? say(Verdict::disjoint) : honest(pair);
+        return lies ? answered(Verdict::disjoint) : honest(pair);
       },
       {.pairs = 1});
   const auto found = std::ranges::find(report.failures, 10u, &GateFailure::failed_again);
@@ -356,13 +264,11 @@ TEST(Gate, SaysWhatDependsOnLuck) {
   const std::string wrong = format_pair(one_pair());
   const GateReport report = run_on(
       [&](const Pair& pair) {
-        const bool lies = format_pair(pair) == wrong && ++calls % 3 == 1;
-        return lies ? say(Verdict::disjoint) : honest(pair);
+        return format_pair(pair) == wrong && ++calls % 3 == 1 ? answered(Verdict::disjoint) : honest(pair);
       },
       {.pairs = 1});
   EXPECT_EQ(exit_code(report), 2);
-  EXPECT_TRUE(std::any_of(report.failures.begin(), report.failures.end(),
-                          [](const GateFailure& f) { return f.failed_again < f.reruns; }));
+  EXPECT_TRUE(std::ranges::any_of(report.failures, [](auto& f) { return f.failed_again < f.reruns; }));
   munmap(shared, sizeof calls);
 }
 
@@ -383,13 +289,11 @@ TEST(Gate, ShowsTheWorstOfACause) {
   std::vector<Case> cases(3);
   for (std::size_t i = 0; i < cases.size(); ++i)
     cases[i].pair = {{{0, 0, 0}, {0, 0, 1}, 1, 4}, {{0, std::array{1.9, 1.5, 1.8}[i], 0}, {1, 0, 0}, 1, 4}};
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Planted>(
+  const GateReport report = run_on(
       [](const Pair& pair) {
-        return pair.a.height == 4 && pair.b.height == 4 ? say(Verdict::disjoint) : honest(pair);
+        return pair.a.height == 4 && pair.b.height == 4 ? answered(Verdict::disjoint) : honest(pair);
       },
-      "planted", Claim{1e-12, 0, "planted"}));
-  const GateReport report = run_gate(methods, cases, {.pairs = 1, .as_found = true});
+      {.pairs = 1, .as_found = true}, cases);
   const auto wrong = std::ranges::find(report.failures, "wrong_disjoint", &GateFailure::kind);
   ASSERT_NE(wrong, report.failures.end());
   EXPECT_EQ(wrong->count, 3u);
@@ -402,10 +306,8 @@ TEST(Gate, ShowsTheWorstOfACause) {
 TEST(Gate, ShowsAKeptCaseEvenIfADrawnPairIsWorse) {
   Case shallow;
   shallow.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 4}, {{0, 1.999, 0}, {1, 0, 0}, 1, 4}};
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Planted>([](const Pair&) { return say(Verdict::disjoint); }, "planted",
-                                              Claim{1e-12, 0, "planted"}));
-  const GateReport report = run_gate(methods, {&shallow, 1}, {.pairs = 2000, .as_found = true});
+  const GateReport report =
+      run_on(always(Verdict::disjoint), {.pairs = 2000, .as_found = true}, {&shallow, 1});
   const auto kept = std::ranges::find(report.failures, true, &GateFailure::in_case);
   ASSERT_NE(kept, report.failures.end());
   EXPECT_GT(kept->count, 1u);
@@ -428,7 +330,7 @@ TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {
   // Wrong if the axes are 1.5e-13 to 1e-12 from parallel. No stratum but containment has such axes.
   const GateReport report = gate_on([](const Pair& pair) {
     const double sine = pair.a.axis.cross(pair.b.axis).norm() / pair.a.axis.norm() / pair.b.axis.norm();
-    return sine > 1.5e-13 && sine < 1e-12 ? say(Verdict::disjoint) : honest(pair);
+    return sine > 1.5e-13 && sine < 1e-12 ? answered(Verdict::disjoint) : honest(pair);
   });
   EXPECT_EQ(exit_code(report), 2);
   std::uint64_t wrong = 0;
@@ -449,12 +351,9 @@ TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {
 }
 
 TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Planted>(honest, "planted", Claim{1e-12, 0, "planted"}));
-  GateOptions options;
-  options.pairs = 1;
-  options.amount = GateAmount{.cases_under_laws = {}, .law_rounds = 3, .sample_rounds = 2};
-  const GateReport report = run_gate(methods, few_cases(), options);
+  const GateReport report =
+      run_on(honest,
+             {.pairs = 1, .amount = GateAmount{.cases_under_laws = {}, .law_rounds = 3, .sample_rounds = 2}});
   EXPECT_EQ(report.phases.at(1).pairs, few_cases().size());
   EXPECT_EQ(report.phases.at(2).rounds, 3u);
   EXPECT_EQ(report.phases.at(3).rounds, 2u);

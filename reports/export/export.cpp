@@ -6,7 +6,6 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/files.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -195,10 +195,10 @@ std::string sums_in_words(const Method& method, const Trial& p) {
 }
 
 std::string depth_note(const Trial& p, const Claim& claim) {
-  if (p.finding()->kind == FindingKind::distance_outside && shows_distance(p, claim))
-    return " and that the returned distance is impossible";
-  if (p.finding()->kind == FindingKind::distance_outside)
-    return " only. A search with interval arithmetic proved that the returned distance is wrong";
+  if (p.fails(FindingKind::distance_outside))
+    return shows_distance(p, claim)
+               ? " and that the returned distance is impossible"
+               : " only. A search with interval arithmetic proved that the returned distance is wrong";
   if (p.truth.verdict == Verdict::intersecting)
     return " (the depth comes from a search with interval arithmetic, which it does not repeat)";
   return {};
@@ -238,8 +238,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
   text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p, method));
   text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);
-  const bool repeats =
-      p.finding()->kind != FindingKind::distance_outside || shows_distance(p, method.claim());
+  const bool repeats = !p.fails(FindingKind::distance_outside) || shows_distance(p, method.claim());
   text += fmt::format(
       "\n{}`python3 exact.py` (standard library only) proves the verdict in rational arithmetic{}.{}\n",
       repeats ? "You can check this yourself. " : "", depth_note(p, method.claim()),
@@ -261,8 +260,7 @@ bool at_edge(const Trial& p, const Claim& claim) {
 }
 
 bool ends(const Trial& p) {
-  return p.finding()->kind == FindingKind::crash || p.finding()->kind == FindingKind::exception ||
-         p.finding()->kind == FindingKind::hang;
+  return p.fails(FindingKind::crash) || p.fails(FindingKind::exception) || p.fails(FindingKind::hang);
 }
 
 std::string build(const LibraryCall& call, FindingKind kind) {
@@ -393,10 +391,7 @@ void write_export(const Export& files, const std::string& folder) {
   if (fault) throw std::runtime_error(folder + ": " + fault.message());
   for (const auto& [name, text] : files) {
     const fs::path file = fs::path(folder) / name;
-    std::ofstream out(file);
-    out << text;
-    out.close();
-    if (!out) throw std::runtime_error(file.string() + " cannot be written");
+    write_file(file, text);
     if (text.starts_with("#!"))
       fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                       fs::perm_options::add, fault);

@@ -46,8 +46,6 @@ class Folder : Scratch {
   }
 };
 
-Pair pair_of(const std::string& text) { return parse_case(text, 1).value.value().pair; }
-
 std::vector<std::unique_ptr<Method>> library_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   for (auto list : {fcl_methods, bullet_methods, ccd_methods, ode_methods, mujoco_methods})
@@ -72,9 +70,9 @@ std::string tampered(const std::string& check, const std::string& certificate) {
 
 /// Checks that the program is built, shows the wrong answer and reports it. The proof holds, but not with
 /// another certificate.
-void expect_shown(std::string_view method, FindingKind kind, const std::string& pair,
+void expect_shown(std::string_view method, FindingKind kind, const Pair& pair,
                   const std::string& no_certificate) {
-  Export files = export_of(method, kind, pair_of(pair));
+  Export files = export_of(method, kind, pair);
   {
     const Folder folder(files);
     const Ran program = folder.run("sh build.sh");
@@ -96,25 +94,14 @@ void expect_shown(std::string_view method, FindingKind kind, const std::string& 
   EXPECT_TRUE(has(proof.printed, "NOT PROVED")) << proof.printed;
 }
 
-const std::string huge = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1e+300,"height":4e+300},)"
-                         R"("b":{"center":[0,1.5e+300,0],"axis":[1,0,0],"radius":1e+300,"height":4e+300}})";
-const std::string stacked = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},)"
-                            R"("b":{"center":[0,0,2.0000005],"axis":[0,0,1],"radius":1,"height":2}})";
-const std::string nearly_parallel = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1},)"
-                                    R"("b":{"center":[0,1.01,0],"axis":[0,0.03,1],"radius":1,"height":1}})";
-const std::string flat_on_long = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":40000},)"
-                                 R"("b":{"center":[0,1,0],"axis":[0,0,1],"radius":200,"height":1}})";
-const std::string tiny = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1e-9,"height":2e-9},)"
-                         R"("b":{"center":[3e-9,1e-10,0],"axis":[0,0,1],"radius":1e-9,"height":2e-9}})";
-const std::string least_rod = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1e-16},)"
-                              R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1}})";
-
-const std::string ball_and_capsule =
-    R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},)"
-    R"("b":{"center":[3,0,0],"axis":[0,0,1],"radius":0,"height":2,"rounding":1}})";
-
-const std::string coins = R"({"a":{"center":[0,0,0],"axis":[1,2,2],"radius":3,"height":1},)"
-                          R"("b":{"center":[-4,-2,2],"axis":[1,2,2],"radius":3,"height":1}})";
+const Pair huge{{{0, 0, 0}, {0, 0, 1}, 1e300, 4e300}, {{0, 1.5e300, 0}, {1, 0, 0}, 1e300, 4e300}};
+const Pair stacked{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 2.0000005}, {0, 0, 1}, 1, 2}};
+const Pair nearly_parallel{{{0, 0, 0}, {0, 0, 1}, 0, 1}, {{0, 1.01, 0}, {0, 0.03, 1}, 1, 1}};
+const Pair flat_on_long{{{0, 0, 0}, {0, 0, 1}, 1, 40000}, {{0, 1, 0}, {0, 0, 1}, 200, 1}};
+const Pair tiny{{{0, 0, 0}, {0, 0, 1}, 1e-9, 2e-9}, {{3e-9, 1e-10, 0}, {0, 0, 1}, 1e-9, 2e-9}};
+const Pair least_rod{{{0, 0, 0}, {0, 0, 1}, 0, 1e-16}, {{0, 0, 0}, {0, 0, 1}, 0, 1}};
+const Pair ball_and_capsule{{{0, 0, 0}, {0, 0, 1}, 0, 0, 1}, {{3, 0, 0}, {0, 0, 1}, 0, 2, 1}};
+const Pair coins{{{0, 0, 0}, {1, 2, 2}, 3, 1}, {{-4, -2, 2}, {1, 2, 2}, 3, 1}};
 
 TEST(Export, FclShowsIt) {
   expect_shown("fcl-indep", FindingKind::wrong_intersecting, stacked, R"("direction":[1,0,0])");
@@ -136,8 +123,7 @@ TEST(Export, OdeShowsIt) {
 
 TEST(Export, WhatIsFartherThanAnyDoubleIsShown) {
   expect_shown("bullet-cylinder", FindingKind::distance_outside,
-               R"({"a":{"center":[-1.7e+308,0,0],"axis":[0,0,1],"radius":1,"height":2},)"
-               R"("b":{"center":[1.7e+308,0,0],"axis":[0,1,0],"radius":1,"height":2}})",
+               {{{-1.7e308, 0, 0}, {0, 0, 1}, 1, 2}, {{1.7e308, 0, 0}, {0, 1, 0}, 1, 2}},
                R"("direction":[0,1,0])");
 }
 
@@ -146,7 +132,7 @@ TEST(Export, MujocoShowsIt) {
 }
 
 TEST(Export, ACrashIsOnlyCalled) {
-  const Export files = export_of("ode", FindingKind::crash, pair_of(least_rod));
+  const Export files = export_of("ode", FindingKind::crash, least_rod);
   EXPECT_TRUE(has(files.at("issue.md"), "# dCollide aborts on two cylinders\n")) << files.at("issue.md");
   const Ran program = Folder(files).run("sh build.sh");
   EXPECT_EQ(program.status, 134) << program.printed;
@@ -154,8 +140,7 @@ TEST(Export, ACrashIsOnlyCalled) {
 }
 
 TEST(Export, TheIssueSaysWhatAReaderNeeds) {
-  const std::string issue =
-      export_of("ode", FindingKind::wrong_disjoint, pair_of(nearly_parallel)).at("issue.md");
+  const std::string issue = export_of("ode", FindingKind::wrong_disjoint, nearly_parallel).at("issue.md");
   for (const char* part :
        {"# dCollide misses two cylinders that overlap by 0.00", "`dCollide` of ODE 0.", "one contact",
         "| b | (0, 1.01, 0) | (0, 0.03, 1) | 1 | 1 |", "No collision.", "lies in both",
@@ -169,8 +154,7 @@ TEST(Export, EveryMethodHasAProgram) {
     const LibraryCall* call = find_library_call(method->name());
     ASSERT_NE(call, nullptr) << method->name();
     // All numbers differ. The unit axes are (3, 2, 6) / 7 and (4, 4, 7) / 9.
-    Trial asked(pair_of(R"({"a":{"center":[0.11,0.12,0.13],"axis":[3,2,6],"radius":0.21,"height":0.62},)"
-                        R"("b":{"center":[1.01,1.12,1.13],"axis":[4,4,7],"radius":0.41,"height":1.46}})"));
+    Trial asked({{{0.11, 0.12, 0.13}, {3, 2, 6}, 0.21, 0.62}, {{1.01, 1.12, 1.13}, {4, 4, 7}, 0.41, 1.46}});
     asked.distance = {-0.5, -0.25};
     asked.answers.resize(1);
     asked.answers[0].status = Status::answered;
@@ -197,9 +181,7 @@ TEST(Export, EveryMethodHasAProgram) {
       }
       EXPECT_EQ(has(program, "WRONG"), kind == FindingKind::wrong_disjoint) << program;
     }
-    const bool sets_it =
-        call->library == "FCL" || call->library == "MuJoCo" || call->call == "ccdMPRIntersect";
-    if (!sets_it) continue;
+    if (call->library != "FCL" && call->library != "MuJoCo" && call->call != "ccdMPRIntersect") continue;
     const double claimed = method->claim().absolute;
     const std::string program = reproducing_program(*call, asked, *method);
     const std::size_t at = program.find("tolerance = ");
@@ -209,28 +191,26 @@ TEST(Export, EveryMethodHasAProgram) {
 }
 
 TEST(Export, RefusesWhatCannotBeSent) {
-  EXPECT_THROW(export_of("seedbook", FindingKind::wrong_disjoint, pair_of(stacked)), std::invalid_argument);
-  EXPECT_THROW(export_of("ode", FindingKind::wrong_disjoint, pair_of(stacked)), std::invalid_argument);
-  EXPECT_THROW(export_of("fcl-indep", FindingKind::wrong_disjoint, pair_of(stacked)), std::invalid_argument);
-  EXPECT_THROW(export_of("fcl-indep", FindingKind::nondeterminism, pair_of(stacked)), std::invalid_argument);
+  EXPECT_THROW(export_of("seedbook", FindingKind::wrong_disjoint, stacked), std::invalid_argument);
+  EXPECT_THROW(export_of("ode", FindingKind::wrong_disjoint, stacked), std::invalid_argument);
+  EXPECT_THROW(export_of("fcl-indep", FindingKind::wrong_disjoint, stacked), std::invalid_argument);
+  EXPECT_THROW(export_of("fcl-indep", FindingKind::nondeterminism, stacked), std::invalid_argument);
 }
 
 TEST(Export, APairWithoutRoundingsIsSentOfALibrary) {
   const auto ode = ode_methods();
-  const Pair sharp = pair_of(nearly_parallel);
-  Pair rounded = sharp;
+  Pair rounded = nearly_parallel;
   rounded.a.rounding = 0.001;
   const FindingKind kind = FindingKind::wrong_disjoint;
-  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, rounded, sharp)));
-  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, sharp, rounded)));
+  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, rounded, nearly_parallel)));
+  EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, nearly_parallel, rounded)));
   EXPECT_TRUE(has(refusal("ode", kind, rounded, false), "no program of ODE has these solids"));
   EXPECT_EQ(refusal("ode", kind, rounded, true), "");
 }
 
 // For an axis (0, 3, 4) the library gets (0, 0.6, 0.8), and the doubles of this point elsewhere.
 TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
-  Trial asked(pair_of(R"({"a":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":10},)"
-                      R"("b":{"center":[0,3,4],"axis":[1,0,0],"radius":0,"height":2}})"));
+  Trial asked({{{0, 0, 0}, {0, 3, 4}, 0, 10}, {{0, 3, 4}, {1, 0, 0}, 0, 2}});
   asked.findings.resize(1);
   ASSERT_NE(asked.truth.verdict, Verdict::disjoint);
   ASSERT_EQ(judge(as_given(asked.pair)).verdict, Verdict::disjoint);
@@ -267,14 +247,12 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     check = replaced(check, "\"distance\":" + format_double(said), "\"distance\":" + format_double(real));
     EXPECT_EQ(Folder(files).run("python3 exact.py").status, 1);
   };
-  const Pair apart = pair_of(R"({"a":{"center":[0,3,0],"axis":[0,0,1],"radius":0,"height":0},)"
-                             R"("b":{"center":[0,0,1],"axis":[1,1,1],"radius":1,"height":0}})");
+  const Pair apart{{{0, 3, 0}, {0, 0, 1}, 0, 0}, {{0, 0, 1}, {1, 1, 1}, 1, 0}};
   expect_proof(apart, 1, "too small");
   expect_proof(apart, 9, "too large");
-  expect_proof(pair_of(flat_on_long), -500, "too deep");
-  const Pair round = pair_of(ball_and_capsule);
-  expect_proof(round, 1.0000000000001, "too large", 1e-15);
-  expect_proof(round, 0.9999999999999, "too small", 1e-15);
+  expect_proof(flat_on_long, -500, "too deep");
+  expect_proof(ball_and_capsule, 1.0000000000001, "too large", 1e-15);
+  expect_proof(ball_and_capsule, 0.9999999999999, "too small", 1e-15);
 }
 
 /// A fault of a guest, chosen by the height of the first solid.

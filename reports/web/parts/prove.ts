@@ -17,13 +17,11 @@
 // f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k, and k
 // doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bitsCap the answer is "not decided".
 import { isHalfSpace, type Coordinate, type Hull, type Pair, type Solid as Given, type Truth } from "./data.ts";
+import {
+  abs, add, cross, decimal, div, dot, equal, exact, half, isZero, less, minus, moved, mul, neg, one, rational, reduced,
+  root, square, sub, turned, zero, type Rational, type Vector,
+} from "./rational.ts";
 
-/** n/d, d > 0; not reduced. */
-interface Rational {
-  n: bigint;
-  d: bigint;
-}
-type Vector = [Rational, Rational, Rational];
 interface Solid {
   plane: boolean; // a half-space: the center is a point of its plane, the axis its normal, and the lengths are 0
   center: Vector;
@@ -46,38 +44,6 @@ const bitsFirst = 128,
   bitsCap = 16384;
 /** `near` is proved to this part of the size, as the power of two. */
 const nearBits = 200n;
-
-const rational = (n: bigint, d = 1n): Rational => (d < 0n ? { n: -n, d: -d } : { n, d });
-const zero = rational(0n);
-const add = (x: Rational, y: Rational): Rational =>
-  x.d === y.d ? { n: x.n + y.n, d: x.d } : { n: x.n * y.d + y.n * x.d, d: x.d * y.d };
-const neg = (x: Rational): Rational => ({ n: -x.n, d: x.d });
-const sub = (x: Rational, y: Rational) => add(x, neg(y));
-const mul = (x: Rational, y: Rational): Rational => ({ n: x.n * y.n, d: x.d * y.d });
-const div = (x: Rational, y: Rational): Rational => rational(x.n * y.d, x.d * y.n);
-const abs = (x: Rational) => (x.n < 0n ? neg(x) : x);
-const less = (x: Rational, y: Rational) => x.n * y.d < y.n * x.d;
-const square = (x: Rational) => mul(x, x);
-const dot = (u: Vector, v: Vector) => add(add(mul(u[0], v[0]), mul(u[1], v[1])), mul(u[2], v[2]));
-const isZero = (d: Vector) => d.every((x) => x.n === 0n);
-const minus = (u: Vector, v: Vector): Vector => [sub(u[0], v[0]), sub(u[1], v[1]), sub(u[2], v[2])];
-const cross = (u: Vector, v: Vector): Vector => [
-  sub(mul(u[1], v[2]), mul(u[2], v[1])),
-  sub(mul(u[2], v[0]), mul(u[0], v[2])),
-  sub(mul(u[0], v[1]), mul(u[1], v[0])),
-];
-
-/** A double as the dyadic rational that it is. */
-export function exact(x: number): Rational {
-  if (!Number.isFinite(x)) throw new Error("a number is not finite");
-  const bits = new BigUint64Array(new Float64Array([x]).buffer)[0]!;
-  const field = Number((bits >> 52n) & 0x7ffn);
-  const fraction = bits & 0xfffffffffffffn;
-  const mantissa = field === 0 ? fraction : fraction | 0x10000000000000n;
-  const power = Math.max(field, 1) - 1075;
-  const n = bits >> 63n ? -mantissa : mantissa;
-  return power >= 0 ? { n: n << BigInt(power), d: 1n } : { n, d: 1n << BigInt(-power) };
-}
 
 function coordinate(x: Coordinate): Rational {
   if (typeof x === "number") return exact(x);
@@ -116,45 +82,6 @@ function solid(c: Given): Solid {
   return read;
 }
 
-/** The largest whole number whose square is at most n. */
-export function floorSqrt(n: bigint): bigint {
-  if (n < 2n) return n;
-  let x = 1n << BigInt((n.toString(16).length * 4 + 1) >> 1); // not below the root
-  for (;;) {
-    const next = (x + n / x) >> 1n;
-    if (next >= x) return x;
-    x = next;
-  }
-}
-
-/** sqrt(q) between two multiples of 2^-bits that are neighbours. */
-function root(q: Rational, bits: bigint): [Rational, Rational] {
-  if (q.n === 0n) return [zero, zero];
-  const low = floorSqrt((q.n << (2n * bits)) / q.d);
-  return [
-    { n: low, d: 1n << bits },
-    { n: low + 1n, d: 1n << bits },
-  ];
-}
-
-/** A rational for reading: 12 digits, any exponent. */
-export function decimal(x: Rational): string {
-  if (x.n === 0n) return "0";
-  const n = x.n < 0n ? -x.n : x.n;
-  let exponent = n.toString().length - x.d.toString().length;
-  const digits = (e: number) => {
-    const scale = 12 - e;
-    return scale >= 0 ? (n * 10n ** BigInt(scale)) / x.d : n / (x.d * 10n ** BigInt(-scale));
-  };
-  let d = digits(exponent);
-  if (d < 10n ** 12n) d = digits(--exponent);
-  const text = d.toString();
-  const mantissa = (text[0] + "." + text.slice(1)).replace(/\.?0+$/, "");
-  const sign = x.n < 0n ? "\u2212" : "";
-  if (exponent >= -4 && exponent < 12) return sign + Number(`${mantissa}e${exponent}`).toString();
-  return `${sign}${mantissa}e${exponent}`;
-}
-
 interface Side {
   sign: -1 | 0 | 1;
   steps: string[];
@@ -168,7 +95,6 @@ function signOfF(a: Solid, b: Solid, d: Vector): Side {
     return { sign: 1, bits: 0, steps: ["D is not along the normal of the half-space, which has no end there"] };
   const terms = [a, b].flatMap((s, i) => {
     const ww = dot(s.axis, s.axis);
-    if (ww.n === 0n) throw new Error("an axis is zero");
     const across = cross(d, s.axis),
       along = dot(d, s.axis),
       name = i === 0 ? "a" : "b";
@@ -204,9 +130,14 @@ function signOfF(a: Solid, b: Solid, d: Vector): Side {
   }
 }
 
+/** Two numbers and which is larger. */
+function comparison(what: string, value: Rational, limit: Rational): string {
+  const sign = less(limit, value) ? ">" : less(value, limit) ? "<" : "=";
+  return `${what}: ${decimal(value)} ${sign} ${decimal(limit)}${sign === "=" ? " exactly" : ""}`;
+}
+
 function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: string[] } {
   const ww = dot(s.axis, s.axis);
-  if (ww.n === 0n) throw new Error("an axis is zero");
   const from = minus(x, s.center),
     along = dot(from, s.axis),
     across = cross(from, s.axis);
@@ -214,15 +145,11 @@ function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: str
     return { inside: along.n <= 0n, steps: [`${name}, beyond its plane, n.(x\u2212p): ${decimal(along)} against 0`] };
   const axial = [mul(rational(4n), square(along)), mul(square(s.height), ww)] as const;
   const radial = [dot(across, across), mul(square(s.radius), ww)] as const;
-  const line = (what: string, [value, limit]: readonly [Rational, Rational]) => {
-    const sign = less(limit, value) ? ">" : less(value, limit) ? "<" : "=";
-    return `${name}, ${what}: ${decimal(value)} ${sign} ${decimal(limit)}${sign === "=" ? " exactly" : ""}`;
-  };
   return {
     inside: !less(axial[1], axial[0]) && !less(radial[1], radial[0]),
     steps: [
-      line("along the axis, 4((x\u2212c).w)\u00b2 against h\u00b2 w\u00b2", axial),
-      line("across it, |(x\u2212c)\u00d7w|\u00b2 against r\u00b2 w\u00b2", radial),
+      comparison(`${name}, along the axis, 4((x\u2212c).w)\u00b2 against h\u00b2 w\u00b2`, ...axial),
+      comparison(`${name}, across it, |(x\u2212c)\u00d7w|\u00b2 against r\u00b2 w\u00b2`, ...radial),
     ],
   };
 }
@@ -232,14 +159,12 @@ function comeNear(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { ins
   const parts = [reach("a", a, x), reach("b", b, y)],
     between = minus(y, x),
     way = dot(between, between),
-    most = square(add(add(a.rounding, b.rounding), slack)),
-    sign = less(most, way) ? ">" : less(way, most) ? "<" : "=";
+    most = square(add(add(a.rounding, b.rounding), slack));
   return {
-    inside: parts.every((p) => p.inside) && sign !== ">",
+    inside: parts.every((p) => p.inside) && !less(most, way),
     steps: [
       ...parts.flatMap((p) => p.steps),
-      `between them, |q\u2212p|\u00b2 against R\u00b2: ${decimal(way)} ${sign} ${decimal(most)}` +
-        (sign === "=" ? " exactly" : ""),
+      comparison("between them, |q\u2212p|\u00b2 against R\u00b2", way, most),
     ],
   };
 }
@@ -249,20 +174,12 @@ interface Plane {
   normal: Vector;
   offset: Rational;
 }
-const one = rational(1n);
-
-/** In lowest terms. Without this, numbers would double their digits at each of several steps. */
-function reduced({ n, d }: Rational): Rational {
-  let [x, y] = [n < 0n ? -n : n, d];
-  while (y !== 0n) [x, y] = [y, x % y];
-  return { n: n / x, d: d / x };
+/** Two directions that are square to the axis and to each other. */
+function acrossAxis({ axis }: Solid): [Vector, Vector] {
+  // Any coordinate vector that is not along the axis gives the first.
+  const beside = cross(axis, axis[1].n === 0n && axis[2].n === 0n ? [zero, one, zero] : [one, zero, zero]);
+  return [beside, cross(axis, beside)];
 }
-/** u + k v */
-const moved = (u: Vector, k: Rational, v: Vector): Vector => [
-  reduced(add(u[0], mul(k, v[0]))),
-  reduced(add(u[1], mul(k, v[1]))),
-  reduced(add(u[2], mul(k, v[2]))),
-];
 
 /** The planes that a hull lies in: one for a plane, two for a line, three for a centre. */
 function planesOf(s: Solid, hull: Hull): Plane[] {
@@ -270,10 +187,7 @@ function planesOf(s: Solid, hull: Hull): Plane[] {
   const through = (normal: Vector): Plane => ({ normal, offset: dot(normal, s.center) }),
     level = hull === "plane" || hull === "center" || s.height.n === 0n,
     thin = hull === "line" || hull === "center" || s.radius.n === 0n;
-  // Square to the axis: any coordinate vector that is not along it gives the first.
-  const other: Vector = s.axis[1].n === 0n && s.axis[2].n === 0n ? [zero, one, zero] : [one, zero, zero],
-    beside = cross(s.axis, other);
-  return [...(level ? [through(s.axis)] : []), ...(thin ? [beside, cross(s.axis, beside)].map(through) : [])];
+  return [...(level ? [through(s.axis)] : []), ...(thin ? acrossAxis(s).map(through) : [])];
 }
 
 /** The point in all planes that is nearest to x; null if no point is in all. */
@@ -331,10 +245,6 @@ function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
 
-const equal = (x: Rational, y: Rational) => !less(x, y) && !less(y, x);
-const turned = (v: Vector): Vector => [neg(v[0]), neg(v[1]), neg(v[2])];
-const half = (x: Rational) => div(x, rational(2n));
-
 /** A point of a core as seen from its centre, and the part of it that is square to the axis. */
 function seen(s: Solid, x: Vector) {
   const out = minus(x, s.center),
@@ -356,9 +266,7 @@ function normals(s: Solid, x: Vector): { spans: Vector[]; plane: Vector | null }
     ends = onCap ? [...up, ...down] : [];
   if (!onWall) return { spans: ends, plane: null };
   if (s.radius.n > 0n) return { spans: [...ends, across], plane: ends.length > 0 ? cross(s.axis, across) : null };
-  const other: Vector = s.axis[1].n === 0n && s.axis[2].n === 0n ? [zero, one, zero] : [one, zero, zero],
-    beside = cross(s.axis, other),
-    sides = [beside, cross(s.axis, beside)];
+  const sides = acrossAxis(s);
   return { spans: [...ends, ...sides, ...sides.map(turned)], plane: s.axis };
 }
 
