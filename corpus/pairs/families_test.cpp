@@ -12,6 +12,7 @@
 #include "base/fnv.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
 namespace cyl {

@@ -161,6 +161,11 @@ void round_off(Pair& p, RandomStream& s) {
   if (s.coin()) c.height = 0;
 }
 
+void make_half_space(Pair& p, RandomStream& s) {
+  Solid& c = either(p, s);
+  c = {.center = c.center, .axis = c.axis, .shape = Shape::half_space};
+}
+
 void move_far(Pair& p, RandomStream& s) {
   const double away = std::ldexp(size_of(p), s.integer(1, 50));
   const Vector3 by = away * (s.coin() ? s.coordinate_axis() : s.unit_vector());
@@ -205,6 +210,7 @@ constexpr Move all_moves[] = {
     {"thin", thin},
     {"round_edges", round_edges},
     {"round_off", round_off},
+    {"make_half_space", make_half_space},
     {"move_far", move_far},
     {"move_to_origin", move_to_origin},
     {"copy_field", copy_field},
@@ -220,7 +226,14 @@ Solid legalised(Solid c) {
   c.radius = std::fabs(c.radius);
   c.height = std::fabs(c.height);
   c.rounding = std::fabs(c.rounding);
+  if (is_half_space(c)) c.radius = c.height = c.rounding = 0;
   return c;
+}
+
+Pair legal_pair(const Solid& a, const Solid& b) {
+  Pair p{legalised(a), legalised(b)};
+  if (is_half_space(p.a) && is_half_space(p.b)) p.b.shape = Shape::cylinder;
+  return p;
 }
 
 void apply(const Move& move, Pair& pair, RandomStream& stream) {
@@ -235,7 +248,7 @@ std::span<const Move> moves() { return all_moves; }
 
 Pair mutate(const Pair& pair, std::uint64_t seed) {
   RandomStream stream("mutate", seed, 0);
-  Pair p{legalised(pair.a), legalised(pair.b)};
+  Pair p = legal_pair(pair.a, pair.b);
   const std::size_t count = 1 + stream.below(3);
   for (std::size_t i = 0; i < count; ++i) apply(all_moves[stream.below(std::size(all_moves))], p, stream);
   // Most turns and changes of form leave the boundary; half of them return to it.
@@ -247,7 +260,7 @@ Pair cross_over(const Pair& x, const Pair& y, std::uint64_t seed) {
   RandomStream stream("cross_over", seed, 0);
   const Solid& first = stream.coin() ? x.a : x.b;
   const Solid& second = stream.coin() ? y.a : y.b;
-  Pair p{legalised(first), legalised(second)};
+  Pair p = legal_pair(first, second);
   if (stream.coin()) apply({"slide_to_touching", slide_to_touching}, p, stream);
   return p;
 }

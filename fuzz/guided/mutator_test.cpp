@@ -93,7 +93,7 @@ TEST(Mutator, MakesWhatTheNamesSay) {
     EXPECT_LE(unit_axis(p.a.axis).cross(apart).norm(), 1e-13 * (p.a.center.norm() + apart.norm()));
   });
   std::map<SolidKind, int> kinds;
-  for (const char* name : {"round_edges", "round_off"})
+  for (const char* name : {"round_edges", "round_off", "make_half_space"})
     look_at(name, [&](const Pair& p) { ++kinds[kind_of(p.a)], ++kinds[kind_of(p.b)]; });
   for (const SolidKind kind : enum_values<SolidKind>) EXPECT_GT(kinds[kind], 20) << to_string(kind);
   look_at("move_to_origin", [](const Pair& p) { EXPECT_TRUE(p.a.center.isZero(0)); });

@@ -121,17 +121,20 @@ std::optional<double> detect_plane(btConvexShape* a, const btTransform& pose_a, 
       return 0;
     }
   } contact;
-  btDefaultCollisionConfiguration settings;
-  btCollisionDispatcher dispatcher(&settings);
-  btDbvtBroadphase near;
-  btCollisionWorld world(&dispatcher, &near, &settings);
+  struct World {  // costly to make
+    btDefaultCollisionConfiguration settings;
+    btCollisionDispatcher dispatcher{&settings};
+    btDbvtBroadphase near;
+    btCollisionWorld world{&dispatcher, &near, &settings};
+  };
+  thread_local World made;
   btStaticPlaneShape plane({0, 0, 1}, 0);
   btCollisionObject first, second;
   first.setCollisionShape(a ? static_cast<btCollisionShape*>(a) : &plane);
   second.setCollisionShape(b ? static_cast<btCollisionShape*>(b) : &plane);
   first.setWorldTransform(pose_a);
   second.setWorldTransform(pose_b);
-  world.contactPairTest(&first, &second, contact);
+  made.world.contactPairTest(&first, &second, contact);
   return contact.distance;
 }
 
