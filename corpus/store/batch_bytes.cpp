@@ -51,7 +51,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, asked, declined, failed, contract, re
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TallyRecord, method, family, counts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GroupRecord, method, kind, severity, family, count, binade)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingRecord, index, family, family_index, method, kind, severity, margin,
-                                   pair, answers, truth, stage, reason)
+                                   pair, answers, truth, reason)
 
 static void to_json(json& to, const CellRecord& c) {
   to = {c.plane, c.x, c.y, format_cell_counts(c.methods)};
@@ -66,7 +66,7 @@ std::string format_batch(const BatchRecord& batch) {
   for (FindingRecord& f : findings) {
     f.reason = as_utf8(f.reason);
     if (first && first->index == f.index) {
-      for (std::string* text : {&f.pair, &f.answers, &f.truth, &f.stage}) text->clear();
+      for (std::string* text : {&f.pair, &f.answers, &f.truth}) text->clear();
       continue;
     }
     for (std::string* text : {&f.pair, &f.answers}) *text = as_utf8(*text);
@@ -84,8 +84,7 @@ BatchRecord parse_batch(std::string_view bytes) try {
   for (std::size_t i = 1; i < batch.findings.size(); ++i) {
     FindingRecord& f = batch.findings[i];
     if (const FindingRecord& before = batch.findings[i - 1]; f.index == before.index)
-      std::tie(f.pair, f.answers, f.truth, f.stage) =
-          std::tie(before.pair, before.answers, before.truth, before.stage);
+      std::tie(f.pair, f.answers, f.truth) = std::tie(before.pair, before.answers, before.truth);
   }
   all.at(3).get_to(batch.cells);
   return batch;

@@ -26,7 +26,6 @@ TEST(BatchBytes, ComesBackAsItWent) {
   f.pair = "{\"a\":\"\n\0x\"}";
   f.answers = "</script>";
   f.truth = "t";
-  f.stage = "wide";
   f.reason = "not UTF-8: \xff";
   batch.findings = {f, f, f};
   batch.findings[1].margin.reset();
@@ -54,7 +53,6 @@ TEST(BatchBytes, ComesBackAsItWent) {
     EXPECT_EQ(found.pair, f.pair);
     EXPECT_EQ(found.answers, f.answers);
     EXPECT_EQ(found.truth, "t");
-    EXPECT_EQ(found.stage, "wide");
     EXPECT_EQ(found.reason, "not UTF-8: \xef\xbf\xbd");
   }
 }

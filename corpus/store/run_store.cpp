@@ -17,7 +17,7 @@ namespace {
 
 /// The version of the tables below, in PRAGMA user_version. A file is refused if its tables differ in a
 /// single character, so a change of any needs a new version.
-constexpr int store_version = 3;
+constexpr int store_version = 4;
 
 /// A judged pair takes 2 to 4 KB. SQLite's usual pages of 4096 bytes would be a third empty.
 constexpr int page_bytes = 16384;
@@ -33,12 +33,12 @@ CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT
 CREATE TABLE finding_group(method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL, family TEXT NOT NULL,
   count INTEGER NOT NULL, binade INTEGER NOT NULL, PRIMARY KEY(method, kind, severity, family));
 CREATE TABLE judged_pair(pair_index INTEGER PRIMARY KEY, pair TEXT NOT NULL, answers TEXT NOT NULL,
-  truth TEXT NOT NULL, stage TEXT NOT NULL);
+  truth TEXT NOT NULL);
 CREATE TABLE wrong_answer(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family TEXT NOT NULL,
   family_index INTEGER NOT NULL, method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL,
   margin_lo TEXT, margin_hi TEXT, reason TEXT NOT NULL);
 CREATE VIEW finding AS SELECT id, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi,
-  pair, answers, truth, stage, reason FROM wrong_answer JOIN judged_pair USING(pair_index);
+  pair, answers, truth, reason FROM wrong_answer JOIN judged_pair USING(pair_index);
 CREATE TABLE cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, methods TEXT NOT NULL,
   PRIMARY KEY(plane, x, y)) WITHOUT ROWID;
 INSERT INTO progress VALUES(0, 0);
@@ -192,10 +192,10 @@ void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
 
     constexpr std::optional<std::int64_t> next_id;  // NULL: SQLite gives it
     Query keep = file_->query("INSERT INTO wrong_answer VALUES(?,?,?,?,?,?,?,?,?,?)");
-    Query keep_pair = file_->query("INSERT OR IGNORE INTO judged_pair VALUES(?,?,?,?,?)");
+    Query keep_pair = file_->query("INSERT OR IGNORE INTO judged_pair VALUES(?,?,?,?)");
     for (const FindingRecord& f : batch.findings) {
       if (!kept.admit(f)) continue;
-      keep_pair.run(f.index, f.pair, f.answers, f.truth, f.stage);
+      keep_pair.run(f.index, f.pair, f.answers, f.truth);
       keep.run(next_id, f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.reason);
     }
 

@@ -83,17 +83,16 @@ struct FindingRecord : FindingGroup {
   std::uint64_t index = 0;  ///< of the pair in the run
   std::uint64_t family_index = 0;
   std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
-  // The next four fields are stored once for each pair.
+  // The next three fields are stored once for each pair.
   std::string pair;     ///< one JSON line of corpus/pair_io
   std::string answers;  ///< JSON array of [answer, [name of a method that gave it, ..]], each answer once
   std::string truth;    ///< JSON object: verdict and certificate
-  std::string stage;    ///< which arithmetic settled the truth
   std::string reason;   ///< the method's own words on a failure
 
   static constexpr const char* table = "finding";
   static auto columns(auto& f) {
     return std::tie(f.id, f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.pair,
-                    f.answers, f.truth, f.stage, f.reason);
+                    f.answers, f.truth, f.reason);
   }
 };
 

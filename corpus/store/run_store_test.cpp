@@ -35,7 +35,6 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.pair = R"({"a":{},"b":{}})";
   f.answers = "[]";
   f.truth = "{}";
-  f.stage = "filter";
   return f;
 }
 

@@ -330,16 +330,13 @@ class Batch {
     const bool of_batch = kept_.admit(record), of_job = kept_before_.admit(record);
     if (!of_batch || !of_job) return;
     if (findings_.empty() || findings_.back().index != record.index) {
-      const Truth truth = judge(pairs_[p], offers_.with_own_witness(pairs_[p], answers_of(p)));
       record.pair = format_case_at(workload_, seed_, index_of(p), drawn, pairs_[p], trials_[p].truth);
       record.answers =
           answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
-      record.truth = format_truth(truth);
-      record.stage = to_string(truth.stage);
+      record.truth = format_truth(judge(pairs_[p], offers_.with_own_witness(pairs_[p], answers_of(p))));
     } else {
       const FindingRecord& same = findings_.back();
-      std::tie(record.pair, record.answers, record.truth, record.stage) =
-          std::tie(same.pair, same.answers, same.truth, same.stage);
+      std::tie(record.pair, record.answers, record.truth) = std::tie(same.pair, same.answers, same.truth);
     }
     const bool has_reason = is_failure(finding.kind) || finding.kind == FindingKind::side_effect ||
                             finding.kind == FindingKind::state_dependent;

@@ -91,7 +91,7 @@ inline std::string content(const RunStore& store, std::uint64_t below = ~0ull) {
   for (const FindingRecord& f : store.findings()) {
     if (f.index >= below) continue;
     text += std::to_string(f.index) + f.family + std::to_string(f.family_index) + f.method +
-            to_string(f.kind) + to_string(f.severity) + f.pair + f.answers + f.truth + f.stage + f.reason;
+            to_string(f.kind) + to_string(f.severity) + f.pair + f.answers + f.truth + f.reason;
     if (f.margin) text += std::to_string(f.margin->lo) + std::to_string(f.margin->hi);
     text += '\n';
   }

@@ -36,7 +36,6 @@ FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Ve
   f.pair = format_case(line);
   f.truth = std::string("{\"verdict\":\"") + to_string(truth) + "\",\"stage\":\"filter\"}";
   f.answers = "[]";
-  f.stage = "filter";
   return f;
 }
 

@@ -94,7 +94,6 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
       R"([[{"verdict":"disjoint","direction":[1,0,0.1]},["fake"]],[{"verdict":"disjoint","direction":[1,0,0.2]},)"
       R"(["other"]],[{"verdict":"disjoint","direction":[1,0,0.3]},["third"]]])";
   f.truth = R"({"verdict":"undecided","stage":"wide"})";
-  f.stage = "wide";
   return f;
 }
 
@@ -294,7 +293,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   Case c;
   c.id = c.source = c.note = hostile;
   f.pair = format_case(c);
-  f.reason = f.stage = hostile;
+  f.reason = hostile;
   f.answers = R"([[{"failed":)" + quote_json(hostile) + "},[" + quote_json(hostile) + "]]]";
   f.truth = R"({"verdict":)" + quote_json(hostile) + R"(,"point":["1/3",)" + quote_json(hostile) + ",0]}";
   FindingRecord broken = f;

@@ -21,7 +21,6 @@ inline FindingRecord finding(const std::string& method, const std::string& famil
   f.pair = format_pair(pair);
   f.answers = std::string("[[{\"verdict\":\"") + to_string(said) + "\"},[" + quote_json(method) + "]]]";
   f.truth = "{}";
-  f.stage = "filter";
   return f;
 }
 
