@@ -25,7 +25,7 @@ using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 
 Wide3 wide(const Vector3& v) { return v.cast<Wide>(); }
 Wide3 unit_axis(const Solid& c) { return (wide(c.axis) / wide(c.axis).stableNorm()).eval(); }
-Wide size_of(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
+Wide wide_size(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
 
 /// Returns the greatest x.m over the solid, with x relative to its centre.
 Wide support(const Solid& c, const Wide3& m) {
@@ -140,7 +140,7 @@ TEST(Families, KeepTheirPairsForEver) {
       EXPECT_TRUE(is_legal(pair) && has_half_space(pair)) << f.name << ' ' << i;
       digest = fnv1a(format_pair(pair), digest);
     }
-  EXPECT_EQ(digest, 0u);
+  EXPECT_EQ(digest, 9001784708597669980u);
 }
 
 TEST(Families, RandomIntersectsAboutHalfTheTime) {
@@ -150,7 +150,7 @@ TEST(Families, RandomIntersectsAboutHalfTheTime) {
     const Pair p = draw("random", i);
     for (const Solid& c : {p.a, p.b})
       for (double length : {c.radius, c.height}) ASSERT_TRUE(length >= 0.1 && length < 10);
-    near += crude_distance(p) < 1e-3L * size_of(p);
+    near += crude_distance(p) < 1e-3L * wide_size(p);
   }
   EXPECT_GT(near, 0.3 * n);
   EXPECT_LT(near, 0.7 * n);
@@ -180,7 +180,7 @@ TEST(Families, TouchAtTheMarginTheyName) {
       RandomStream stream(t.name, seed, i);
       const Contact c = draw_contact(t.kind, stream, i);
       ASSERT_EQ(format_pair(draw(t.name, i)), format_pair(c.pair));
-      const Wide size = size_of(c.pair), bound = construction_tol * size;
+      const Wide size = wide_size(c.pair), bound = construction_tol * size;
       const double margin = contact_margin(t.kind, i);
       margins.insert(margin);
       ASSERT_NEAR(c.distance, margin * static_cast<double>(size),
@@ -325,10 +325,10 @@ TEST(Families, HaveThePosesTheyName) {
     p = draw("coaxial", i);
     const Wide3 u = unit_axis(p.a), e = wide(p.b.center) - wide(p.a.center);
     ASSERT_LE(sine(p), 1e-18L);
-    ASSERT_LE((e - e.dot(u) * u).norm(), 1e-15L * size_of(p)) << i;
+    ASSERT_LE((e - e.dot(u) * u).norm(), 1e-15L * wide_size(p)) << i;
     const Wide shift = std::abs(e.dot(u)), sum = (Wide(p.a.height) + p.b.height) / 2;
     const Wide difference = std::abs(Wide(p.a.height) - p.b.height) / 2;
-    const Wide bound = construction_tol * size_of(p);
+    const Wide bound = construction_tol * wide_size(p);
     const bool overlapping = shift >= difference - bound && shift <= sum + bound;
     const bool nested = shift < difference && (p.a.radius < p.b.radius) == (p.a.height < p.b.height);
     ASSERT_TRUE(i % 3 == 0 ? overlapping : i % 3 == 1 ? nested : shift > sum) << i;

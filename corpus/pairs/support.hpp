@@ -61,14 +61,20 @@ R support(const Terms<R>& s, const Vec3<R>& d) {
   return core_support(s, d) + s.rounding * norm(d);
 }
 
-/// A point of the core, relative to its centre, that is farthest along d: the middle of a cap or side.
+/// A point of the core, relative to its centre, that is farthest along d: the middle of a cap or side. Near
+/// the axis the difference has lost digits, so it is made square to the axis again. If nearly all were lost,
+/// the middle of the cap serves.
 template <class R>
 Vec3<R> farthest(const Terms<R>& s, const Vec3<R>& d) {
   const R along = dot(d, s.axis), zero(0.0);
+  const R end = along < zero ? R(zero - s.half) : along > zero ? s.half : zero;
   const Vec3<R> across = d - along * s.axis;
   const R beside = norm(across);
-  const R end = along < zero ? R(zero - s.half) : along > zero ? s.half : zero;
-  return beside > zero ? end * s.axis + R(s.radius / beside) * across : end * s.axis;
+  if (!(beside > zero)) return end * s.axis;
+  Vec3<R> out = across / beside;
+  out = out - R(dot(out, s.axis)) * s.axis;
+  const R kept = norm(out);
+  return kept > R(0.5) ? end * s.axis + R(s.radius / kept) * out : end * s.axis;
 }
 
 /// f(d) of two solids whose centres differ by `delta`. It is negative if a plane square to d separates them.

@@ -104,7 +104,7 @@ std::optional<Certificate> overlap_certificate(const Sided& s) {
         return written;
       }
     }
-    const mpq_class share = 1 - times_power(1, 8 - bits);
+    const mpq_class share = 1 - times_power(1, -bits / 2);  // a thin core needs more than the last bits
     if (auto c = contact_at(s, project_to_hull(s.solid, center + share * offset))) return c;
   }
   return {};
@@ -148,7 +148,8 @@ Truth judge_half_space(const Pair& pair) {
   return t;
 }
 
-// Bits are added until the distance lies between neighbours.
+// Bits are added until at most one double lies between both ends. The sign of f there decides on which side
+// of it the distance is.
 AttainedDistance attain_half_space(const Pair& pair) {
   const Sided s(pair);
   const Vector3 n = direction_of_half_space(pair), unit = n.stableNormalized();
@@ -159,8 +160,15 @@ AttainedDistance attain_half_space(const Pair& pair) {
     const MpInterval distance =
         MpInterval(-1.0) * gap<MpInterval>(s) / norm(lifted<MpInterval>(s.plane.axis));
     found.distance = {distance.lower(), distance.upper()};
-    if (found.distance.hi <= std::nextafter(found.distance.lo, std::numeric_limits<double>::infinity()))
-      break;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double between = std::nextafter(found.distance.lo, infinity);
+    if (found.distance.hi > std::nextafter(between, infinity)) continue;
+    if (found.distance.hi <= between) break;
+    const Rational3 normal = exact(s.plane.axis);
+    const int sign = (exact_gap(s) + RootSum::root(mpq_class(between), dot(normal, normal))).sign();
+    if (sign >= 0) found.distance.hi = between;
+    if (sign <= 0) found.distance.lo = between;
+    break;
   }
   return found;
 }

@@ -17,7 +17,7 @@ TEST(InWords, NamesTheWitnessExactly) {
   EXPECT_EQ(in_words({CertificateKind::point, {{1, 0, -2}, {1e-20, 0, -0.5}, {"", "1/3", ""}}, {}}),
             "The point (1 + 1e-20, 1/3, -2.5) lies in both.");
   EXPECT_NE(in_words({CertificateKind::near, {{1, 2, 3}, {}, {}}, {{-0.0, 0, 1}, {}, {}}})
-                .find("the point (1, 2, 3) is that near to both, and along (0, 0, 1)"),
+                .find("The point (1, 2, 3) is at most that far from either solid. Along (0, 0, 1)"),
             std::string::npos);
   const std::string long_third = "1" + std::string(4000, '0') + "/3" + std::string(4000, '0');
   EXPECT_EQ(
