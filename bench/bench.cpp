@@ -128,6 +128,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
     const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
     if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
   }
+  if (asked.empty()) return {};
   std::vector<Pair> pairs;
   for (const std::size_t i : asked) pairs.push_back(proved[i].pair);
   const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
@@ -138,7 +139,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
   if (run.timed.size() > std::max(share, costly_timed)) run.timed.resize(std::max(share, costly_timed));
   run.row.pairs = asked.size();
   const bool gives_none = asks_distance(candidate) && run.row.undecided == asked.size();
-  if (asked.empty() || gives_none) return {};
+  if (gives_none) return {};
   return run;
 }
 

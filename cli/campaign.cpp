@@ -81,16 +81,16 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Returns whether a campaign draws such solids. Without guests it draws all. With guests it draws those
-/// that a guest supports, and those that other methods support if a guest supports cylinders.
+/// Returns whether a campaign draws such solids: those that a method supports. If there are guests, one of
+/// them has to support these, or cylinders.
 bool is_drawn(const Pair& pair, const std::vector<std::unique_ptr<Method>>& methods) {
   const auto supports = [&](const auto& m) { return m->supports_kinds(pair); };
   const auto guest = [](const auto& m) { return m->guest(); };
-  if (std::ranges::none_of(methods, guest)) return true;
-  if (std::ranges::any_of(methods, [&](const auto& m) { return guest(m) && supports(m); })) return true;
-  return std::ranges::any_of(methods,
-                             [&](const auto& m) { return guest(m) && m->supports(SolidKind::cylinder); }) &&
-         std::ranges::any_of(methods, supports);
+  const auto asks = [&](const auto& m) {
+    return guest(m) && (supports(m) || m->supports(SolidKind::cylinder));
+  };
+  return std::ranges::any_of(methods, supports) &&
+         (std::ranges::none_of(methods, guest) || std::ranges::any_of(methods, asks));
 }
 
 void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {

@@ -29,8 +29,7 @@ struct Solid {
   Shape shape = Shape::cylinder;
 };
 
-/// Two solids, of which at most one is a half-space. Every direction in an answer about them points from a to
-/// b.
+/// Two solids, at most one of them a half-space. Every direction in an answer about them points from a to b.
 struct Pair {
   Solid a, b;
 };

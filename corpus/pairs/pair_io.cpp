@@ -48,7 +48,7 @@ constexpr std::array<ShapeForm, 4> shape_forms{
      {"sphere", "cr", "center and radius"},
      {"half_space", "pn", "point and normal"}}};
 
-/// What others call a field, and how to convert it.
+/// A field that other programs have, and how to convert it.
 struct ForeignField {
   std::string_view name;
   const char* remedy;
@@ -247,7 +247,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return names[static_cast<std::size_t>(wanted())];
   }
 
-  /// Checks the fields against the shape, and makes the numbers of a solid from those of a sphere or capsule.
+  /// Checks the fields against the shape. Makes the radius of a sphere or capsule a rounding.
   bool finish_solid() {
     const auto has = [&](char letter) { return fields_seen_[letters_of_fields.find(letter)]; };
     for (std::size_t i = 0; i < letters_of_fields.size(); ++i) {

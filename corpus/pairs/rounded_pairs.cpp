@@ -139,7 +139,7 @@ Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
   return p;
 }
 
-// What the normal is square to, nearly: a side of the solid or the axes of space.
+// Angles by which a contact misses a flat one.
 constexpr std::array<double, 6> tilts{0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
 constexpr std::array<double, 6> offsets{1e2, 1e4, 1e6, 1e8, 1e10, 1e12};
 constexpr std::array<double, 7> normal_lengths{1e-300, 1e-150, 1e-20, 3, 1e20, 1e150, 1e300};

@@ -21,7 +21,7 @@ Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t 
 
 enum class HalfSpaceKind : unsigned char { tilted, thin, far, scaled_normal };
 /// Draws a half-space and a solid near touching, at margins of 1e-1 to 1e-15, then changes it.
-/// 1. tilted: the normal is along the axis or square to it, but for up to 1e-3 rad.
+/// 1. tilted: the normal is along the axis or square to it, within 1e-3 rad.
 /// 2. thin: a radius or a height is 0, or up to 1e-15 of the other.
 /// 3. far: both are up to 1e12 from the origin, and the point of the plane from the solid.
 /// 4. scaled_normal: the length of the normal is 1e-300 to 1e300.

@@ -21,8 +21,8 @@ constexpr int bits = 2000;
 
 Vec3<MpFloat> wide(const Vector3& v) { return {MpFloat(v[0]), MpFloat(v[1]), MpFloat(v[2])}; }
 
-/// The distance of the centre from the plane, less what the solid extends towards it: with the cosine c of
-/// the normal and the axis, radius sqrt(1 - c^2) + height/2 |c| + rounding.
+/// The distance of the centre from the plane, less the extent of the solid towards it. With the cosine c of
+/// normal and axis, this extent is radius sqrt(1 - c^2) + height/2 |c| + rounding.
 MpFloat distance_by_cosine(const Pair& pair) {
   const Solid &plane = is_half_space(pair.a) ? pair.a : pair.b,
               &solid = is_half_space(pair.a) ? pair.b : pair.a;

@@ -36,7 +36,7 @@ std::vector<std::string> left_out_words(const Scene& scene) {
 /// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (as a bounding solid),
 /// ..".
 std::string shapes_words(const Scene& scene) {
-  std::array<std::size_t, 4> counts{};
+  std::array<std::size_t, words_of(SolidKind{}).size()> counts{};
   std::map<std::string, std::size_t> bounded;
   for (const Body& body : scene.bodies)
     ++(body.box ? bounded[body.box->shape] : counts[static_cast<std::size_t>(kind_of(body.solid))]);
