@@ -340,8 +340,7 @@ TEST(Families, AMarginIsWhatItsNameSays) {
 }
 
 TEST(Families, AreChosenByName) {
-  EXPECT_EQ(select_families("all").size(),
-            families().size() + rounded_families().size() + margin_families().size());
+  EXPECT_EQ(select_families("all").size(), campaign_families().size() + margin_families().size());
   EXPECT_EQ(select_families("margin_1e").size(), margin_families().size());
   const auto two = select_families("margin_1e-06,random");
   ASSERT_EQ(two.size(), 2u);

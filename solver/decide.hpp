@@ -59,7 +59,7 @@ struct Answer {
   /// The certificate, by `proof`:
   /// * direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
   /// * point: let p = point_head + point_tail, exactly. The head is the centre of a or of b. If both hulls
-  ///   (cylinder.hpp) are `space`, the common point is p. Otherwise the common point is the point of both
+  ///   (solid.hpp) are `space`, the common point is p. Otherwise the common point is the point of both
   ///   hulls that is nearest to p. It lies in both cores. A core is the solid without its rounding.
   /// * points: a.center + point_head lies in the core of a, and b.center + point_tail in the core of b. Their
   ///   distance is at most a.rounding + b.rounding. If hull_a is not `space`, replace the point of a by the
