@@ -32,6 +32,8 @@ TEST(Record, OfAnotherShapeOrSizeIsNone) {
   Record record = encode_record(pair);
   EXPECT_FALSE(decode_record(std::span(record).first(128))) << "as in earlier versions";
   record[0] = 1;
+  EXPECT_EQ(decode_record(record)->a.shape, Shape::half_space);
+  record[0] = words_of(Shape{}).size();
   EXPECT_FALSE(decode_record(record));
 }
 
