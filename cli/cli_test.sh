@@ -94,7 +94,7 @@ says 'decimals that touch, in words' 0 'line 1: intersecting, proof .*\. The rou
 balls 1 2 1
 [[ $("$daylight" check <in) != *within_rounding* ]] || failed 'whole numbers are not rounded'
 # Methods that decline are one line.
-says 'a sphere replayed' 0 '.*'$'\n''  3 methods decline: "it has no sphere" \(3\)'$'\n''1 replayed.*' \
+says 'a sphere replayed' 0 '.*'$'\n''  2 methods decline: "it has no sphere" \(2\)'$'\n''1 replayed.*' \
   replay - --methods decide,nlopt-sign-600,seed2008-printed,seed2017-printed
 [[ $(grep -c 'no sphere' out) == 1 ]] || failed 'methods that decline are one line'
 cp one in

