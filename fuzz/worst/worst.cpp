@@ -56,7 +56,7 @@ int rank(Failure failure) {
 Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
   if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
   const double said = answer.distance, most = allowed_error(claim, trial.pair);
-  // The solver's points are good, and what they show is proved whoever offers them.
+  // The solver's points are good, and the bounds that they show are proved in any case.
   Enclosure real = shown_distance(trial.pair, measured_of(distance(trial.pair.a, trial.pair.b)));
   if (trial.truth.verdict == Verdict::touching)
     real = {0, 0};
