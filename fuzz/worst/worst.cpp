@@ -230,8 +230,9 @@ class WorstSearch {
 
   /// Returns whether the wanted features meet, approximately. That is fast, and proved later if it matters.
   bool likely_sought(const Pair& pair) const {
-    if (!sought_.feature) return true;
-    const MeasuredDistance d = approximate_distance(pair);
+    return !sought_.feature || has_feature(pair, approximate_distance(pair));
+  }
+  bool has_feature(const Pair& pair, const MeasuredDistance& d) const {
     return !d.direction.isZero(0) && feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
   }
   bool is_also_sought(const Pair& pair) const { return !sought_.also || sought_.also(pair); }
@@ -255,7 +256,8 @@ class WorstSearch {
     if (!wrong || (sought_.kind && (*sought_.kind == FindingKind::wrong_intersecting) != (probe.margin > 0)))
       return nothing_wrong;
     const MeasuredDistance d = approximate_distance(probe.pair);
-    if ((d.value < 0) != (probe.margin < 0) || !likely_sought(probe.pair)) return nothing_wrong;
+    if ((d.value < 0) != (probe.margin < 0)) return nothing_wrong;
+    if (sought_.feature && !has_feature(probe.pair, d)) return nothing_wrong;
     const double size = size_of(probe.pair);
     return value_of(std::abs(d.value) / size, size);
   }
