@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "corpus/pairs/support.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/proofs.hpp"
-#include "oracles/referee/root_sum.hpp"
 #include "oracles/referee/tangency.hpp"
 
 namespace cyl {
@@ -42,11 +44,8 @@ R gap(const Sided& s) {
 }
 
 RootSum exact_gap(const Sided& s) {
-  const Rational3 n = exact(s.plane.axis), w = exact(s.solid.axis), side = cross(n, w);
-  const mpq_class ww = dot(w, w), along = dot(n, w);
-  return RootSum::root(mpq_class(s.solid.radius), dot(side, side) / ww) +
-         RootSum::root(mpq_class(s.solid.height) / 2, along * along / ww) +
-         RootSum::root(mpq_class(s.solid.rounding), dot(n, n)) -
+  const Rational3 n = exact(s.plane.axis);
+  return exact_core_support(s.solid, n) + RootSum::root(mpq_class(s.solid.rounding), dot(n, n)) -
          RootSum(dot(n, exact(s.solid.center) - exact(s.plane.center)));
 }
 

@@ -6,7 +6,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/half_space.hpp"
-#include "oracles/referee/root_sum.hpp"
 
 namespace cyl {
 namespace {
@@ -119,12 +118,7 @@ std::optional<Rational3> rational(const Root3& v) {
 // f(D) as a sum of roots. The faces of rounded solids are those of their cores, moved along D.
 RootSum support_gap(const Pair& pair, const Rational3& d) {
   RootSum sum = RootSum(0) - RootSum(abs(dot(d, exact(pair.b.center) - exact(pair.a.center))));
-  for (const Solid* c : {&pair.a, &pair.b}) {
-    const Rational3 w = exact(c->axis), side = cross(d, w);
-    const mpq_class ww = dot(w, w), dw = dot(d, w);
-    sum = sum + RootSum::root(c->radius, dot(side, side) / ww) +
-          RootSum::root(mpq_class(c->height) / 2, dw * dw / ww);
-  }
+  for (const Solid* c : {&pair.a, &pair.b}) sum = sum + exact_core_support(*c, d);
   const mpq_class contact_distance = contact_distance_of(pair);
   return contact_distance == 0 ? sum : sum + RootSum::root(contact_distance, dot(d, d));
 }
@@ -140,6 +134,12 @@ std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, 
   const auto x = rational(on_a), y = rational(on_a + way);
   if (!x || !y) return std::nullopt;
   return std::pair{c0 + *x, c0 + *y};
+}
+
+RootSum exact_core_support(const Solid& c, const Rational3& d) {
+  const Rational3 w = exact(c.axis), side = cross(d, w);
+  const mpq_class ww = dot(w, w), dw = dot(d, w);
+  return RootSum::root(c.radius, dot(side, side) / ww) + RootSum::root(mpq_class(c.height) / 2, dw * dw / ww);
 }
 
 std::optional<Rational3> farthest_point(const Solid& c, const Rational3& direction) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/root_sum.hpp"
 
 namespace cyl {
 
@@ -28,6 +29,9 @@ std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, 
 
 /// The middle of the face of the core that is farthest along the direction, if it is rational.
 std::optional<Rational3> farthest_point(const Solid& c, const Rational3& direction);
+
+/// The greatest direction.x of the core, relative to its centre.
+RootSum exact_core_support(const Solid& c, const Rational3& direction);
 
 /// The sign of f(direction), direction not 0, exactly. It is 1 if a half-space faces another direction.
 int support_gap_sign(const Pair& pair, const Rational3& direction);
