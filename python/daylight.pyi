@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The types of the Python module; installed as the stub package daylight-stubs.
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, Mapping, NamedTuple
 
 from numpy import float64, int8
 from numpy.typing import ArrayLike, NDArray
@@ -20,5 +20,7 @@ class Distance(NamedTuple):
     on_a: NDArray[float64]
     on_b: NDArray[float64]
 
-def check(a: ArrayLike, b: ArrayLike) -> Verdict | NDArray[int8]: ...
-def distance(a: ArrayLike, b: ArrayLike) -> Distance: ...
+Solid = ArrayLike | Mapping[str, Any]
+
+def check(a: Solid, b: Solid) -> Verdict | NDArray[int8]: ...
+def distance(a: Solid, b: Solid) -> Distance: ...

@@ -84,6 +84,38 @@ class Module(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, '^a is not an array of float64'):
                     function(wrong, ROD)
 
+    def test_solids_by_name(self):
+        rod = {'center': [0, 0, 0], 'axis': [0, 0, 1], 'radius': 1, 'height': 4.0}
+        pill = {'shape': 'capsule', 'center': np.array([3, 0, 0]), 'quaternion': [1, 0, 0, 0], 'radius': 2, 'height': np.int64(1)}
+        floor = {'shape': 'half_space', 'point': [0, 0, -2], 'normal': [0, 0, np.float64(7)]}
+        self.assertIs(daylight.check(rod, pill), Verdict.touching)
+        self.assertIs(daylight.check(floor, ROD), Verdict.touching)
+        self.assertIs(daylight.check(beside(np.nan), floor), Verdict.invalid)
+        stack = np.stack([beside(3)] * 3)
+        stack[:, 2] = [-1, -1.5, -2]
+        self.assertEqual(daylight.check(stack, floor).tolist(), [0, 2, 1])
+        found = daylight.distance(floor, stack)
+        np.testing.assert_allclose(found.value, [0.5, 0, -0.5], atol=1e-12)
+        self.assertLess(found.error.max(), 1e-12)
+        np.testing.assert_allclose(found.direction, [[0, 0, 1]] * 3, atol=1e-15)
+        np.testing.assert_allclose((stack[:, :3] + found.on_b)[:, 2], [-1.5, -2, -2.5], atol=1e-12)
+        np.testing.assert_allclose(found.on_a[:, 2], 0, atol=1e-12)
+        self.assertEqual(daylight.distance(rod, pill).value, daylight.distance(ROD, [3, 0, 0, 0, 0, 1, 0, 1, 2.0]).value)
+
+    def test_errors_of_solids_by_name(self):
+        ball = {'shape': 'sphere', 'center': [0, 0, 0], 'radius': 1}
+        floor = {'shape': 'half_space', 'point': [0, 0, 0], 'normal': [0, 0, 1]}
+        for function in (daylight.check, daylight.distance):
+            for a, b, error in ((ball, {**ball, 'radius': -1}, r'^b.radius is negative \(-1\)$'),
+                                ({**ball, 'shape': 'cone'}, ROD, '^a.shape is "cone", expected cylinder, capsule, sphere or'),
+                                (ROD, {**ball, 'center': [0, np.nan, 0]}, r'^b.center\[1\] is NaN, expected a number$'),
+                                ({**floor, 'radius': 1}, ROD, '^a.radius is given, but a half_space has point and normal$'),
+                                (floor, floor, '^a and b are both half-spaces$'),
+                                ({**ball, 'radius': object()}, ROD, '^a has a value that is neither'),
+                                (ball, [1, 2], r'^b has shape \(2,\), not')):
+                with self.assertRaisesRegex(ValueError, error):
+                    function(a, b)
+
     def test_threads(self):
         a = np.tile(ROD, (20000, 1))
         results = [None] * 4
