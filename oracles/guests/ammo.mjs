@@ -9,6 +9,7 @@ const Bullet = typeof Ammo === 'function' ? await Ammo() : Ammo;
 const configuration = new Bullet.btDefaultCollisionConfiguration(), dispatcher = new Bullet.btCollisionDispatcher(configuration);
 const world = new Bullet.btDiscreteDynamicsWorld(
   dispatcher, new Bullet.btDbvtBroadphase(), new Bullet.btSequentialImpulseConstraintSolver(), configuration);
+const up = new Bullet.btVector3(0, 1, 0);
 let least;
 const heard = new Bullet.ConcreteContactResultCallback();
 heard.addSingleResult = (point) => {
@@ -25,6 +26,7 @@ const shapes = {
   sphere: (s) => new Bullet.btSphereShape(s.rounding),
   capsule: (s) => new Bullet.btCapsuleShape(s.rounding, 2 * s.halfHeight),
   cylinder,
+  half_space: () => new Bullet.btStaticPlaneShape(up, 0),
 };
 
 function placed(s) {
@@ -38,7 +40,7 @@ function placed(s) {
 
 const rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims }, (a, b) => {
+serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space'], rounded_rims: rims }, (a, b) => {
   const one = placed(a), other = placed(b);
   least = Infinity;
   world.contactPairTest(one.object, other.object, heard);

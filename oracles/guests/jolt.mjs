@@ -7,7 +7,7 @@ import { serve } from './lines.mjs';
 const Jolt = await initJolt();
 const engine = new Jolt.JoltInterface(engineSettings()); // registers the shapes
 const { version } = JSON.parse(readFileSync(new URL('node_modules/jolt-physics/package.json', import.meta.url)));
-const scale = new Jolt.Vec3(1, 1, 1), origin = new Jolt.RVec3(0, 0, 0);
+const plane = new Jolt.Plane(new Jolt.Vec3(0, 1, 0), 0), scale = new Jolt.Vec3(1, 1, 1), origin = new Jolt.RVec3(0, 0, 0);
 const settings = new Jolt.CollideShapeSettings(), filter = new Jolt.ShapeFilter();
 
 function engineSettings() {
@@ -29,6 +29,7 @@ const shapes = {
   sphere: (s) => new Jolt.SphereShape(s.rounding),
   capsule: (s) => new Jolt.CapsuleShape(s.halfHeight, s.rounding),
   cylinder: (s) => new Jolt.CylinderShape(s.halfHeight, s.radius, rims_of(s)),
+  half_space: () => new Jolt.PlaneShape(plane),
 };
 
 function placed(s) {
@@ -44,7 +45,7 @@ function placed(s) {
 
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
 const name = rounds ? 'jolt-default' : 'jolt';
-serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims }, (a, b) => {
+serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space'], rounded_rims }, (a, b) => {
   const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
   one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
   const meet = hit.HadHit();

@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: MIT
 // The guests in Node share this: a hello, then an answer line for each line of a pair. Most engines use single
-// precision and keep a cylinder along y. So positions count from the centre of a before they are rounded.
+// precision and keep a cylinder along y. So positions count from the centre of a bounded solid before they are rounded.
 import { createInterface } from 'node:readline';
 
-/** The unit quaternion that turns y to the line of `axis`, by the half-way vector. */
+/** The vector in a length that has squares, upside down if y is negative. */
+const upright = (axis) => axis.map((c) => c / (Math.max(...axis.map(Math.abs)) * (axis[1] < 0 ? -1 : 1)));
+
+/** The unit quaternion that turns y to the line of `axis`, by the half-way vector. A cylinder looks the same upside down. */
 function turnFromY(axis) {
-  const unit = Math.max(...axis.map(Math.abs)) * (axis[1] < 0 ? -1 : 1); // a cylinder looks the same upside down
-  const [x, y, z] = axis.map((c) => c / unit);
+  const [x, y, z] = upright(axis);
   const length = Math.hypot(x, y, z), n = Math.hypot(x, y + length, z);
   return { x: z / n, y: 0, z: -x / n, w: (y + length) / n };
 }
 
+/** Its plane is y = 0 before the turn, and contains the point of it that is nearest to the origin. */
+function halfSpaceOf({ point, normal }, origin) {
+  const line = upright(normal), length = Math.hypot(...line), { x, z, w } = turnFromY(normal);
+  const offset = line.reduce((sum, c, i) => sum + (c / length) * (point[i] - origin[i]), 0);
+  const [px, py, pz] = line.map((c) => (c / length) * offset);
+  const turn = normal[1] < 0 ? { x: w, y: z, z: 0, w: -x } : { x, y: 0, z, w }; // half a turn about x first
+  return { kind: 'half_space', halfHeight: 0, radius: 0, rounding: 0, position: { x: px, y: py, z: pz }, turn };
+}
+
 function solidOf(cylinder, origin) {
+  if (cylinder.shape === 'half_space') return halfSpaceOf(cylinder, origin);
   const [x, y, z] = cylinder.center.map((c, i) => c - origin[i]);
   const { height, radius, rounding = 0 } = cylinder;
   const kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
@@ -27,7 +39,7 @@ function fits({ halfHeight, radius, rounding, position }) {
 }
 
 /** All kinds of solids that daylight asks about. */
-export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded'];
+export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded', 'half_space'];
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
@@ -42,7 +54,7 @@ export function serve(hello, answer) {
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
     try {
-      const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center));
+      const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center ?? b.center));
       say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
     } catch (error) {
       say({ error: String(error) });

@@ -26,6 +26,7 @@ const shapes = {
   capsule: (s) => new PhysX.PxCapsuleGeometry(s.rounding, s.halfHeight),
   cylinder,
   rounded: cylinder,
+  half_space: () => new PhysX.PxPlaneGeometry(),
 };
 
 const quarter = Math.SQRT1_2; // from its x to y

@@ -9,6 +9,7 @@ const shapes = {
   sphere: (s) => new RAPIER.Ball(s.rounding),
   capsule: (s) => new RAPIER.Capsule(s.halfHeight, s.rounding),
   cylinder: (s) => new RAPIER.Cylinder(s.halfHeight, s.radius),
+  half_space: () => new RAPIER.HalfSpace({ x: 0, y: 1, z: 0 }),
   rounded: (s) => new RAPIER.RoundCylinder(s.halfHeight, s.radius, s.rounding),
 };
 serve({ name: 'rapier', version: RAPIER.version(), claim, takes: all_kinds }, (a, b) => {
