@@ -169,6 +169,34 @@ holds 'interface 2' out 'crash'
 expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100
 holds 'shapes that are none' err 'its shapes are not a sum of DaylightShapes'
 
+# Structs: the plug-in of the guide is right, and all three ways to ask it say the same. A wrong plane is found.
+awk '/^```cpp file=planes.cpp/ { open = 1; next } /^```/ { open = 0 } open' "$source_tree/docs/guides/library.md" >planes.cpp
+sed 's|^const DaylightMethod planes|void ask_many(std::size_t n, const DaylightSolid* p, int* verdicts, double* more) {\
+  for (std::size_t i = 0; i < n; ++i) verdicts[i] = ask(p + 2 * i, p + 2 * i + 1, more + 7 * i);\
+}\
+void ask_all(std::size_t n, const DaylightSolid* p, signed char* verdicts) {\
+  double more[7];\
+  for (std::size_t i = 0; i < n; ++i) verdicts[i] = static_cast<signed char>(ask(p + 2 * i, p + 2 * i + 1, more));\
+}\
+&|; s|  method.ask_solids = .*|&\
+  method.ask_many_solids = ask_many;\
+  method.ask_all_solids = ask_all;|' planes.cpp >planes_many.cpp
+sed 's/r\[8\];/r[7];/' planes_many.cpp >planes_wrong.cpp
+sed 's/ask_solids = .*/ask = [](const double*, const double*, double*) { return -1; };/' planes.cpp >planes_flat.cpp
+for version in planes planes_many planes_wrong planes_flat; do
+  c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $version.cpp -o lib$version.so
+done
+for version in planes:0 planes_many:0 planes_wrong:2 planes_flat:64; do
+  expect "${version#*:}" "$version" "$daylight" gate --plugin "./lib${version%:*}.so" --pairs 1000 --cases ''
+done
+holds 'half-spaces in doubles' err 'it lists half-spaces or boxes; set ask_solids'
+for version in planes planes_many; do
+  expect 0 "campaign of $version" "$daylight" campaign --plugin ./lib$version.so --methods planes --pairs 300 --seed 1 --cases '' --table --out runs/$version
+  holds "campaign of $version" out '^planes +300 '
+done
+expect 0 'bench of half-spaces' "$daylight" bench --plugin ./libplanes_many.so --methods planes --families half_space_sphere --pairs 20 --min-time 0.001 --passes 1
+holds 'bench of half-spaces' out '^planes +.*batch'
+
 # A program that crashes on every pair is not started for each of 3,000 pairs.
 printf '%s\n' 'echo start >>starts' 'read -r _' "echo '{\"verdict\":\"disjoint\"}'" 'read -r _' 'exit 1' >dies.sh
 expect 2 'a program that crashes' "$daylight" gate --command 'sh dies.sh' --pairs 3000 --cases '' --json dies.json

@@ -5,7 +5,8 @@
  *
  * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. It is solid,
  * closed and finite. If takes_rounding is 1, it is nine doubles. The last is the radius of a ball by which
- * the solid is grown: with radius 0 and height 0 it is a sphere, with radius 0 a capsule.
+ * the solid is grown: with radius 0 and height 0 it is a sphere, with radius 0 a capsule. A plug-in that sets
+ * ask_solids gets structs instead, which may also be boxes and half-spaces.
  *
  * The plug-in runs in a process of its own, which is reused between calls. It may crash, hang, throw, sleep,
  * print, read files and start threads. It may not start processes, signal others, or leave the rounding mode
@@ -33,7 +34,19 @@ enum DaylightShapes {
   DAYLIGHT_SPHERE = 1,
   DAYLIGHT_CAPSULE = 2,
   DAYLIGHT_CYLINDER = 4,
-  DAYLIGHT_ROUNDED_CYLINDER = 8
+  DAYLIGHT_ROUNDED_CYLINDER = 8,
+  DAYLIGHT_HALF_SPACE = 16, /* this and the next only with ask_solids */
+  DAYLIGHT_BOX = 32
+};
+
+/* A closed solid. The fields that its shape does not have are 0. A pair has at most one half-space. */
+struct DaylightSolid {
+  int shape;            /* one of DaylightShapes; the first four have the fields of a cylinder */
+  double center[3];     /* a half-space has a point of its plane here */
+  double axis[3];       /* of any length but 0; a half-space has its outward normal here */
+  double quaternion[4]; /* w x y z of a box, of any length but 0. It turns x, y and z to the edges */
+  double lengths[3];    /* radius and full height, or the three full edges of a box; each may be 0 */
+  double rounding;      /* the radius of a ball by which the solid is grown */
 };
 
 /* AT_MOST: a depth that you return is an upper bound, such as the least on a few axes. It is a fault only if
@@ -45,8 +58,10 @@ struct DaylightMethod {
   const char* name;    /* letters, digits, - _ . */
   const char* version; /* may be 0 */
 
-  /* The claim: right if |distance| >= relative * (sum of all radii, heights and roundings) + absolute. A
-   * wrong answer beyond the claim is a fault. A wrong answer within it is only counted. */
+  /* The claim: right if |distance| >= relative * size + absolute. A wrong answer beyond the claim is a fault.
+   * A wrong answer within it is only counted. The size of a pair is the sum of the lengths and roundings of
+   * both solids. These are the radii, not the diameters, and full heights and edges. A half-space adds
+   * nothing. */
   double claim_relative, claim_absolute;
   const char* claim_source; /* the place that states it; may be 0 */
 
@@ -76,9 +91,9 @@ struct DaylightMethod {
 
   /* Added in interface 3: what your library supports. 0 means no limit. Other pairs are not passed to it. */
 
-  /* The sum of its DaylightShapes. 0: cylinders, and all others if takes_rounding is 1. */
+  /* The sum of its DaylightShapes. 0: cylinders, and also those with a rounding if takes_rounding is 1. */
   int shapes;
-  /* The least and the greatest radius, height or rounding, in the unit of your scenes. */
+  /* The least and the greatest radius, height, edge or rounding, in the unit of your scenes. */
   double least_length, greatest_length;
   /* The greatest of these lengths of one solid divided by the least. */
   double greatest_aspect;
@@ -87,13 +102,18 @@ struct DaylightMethod {
 
   /* Added in interface 4. The first two limit the pairs that are passed to it. 0 means no limit. */
 
-  /* The greatest coordinate of a centre, in absolute value. */
+  /* The greatest coordinate of a centre or point of a plane, in absolute value. */
   double greatest_coordinate;
   /* The greatest gap between the balls around the solids, each at its centre. The solids are at least as far
-   * apart as these balls. */
+   * apart as these balls. A half-space has no ball, and no such limit. */
   double greatest_gap;
   /* One of DaylightDepth. */
   int depth;
+  /* If you set ask_solids, daylight calls these three instead of ask, ask_all and ask_many, which may be 0.
+   * They differ only in the form of a solid. `pairs` holds two solids for each pair. */
+  int (*ask_solids)(const struct DaylightSolid* a, const struct DaylightSolid* b, double more[7]);
+  void (*ask_all_solids)(size_t count, const struct DaylightSolid* pairs, signed char* verdicts);
+  void (*ask_many_solids)(size_t count, const struct DaylightSolid* pairs, int* verdicts, double* more);
 };
 
 #if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
@@ -113,6 +133,26 @@ static inline void daylight_rotation(const double axis[3], int along, double rot
       {1 + s * n[0] * n[0] * t, s * u, -s * n[0]}, {u, s + n[1] * n[1] * t, -n[1]}, {n[0], n[1], n[2]}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) rotation[3 * i + (along + 1 + j) % 3] = columns[j][i];
+}
+
+/* Fills `rotation` with the rotation of a solid, row by row, within 2e-15. The columns are the directions of
+ * the edges of a box. The third column of all other solids is the unit axis or normal, as in
+ * daylight_rotation(). */
+static inline void daylight_solid_rotation(const struct DaylightSolid* solid, double rotation[9]) {
+  if (solid->shape != DAYLIGHT_BOX) {
+    daylight_rotation(solid->axis, 2, rotation);
+    return;
+  }
+  const double* given = solid->quaternion;
+  const double most = fmax(fmax(fabs(given[0]), fabs(given[1])), fmax(fabs(given[2]), fabs(given[3])));
+  const double w = given[0] / most, v[3] = {given[1] / most, given[2] / most, given[3] / most};
+  const double scale = 2 / (w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    rotation[4 * i] = 1 - scale * (v[j] * v[j] + v[k] * v[k]);
+    rotation[3 * i + j] = scale * (v[i] * v[j] - w * v[k]);
+    rotation[3 * j + i] = scale * (v[i] * v[j] + w * v[k]);
+  }
 }
 #endif
 

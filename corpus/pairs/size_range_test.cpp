@@ -12,6 +12,15 @@ Solid solid(double radius, double height, double rounding = 0) {
   return {Vector3(1, 0, 0), Vector3(0, 0, 1), radius, height, rounding};
 }
 
+TEST(SizeOfAPair, SumsRadiiFullHeightsAndRoundingsOfBoundedSolids) {
+  EXPECT_EQ(size_of({solid(1, 2, 4), solid(8, 16, 32)}), 63);
+  Solid plane = solid(0, 0);
+  plane.shape = Shape::half_space;
+  EXPECT_EQ(size_of({plane, solid(1, 2, 4)}), 7);
+  plane.center *= 1e9;
+  EXPECT_EQ(size_of({solid(1, 2, 4), plane}), 7);
+}
+
 TEST(SizeRange, LimitsTheLengthsOfASolid) {
   const SizeRange range{.least = 0.1, .greatest = 10, .aspect = 20};
   EXPECT_TRUE(range.holds(solid(0.5, 10)));

@@ -114,6 +114,8 @@ GuestHello hello_of(const json& line) {
             "takes has what is none of sphere, capsule, cylinder, rounded, half_space");
       hello.supports[static_cast<std::size_t>(*kind)] = true;
     }
+    if (*supports == json::array({"half_space"}))
+      throw std::invalid_argument("takes has half_space alone, and no pair has two");
   }
   if (const auto sizes = line.find("sizes"); sizes != line.end()) hello.sizes = sizes_of(*sizes);
   if (const auto rims = line.find("rounded_rims"); rims != line.end())
@@ -147,7 +149,7 @@ GuestLine read(std::string_view text) {
     out.answer->declined = line.contains("declined");
     out.answer->reason = text_of(line, out.answer->declined ? "declined" : "error");
   } else if (line.contains("name") || line.contains("version") || line.contains("claim") ||
-             line.contains("takes")) {
+             line.contains("takes") || line.contains("sizes")) {
     out.hello = hello_of(line);
   } else {
     throw std::invalid_argument("neither a verdict nor declined, error or a hello");

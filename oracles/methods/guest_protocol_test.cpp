@@ -84,7 +84,11 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"least":1}})").hello->sizes, (SizeRange{.least = 1}));
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"coordinate":9,"gap":2}})").hello->sizes,
             (SizeRange{.coordinate = 9, .gap = 2}));
+  EXPECT_EQ(parse_guest_line(R"({"sizes":{"aspect":9}})").hello->sizes, (SizeRange{.aspect = 9}));
   EXPECT_TRUE(parse_guest_line(R"({"name":"x","takes":[]})").error.starts_with("takes is empty"));
+  EXPECT_TRUE(
+      parse_guest_line(R"({"takes":["half_space"]})").error.starts_with("takes has half_space alone"));
+  EXPECT_TRUE(parse_guest_line(R"({"takes":["half_space","sphere"]})").hello);
   for (const char* wrong :
        {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
         R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",

@@ -254,6 +254,30 @@ TEST(GuestRotation, TakesACoordinateAxisToAnyAxis) {
       }
 }
 
+TEST(GuestRotation, OfASolidIsThatOfItsQuaternionOrAxis) {
+  using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  for (const Eigen::Vector4d& q :
+       {Eigen::Vector4d(1, 0, 0, 0), {-3, 4, 1, 2}, {0, 1e-9, 0, 1}, {0, -1, 5, 0}})
+    for (const double length : {1.0, 1e-300, 1e307}) {
+      DaylightSolid box{
+          .shape = DAYLIGHT_BOX, .center = {}, .axis = {}, .quaternion = {}, .lengths = {}, .rounding = 0};
+      for (int i = 0; i < 4; ++i) box.quaternion[i] = q[i] * length;
+      Rotation rotation;
+      daylight_solid_rotation(&box, rotation.data());
+      const Eigen::Quaterniond unit = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+      EXPECT_LE((rotation - unit.toRotationMatrix()).norm(), 2e-15) << q.transpose() << " times " << length;
+    }
+  const DaylightSolid plane{.shape = DAYLIGHT_HALF_SPACE,
+                            .center = {},
+                            .axis = {0, -3e200, 4e200},
+                            .quaternion = {},
+                            .lengths = {},
+                            .rounding = 0};
+  Rotation rotation;
+  daylight_solid_rotation(&plane, rotation.data());
+  EXPECT_LE((rotation.col(2) - Vector3(0, -0.6, 0.8)).norm(), 4e-16);
+}
+
 TEST(GuestCommand, ItsHelloLimitsPositionsAndDepths) {
   const auto method = command(say(R"({"name":"x","sizes":{"coordinate":4.5,"gap":1.5},"depth":"at_most"})") +
                               "; " + each_line(say(R"({"verdict":"intersecting","distance":-9})")));

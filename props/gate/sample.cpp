@@ -25,6 +25,9 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
+/// Returns whether a solid of the pair is rounded or a half-space.
+bool is_beyond_cylinders(const Pair& pair) { return is_rounded(pair) || has_half_space(pair); }
+
 /// Counts a drawn pair. Its cell is claimed as long as all pairs drawn so far are.
 void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 || cell.claimed) && claimed; }
 
@@ -90,7 +93,7 @@ static Solid as_capsule(Solid c) {
 
 SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round) {
   SampleRound drawn;
-  for (const Family& family : rounded_families()) {
+  for (const Family& family : campaign_families().subspan(families().size())) {  // half-spaces too
     for (std::uint64_t i = 0; i < pairs_per_kinds; ++i) {
       const std::uint64_t index = round * pairs_per_kinds + i;
       drawn.pairs.push_back(family.generate(seed, index));
@@ -112,7 +115,7 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
     if (method->sizes()) solids.sizes = common_range(solids.sizes, *method->sizes());
   }
   const auto some_guest_supports = [&](const Pair& pair) {
-    return is_rounded(pair) && std::ranges::any_of(methods, [&](const auto& method) {
+    return is_beyond_cylinders(pair) && std::ranges::any_of(methods, [&](const auto& method) {
              return method->guest() && method->supports_kinds(pair);
            });
   };
@@ -163,7 +166,7 @@ void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswer
   for (std::size_t p = 0; p < round.pairs.size(); ++p) {
     const double size = size_of(round.pairs[p]);
     if (round.strata.empty()) {
-      if (!is_rounded(round.pairs[p])) continue;
+      if (!is_beyond_cylinders(round.pairs[p])) continue;
       method.rounded.pairs += is_trial(said, p, method.rounded.undecided);
       method.rounded.wrong += said.wrong_beyond[p];
     } else if (round.contacts.empty()) {

@@ -9,33 +9,36 @@
 #include <vector>
 
 #include "oracles/methods/fake_method_test.hpp"
+#include "oracles/referee/decide_exactly.hpp"
 #include "props/gate/gate.hpp"
 #include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
 
-/// A guest with spheres and capsules of ordinary size.
-class OfBalls : public FakeMethod {
+/// A guest with two kinds of solids of ordinary size.
+class OfTwoKinds : public FakeMethod {
  public:
-  explicit OfBalls(Ask ask)
+  OfTwoKinds(SolidKind one, SolidKind other, Ask ask)
       : FakeMethod("balls", std::move(ask),
-                   {.claim = Claim{1e-12, 0, "planted"}, .foreign = false, .guest = true}) {}
+                   {.claim = Claim{1e-12, 0, "planted"}, .foreign = false, .guest = true}),
+        one_(one),
+        other_(other) {}
   using FakeMethod::supports;
-  bool supports(SolidKind kind) const override {
-    return kind == SolidKind::sphere || kind == SolidKind::capsule;
-  }
+  bool supports(SolidKind kind) const override { return kind == one_ || kind == other_; }
   const SizeRange* sizes() const override { return &sizes_; }
 
  private:
+  SolidKind one_, other_;
   SizeRange sizes_{.least = 0.01, .greatest = 100};
 };
 
-GateReport gate_on_balls(FakeMethod::Ask ask, std::uint64_t pairs) {
+GateReport gate_on_balls(FakeMethod::Ask ask, std::uint64_t pairs, SolidKind one = SolidKind::sphere,
+                         SolidKind other = SolidKind::capsule) {
   std::vector<Case> cases = read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases");
   cases.resize(40);
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<OfBalls>(std::move(ask)));
+  methods.push_back(std::make_unique<OfTwoKinds>(one, other, std::move(ask)));
   return run_gate(methods, cases, {.pairs = pairs, .as_found = true});
 }
 
@@ -90,6 +93,14 @@ TEST(Gate, AsksAGuestOfSpheresAndCapsulesAboutThese) {
   const GateReport wrong = gate_on_balls([](const Pair&) { return answered(Verdict::disjoint); }, 500);
   EXPECT_EQ(exit_code(wrong), 2);
   EXPECT_GT(wrong.methods.at(0).rounded.wrong, 0u);
+}
+
+TEST(Gate, AsksAGuestOfCylindersAndHalfSpacesAboutBoth) {
+  const GateReport report =
+      gate_on_balls([](const Pair& pair) { return answered(decide_exactly(pair.a, pair.b).verdict); }, 4000,
+                    SolidKind::cylinder, SolidKind::half_space);
+  EXPECT_EQ(exit_code(report), 0);
+  EXPECT_GE(report.methods.at(0).rounded.pairs, 1000u);
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ std::string rounded_in_words(const GateMethod& method) {
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
   std::string text = wrapped(
       "",
-      fmt::format("The verdict of {} is {} with a sphere, capsule or rounded cylinder.", name,
+      fmt::format("The verdict of {} is {} with a sphere, capsule, rounded cylinder or half-space.", name,
                   success(count.pairs, count.wrong, none_beyond) + (count.pairs == 1 ? " pair" : " pairs")));
   if (count.undecided > 0)
     text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(count.undecided)));

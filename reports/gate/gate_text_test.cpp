@@ -200,8 +200,8 @@ TEST(GateText, RoundedSolidsHaveALine) {
   m.rounded = {300, 0, 5};
   EXPECT_EQ(
       proved_in_words(m),
-      "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule or\n"
-      "  rounded cylinder.\n"
+      "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule,\n"
+      "  rounded cylinder or half-space.\n"
       "  It is undecided on 5 more.\n");
   m.rounded.wrong = 2;
   EXPECT_TRUE(
