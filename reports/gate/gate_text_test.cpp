@@ -198,11 +198,10 @@ TEST(GateText, RoundedSolidsHaveALine) {
   m.cells.clear();
   m.close_cells.clear();
   m.rounded = {300, 0, 5};
-  EXPECT_EQ(
-      proved_in_words(m),
-      "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule,\n"
-      "  rounded cylinder or half-space.\n"
-      "  It is undecided on 5 more.\n");
+  EXPECT_EQ(proved_in_words(m),
+            "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule,\n"
+            "  rounded cylinder or half-space.\n"
+            "  It is undecided on 5 more.\n");
   m.rounded.wrong = 2;
   EXPECT_TRUE(
       has(proved_in_words(m), "The verdict of intersect is wrong beyond its claim on 2 of 300 pairs with a "))
