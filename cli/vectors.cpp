@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -152,7 +153,8 @@ std::string solid(const Solid& c, const std::string& more = "") {
 
 std::string numbers_in_c(const Solid& c) {
   std::string text;
-  for (const double x : numbers_of(c))
+  const auto numbers = numbers_of(c);
+  for (const double x : std::span(numbers).first(cylinder_number_count))
     text += fmt::format("{}{}", text.empty() ? "{" : ",", format_double(x));
   return text + '}';
 }

@@ -29,9 +29,22 @@ Defect find_defect(const Solid& c) noexcept {
   if (c.height < 0) return Defect::height_negative;
   if (!std::isfinite(c.rounding)) return Defect::rounding_not_finite;
   if (c.rounding < 0) return Defect::rounding_negative;
-  if (c.rounding > 0 && !std::isfinite(c.radius + c.height + c.rounding)) return Defect::rounding_overflows;
-  if (c.shape == Shape::half_space && c.radius + c.height + c.rounding > 0)
-    return Defect::half_space_has_lengths;
+  for (const double edge : c.edges) {
+    if (!std::isfinite(edge)) return Defect::edge_not_finite;
+    if (edge < 0) return Defect::edge_negative;
+  }
+  const double of_edges = c.edges[0] + c.edges[1] + c.edges[2], of_axis = c.radius + c.height;
+  if (c.rounding > 0 && !std::isfinite(of_axis + c.rounding + of_edges)) return Defect::rounding_overflows;
+  const double foreign = c.shape == Shape::cylinder ? of_edges
+                         : c.shape == Shape::box    ? of_axis
+                                                    : of_axis + c.rounding + of_edges;
+  if (foreign > 0) return Defect::foreign_length;
+  if (c.shape == Shape::box) {
+    const auto& [w, x, y, z] = c.quaternion;
+    if (!std::isfinite(w) || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      return Defect::quaternion_not_finite;
+    if (w == 0 && x == 0 && y == 0 && z == 0) return Defect::quaternion_zero;
+  }
   return Defect::none;
 }
 

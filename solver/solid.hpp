@@ -10,23 +10,28 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-enum class Shape : unsigned char { cylinder, half_space };
+enum class Shape : unsigned char { cylinder, half_space, box };
 /// The words used in files and on screens.
-constexpr auto words_of(Shape) noexcept { return std::array{"cylinder", "half_space"}; }
+constexpr auto words_of(Shape) noexcept { return std::array{"cylinder", "half_space", "box"}; }
 
 /// A closed solid. The direction of the axis is axis/|axis| taken exactly, so the axis may have any finite
-/// non-zero length.
+/// non-zero length. A length that a shape does not have is 0.
 /// 1. A finite cylinder, grown by a ball: all points within `rounding` of the cylinder. With radius 0 it is a
 ///    segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
 ///    segment is a capsule, a point a sphere.
-/// 2. A half-space: all points x with axis.(x - center) <= 0. Its lengths are 0.
+/// 2. A half-space: all points x with axis.(x - center) <= 0. It has no lengths.
+/// 3. A box, grown by a ball of radius `rounding`. Its edges have the directions R e of the three coordinate
+///    vectors e, where R is the rotation of quaternion/|quaternion| taken exactly. R has rational elements.
+///    Each edge may be 0.
 struct Solid {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, or a point of the plane, in the scene's unit
-  Vector3 axis{0, 0, 1};    ///< any finite non-zero vector; of a half-space the outward normal
-  double radius = 0;        ///< >= 0, same unit
-  double height = 0;        ///< full height, >= 0, same unit
-  double rounding = 0;      ///< of all edges and faces, outward, >= 0, same unit
+  Vector3 axis{0, 0, 1};  ///< any finite non-zero vector; of a half-space the outward normal; a box has none
+  double radius = 0;      ///< >= 0, same unit
+  double height = 0;      ///< full height, >= 0, same unit
+  double rounding = 0;    ///< of all edges and faces, outward, >= 0, same unit
   Shape shape = Shape::cylinder;
+  std::array<double, 3> edges{0, 0, 0};          ///< of a box: full lengths, >= 0, same unit
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< of a box: w x y z, any finite non-zero length
 };
 
 /// Two solids, at most one of them a half-space. Every direction in an answer about them points from a to b.
@@ -55,7 +60,7 @@ enum class Hull : unsigned char {
   plane,  ///< of a disk: through the centre, square to the axis
   line,   ///< of a segment: the axis
   center  ///< of a point: the point
-};
+};        // (a box with edges that are 0 has such a hull too, but no answer names it)
 /// The words used in files and on screens.
 constexpr auto words_of(Hull) noexcept { return std::array{"space", "plane", "line", "center"}; }
 
@@ -72,7 +77,11 @@ enum class Defect : unsigned char {
   rounding_not_finite,
   rounding_negative,
   rounding_overflows,
-  half_space_has_lengths,
+  foreign_length,
+  edge_not_finite,
+  edge_negative,
+  quaternion_not_finite,
+  quaternion_zero,
   not_a_cylinder
 };
 /// Phrases for people.
@@ -87,12 +96,16 @@ constexpr auto words_of(Defect) noexcept {
                     "height is negative",
                     "rounding is not finite",
                     "rounding is negative",
-                    "rounding overflows with radius and height",
-                    "radius, height or rounding of a half-space is not 0",
+                    "rounding overflows with the other lengths",
+                    "a length that the shape does not have is not 0",
+                    "edges are not finite",
+                    "edges are negative",
+                    "quaternion is not finite",
+                    "quaternion is zero",
                     "shape is not a cylinder"};
 }
 
-/// Cost: ten comparisons. Never throws. `not_a_cylinder` is found by prepare() alone.
+/// Cost: some twenty comparisons. Never throws. `not_a_cylinder` is found by prepare() alone.
 Defect find_defect(const Solid& c) noexcept;
 
 const char* to_string(Verdict v) noexcept;

@@ -50,8 +50,9 @@ Certificate MethodAnswer::certificate() const {
 }
 
 MethodAnswer declined_shape(SolidKind kind) noexcept {
-  static constexpr std::array reasons{"it has no sphere", "it has no capsule", "it has no cylinder",
-                                      "it has no rounded cylinder", "it has no half-space"};
+  static constexpr std::array reasons{
+      "it has no sphere",     "it has no capsule", "it has no cylinder",   "it has no rounded cylinder",
+      "it has no half-space", "it has no box",     "it has no rounded box"};
   static_assert(reasons.size() == words_of(SolidKind{}).size());
   MethodAnswer answer;
   answer.set_reason(reasons[static_cast<std::size_t>(kind)]);

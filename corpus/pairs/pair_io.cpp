@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "base/enum_words.hpp"
@@ -20,20 +21,21 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// The place of a field's numbers among the numbers of a solid, with those of a quaternion after them.
+/// The place of a field's numbers among the numbers of a solid.
 struct Field {
   std::string_view name;
   std::size_t first, count;  // 0 for a word
 };
-constexpr std::array<Field, 9> solid_fields{{{"center", 0, 3},
-                                             {"axis", 3, 3},
-                                             {"radius", 6, 1},
-                                             {"height", 7, 1},
-                                             {"rounding", 8, 1},
-                                             {"point", 0, 3},
-                                             {"normal", 3, 3},
-                                             {"quaternion", 9, 4},
-                                             {"shape", 0, 0}}};
+constexpr std::array<Field, 10> solid_fields{{{"center", 0, 3},
+                                              {"axis", 3, 3},
+                                              {"radius", 6, 1},
+                                              {"height", 7, 1},
+                                              {"rounding", 8, 1},
+                                              {"point", 0, 3},
+                                              {"normal", 3, 3},
+                                              {"edges", 9, 3},
+                                              {"quaternion", 12, 4},
+                                              {"shape", 0, 0}}};
 
 /// A shape's name for people. A quaternion may replace an axis.
 struct ShapeForm {
@@ -41,20 +43,23 @@ struct ShapeForm {
   std::string_view fields;  // one letter each, as in letters_of; capital letters may be left out
   const char* expected;
 };
-constexpr std::string_view letters_of_fields = "carhgpnqs";
-constexpr std::array<ShapeForm, 4> shape_forms{
+constexpr std::string_view letters_of_fields = "carhgpneqs";
+constexpr std::array<ShapeForm, 5> shape_forms{
     {{"cylinder", "carhG", "center, axis or quaternion, radius, height, and perhaps rounding"},
      {"capsule", "carh", "center, axis or quaternion, radius, and height between the centers of its ends"},
      {"sphere", "cr", "center and radius"},
-     {"half_space", "pn", "point and normal"}}};
+     {"half_space", "pn", "point and normal"},
+     {"box", "ceQG", "center, edges, and perhaps quaternion and rounding"}}};
 
 /// A field that other programs have, and how to convert it.
 struct ForeignField {
   std::string_view name;
   const char* remedy;
 };
-constexpr std::array<ForeignField, 6> foreign_fields{
-    {{"half_height", "give height, which is twice as much"},
+constexpr std::array<ForeignField, 8> foreign_fields{
+    {{"size", "give edges, the three full lengths"},
+     {"half_extents", "give edges, which are twice as much"},
+     {"half_height", "give height, which is twice as much"},
      {"halfHeight", "give height, which is twice as much"},
      {"length", "give height"},
      {"rpy", "give axis: (cos r sin p cos y + sin r sin y, cos r sin p sin y - sin r cos y, cos r cos p)"},
@@ -127,7 +132,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     if (depth_ == in_cylinder) {
       form_ = std::ranges::find(shape_forms, x, &ShapeForm::name);
       return form_ != shape_forms.end() || fail(key_ + ".shape is \"" + shorten(x) +
-                                                "\", expected cylinder, capsule, sphere or half_space");
+                                                "\", expected cylinder, capsule, sphere, half_space or box");
     }
     if (key_ == "truth") {
       value.truth = from_word<Verdict>(x);
@@ -263,12 +268,13 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     }
     if (has('a') && has('q')) return fail(key_ + " has an axis and a quaternion; give one of them");
     Solid& s = cylinder();
-    if (has('q')) {
-      const auto& [w, x, y, z] = quaternion_;
+    if (has('q') && form_->name != "box") {
+      const auto& [w, x, y, z] = std::exchange(s.quaternion, Solid{}.quaternion);
       s.axis = {2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z};
     }
     if (form_->name == "capsule" || form_->name == "sphere") s.rounding = std::exchange(s.radius, 0);
     if (form_->name == "half_space") s.shape = Shape::half_space;
+    if (form_->name == "box") s.shape = Shape::box;
     const Defect defect = find_defect(s);
     return defect == Defect::none || fail(key_ + "." + to_string(defect));
   }
@@ -322,14 +328,15 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
       return fail(subject() + " underflows a double (" + shorten(text) + ")");
     const std::size_t place = field.first + (depth_ == in_list ? coordinates_++ : 0);
-    (place < cylinder_number_count ? *numbers_of(cylinder())[place]
-                                   : quaternion_[place - cylinder_number_count]) = x;
+    *numbers_of(cylinder())[place] = x;
     return depth_ == in_list || check_field(" (" + format_double(x) + ")");
   }
 
-  // A cylinder begins without a defect, so the first defect is in the field just read.
+  // A solid begins without a defect, so the first defect is in the field just read. Whether
+  // the shape has the field is checked when all fields are known.
   bool check_field(const std::string& shown) {
-    const Defect defect = find_defect(cylinder());
+    Defect defect = find_defect(cylinder());
+    if (defect == Defect::foreign_length) defect = Defect::none;
     const std::string_view what = to_string(defect);  // "axis is zero", of a field that may be a normal
     return defect == Defect::none || fail(subject() + std::string(what.substr(what.find(' '))) + shown);
   }
@@ -346,31 +353,42 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::size_t field_ = 0;  // index into solid_fields
   std::array<bool, solid_fields.size()> fields_seen_{};
   const ShapeForm* form_ = shape_forms.begin();
-  std::array<double, 4> quaternion_{};
   std::size_t coordinates_ = 0;
   std::size_t list_start_ = 0;
 };
 
-void append(std::string& out, std::string_view name, const Vector3& v) {
+std::span<const double> numbers(const Vector3& v) { return {v.data(), 3}; }
+
+void append(std::string& out, std::string_view name, std::span<const double> v) {
   out.append("\"").append(name).append("\":[");
-  out.append(format_double(v.x())).append(",");
-  out.append(format_double(v.y())).append(",");
-  out.append(format_double(v.z())).append("]");
+  for (std::size_t i = 0; i < v.size(); ++i) out.append(i > 0 ? "," : "").append(format_double(v[i]));
+  out += ']';
 }
 
 void append(std::string& out, const Solid& c) {
   out += '{';
   if (is_half_space(c)) {
     out.append("\"shape\":\"half_space\",");
-    append(out, "point", c.center);
+    append(out, "point", numbers(c.center));
     out += ',';
-    append(out, "normal", c.axis);
+    append(out, "normal", numbers(c.axis));
     out += '}';
     return;
   }
-  append(out, "center", c.center);
+  if (is_box(c)) {
+    out.append("\"shape\":\"box\",");
+    append(out, "center", numbers(c.center));
+    out += ',';
+    append(out, "edges", c.edges);
+    out += ',';
+    append(out, "quaternion", c.quaternion);
+    if (c.rounding != 0) out.append(",\"rounding\":").append(format_double(c.rounding));
+    out += '}';
+    return;
+  }
+  append(out, "center", numbers(c.center));
   out += ',';
-  append(out, "axis", c.axis);
+  append(out, "axis", numbers(c.axis));
   out.append(",\"radius\":").append(format_double(c.radius));
   out.append(",\"height\":").append(format_double(c.height));
   if (c.rounding != 0) out.append(",\"rounding\":").append(format_double(c.rounding));

@@ -21,6 +21,13 @@ inline nlohmann::ordered_json vector_json(const Vector3& v) {
 inline nlohmann::ordered_json solid_json(const Solid& c) {
   if (c.shape == Shape::half_space)
     return {{"shape", "half_space"}, {"point", vector_json(c.center)}, {"normal", vector_json(c.axis)}};
+  if (c.shape == Shape::box) {
+    nlohmann::ordered_json box = {{"shape", "box"}, {"center", vector_json(c.center)}};
+    for (const double edge : c.edges) box["edges"].push_back(number_json(edge));
+    for (const double x : c.quaternion) box["quaternion"].push_back(number_json(x));
+    if (c.rounding != 0) box["rounding"] = number_json(c.rounding);
+    return box;
+  }
   nlohmann::ordered_json cylinder = {{"center", vector_json(c.center)},
                                      {"axis", vector_json(c.axis)},
                                      {"radius", number_json(c.radius)},

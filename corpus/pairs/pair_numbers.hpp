@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "solver/solid.hpp"
 
@@ -18,20 +19,24 @@ namespace cyl {
 inline constexpr std::size_t core_number_count = 8;
 /// The same, and the rounding.
 inline constexpr std::size_t cylinder_number_count = core_number_count + 1;
+/// The same, the edges and the quaternion.
+inline constexpr std::size_t solid_number_count = cylinder_number_count + 7;
 
-inline std::array<double*, cylinder_number_count> numbers_of(Solid& c) noexcept {
-  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1],
-          &c.axis[2],   &c.radius,    &c.height,    &c.rounding};
+inline std::array<double*, solid_number_count> numbers_of(Solid& c) noexcept {
+  return {&c.center[0],     &c.center[1],     &c.center[2],     &c.axis[0],      &c.axis[1],  &c.axis[2],
+          &c.radius,        &c.height,        &c.rounding,      &c.edges[0],     &c.edges[1], &c.edges[2],
+          &c.quaternion[0], &c.quaternion[1], &c.quaternion[2], &c.quaternion[3]};
 }
 
-inline std::array<double, cylinder_number_count> numbers_of(const Solid& c) noexcept {
-  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1],
-          c.axis[2],   c.radius,    c.height,    c.rounding};
+inline std::array<double, solid_number_count> numbers_of(const Solid& c) noexcept {
+  return {c.center[0],     c.center[1],     c.center[2],     c.axis[0],      c.axis[1],  c.axis[2],
+          c.radius,        c.height,        c.rounding,      c.edges[0],     c.edges[1], c.edges[2],
+          c.quaternion[0], c.quaternion[1], c.quaternion[2], c.quaternion[3]};
 }
 
-/// The 18 of a pair, those of a first.
-inline std::array<double, 2 * cylinder_number_count> numbers_of(const Pair& p) noexcept {
-  std::array<double, 2 * cylinder_number_count> all;
+/// The 32 of a pair, those of a first.
+inline std::array<double, 2 * solid_number_count> numbers_of(const Pair& p) noexcept {
+  std::array<double, 2 * solid_number_count> all;
   std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
   return all;
 }
@@ -60,6 +65,19 @@ inline bool is_rounded(const Pair& p) noexcept { return p.a.rounding != 0 || p.b
 
 inline bool is_half_space(const Solid& s) noexcept { return s.shape == Shape::half_space; }
 inline bool has_half_space(const Pair& p) noexcept { return is_half_space(p.a) || is_half_space(p.b); }
+inline bool is_box(const Solid& s) noexcept { return s.shape == Shape::box; }
+inline bool has_box(const Pair& p) noexcept { return is_box(p.a) || is_box(p.b); }
+
+/// The sum of the edges; 0 if the solid is not a box.
+inline double edges_of(const Solid& s) noexcept { return s.edges[0] + s.edges[1] + s.edges[2]; }
+
+/// The places in the row of numbers_of() that the shape has.
+inline std::span<const std::size_t> places_of(Shape shape) noexcept {
+  static constexpr std::array<std::size_t, 9> of_cylinder{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  static constexpr std::array<std::size_t, 11> of_box{0, 1, 2, 8, 9, 10, 11, 12, 13, 14, 15};
+  if (shape == Shape::box) return of_box;
+  return std::span(of_cylinder).first(shape == Shape::half_space ? 6 : of_cylinder.size());
+}
 
 /// Returns whether both solids are legal, and not both half-spaces.
 inline bool is_legal(const Pair& p) noexcept {
@@ -67,18 +85,23 @@ inline bool is_legal(const Pair& p) noexcept {
          !(is_half_space(p.a) && is_half_space(p.b));
 }
 
-/// The sum of all radii, heights and roundings, rounded, at most the largest double (the unit of margins). A
-/// half-space adds nothing.
+/// The sum of all radii, heights, edges and roundings, rounded, at most the largest double (the unit of
+/// margins). A half-space adds nothing.
 inline double size_of(const Pair& p) noexcept {
-  return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height + (p.a.rounding + p.b.rounding),
+  return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height + (p.a.rounding + p.b.rounding) +
+                      (edges_of(p.a) + edges_of(p.b)),
                   std::numeric_limits<double>::max());
 }
 
-/// How far a solid extends along its axis and across it, roundings included.
+/// How far a solid extends along its axis and across it, roundings included. Of a box, its shortest and its
+/// longest extent.
 struct Extents {
   double along, across;
 };
 inline Extents extents_of(const Solid& c) noexcept {
+  if (is_box(c))
+    return {*std::ranges::min_element(c.edges) + 2 * c.rounding,
+            *std::ranges::max_element(c.edges) + 2 * c.rounding};
   return {c.height + 2 * c.rounding, 2 * (c.radius + c.rounding)};
 }
 
@@ -89,12 +112,13 @@ inline constexpr double least_ordinary_length = 0.01, most_ordinary_length = 100
 /// range.
 inline bool is_ordinary(const Pair& p) noexcept {
   for (const Solid* c : {&p.a, &p.b})
-    for (const double x : {c->radius, c->height, c->rounding})
+    for (const double x : {c->radius, c->height, c->rounding, c->edges[0], c->edges[1], c->edges[2]})
       if (x != 0 && !(x >= least_ordinary_length && x <= most_ordinary_length)) return false;
   return std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) <= most_ordinary_reach * size_of(p);
 }
 
-/// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings.
+/// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings,
+/// edges.
 template <class Change>
 void for_each_length(Pair& pair, Change change) {
   for (Solid* c : {&pair.a, &pair.b}) {
@@ -102,6 +126,7 @@ void for_each_length(Pair& pair, Change change) {
     change(c->radius);
     change(c->height);
     if (c->rounding != 0) change(c->rounding);
+    if (is_box(*c)) std::ranges::for_each(c->edges, change);
   }
 }
 

@@ -178,9 +178,10 @@ std::vector<Vector3> prism(const Solid& c, int sides, bool around) {
 }
 
 Pair in_floats(const Pair& p) {
-  auto numbers = numbers_of(p);
-  for (double& x : numbers) x = as_float(x);
-  return pair_of(numbers.data(), cylinder_number_count);
+  Pair q = p;
+  for (Solid* c : {&q.a, &q.b})
+    for (double* x : numbers_of(*c)) *x = as_float(*x);
+  return q;
 }
 
 std::span<const ExactChange> exact_changes() { return changes; }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/stratum.hpp"
@@ -87,8 +88,13 @@ void swap(Pair& p, RandomStream&) { std::swap(p.a, p.b); }
 
 void scale_all(Pair& p, RandomStream& s) { p = scaled(p, s.integer(-40, 40)); }
 
+double& any_number(Solid& c, RandomStream& s) {
+  const std::span<const std::size_t> places = places_of(c.shape);
+  return *numbers_of(c)[places[s.below(places.size())]];
+}
+
 void scale_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
+  double& x = any_number(either(p, s), s);
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
@@ -101,7 +107,7 @@ void relate_lengths(Pair& p, RandomStream& s) {
 }
 
 void change_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
+  double& x = any_number(either(p, s), s);
   x += tenth(s) * (x == 0 ? 1 : x);
 }
 
@@ -180,12 +186,13 @@ void move_to_origin(Pair& p, RandomStream&) {
 
 void copy_field(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  const std::size_t i = s.below(cylinder_number_count);
+  const std::span<const std::size_t> places = places_of(c.shape);
+  const std::size_t i = places[s.below(places.size())];
   *numbers_of(c)[i] = *numbers_of(other(p, c))[i];
 }
 
 void step_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
+  double& x = any_number(either(p, s), s);
   x = step(x, s);
 }
 
@@ -226,7 +233,10 @@ Solid legalised(Solid c) {
   c.radius = std::fabs(c.radius);
   c.height = std::fabs(c.height);
   c.rounding = std::fabs(c.rounding);
-  if (is_half_space(c)) c.radius = c.height = c.rounding = 0;
+  for (double& edge : c.edges) edge = is_box(c) ? std::fabs(edge) : 0;
+  if (c.shape != Shape::cylinder) c.radius = c.height = 0;
+  if (is_half_space(c)) c.rounding = 0;
+  if (std::ranges::all_of(c.quaternion, [](double x) { return x == 0; })) c.quaternion = {1, 0, 0, 0};
   return c;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 struct SolidRecord {
   std::uint64_t shape = 0;  ///< a Shape
-  std::array<double, cylinder_number_count> numbers;
+  std::array<double, solid_number_count> numbers;
 };
 using PairRecord = std::array<SolidRecord, 2>;
 static_assert(sizeof(PairRecord) == record_size);
@@ -41,7 +41,8 @@ std::optional<Pair> decode_record(std::span<const std::uint8_t> bytes) {
   for (const SolidRecord& solid : solids)
     if (solid.shape >= words_of(Shape{}).size()) return {};
   const auto solid_of = [](const SolidRecord& r) {
-    Solid solid = cylinder_of(r.numbers.data(), cylinder_number_count);
+    Solid solid;
+    for (const std::size_t i : places_of(static_cast<Shape>(r.shape))) *numbers_of(solid)[i] = r.numbers[i];
     solid.shape = static_cast<Shape>(r.shape);
     return solid;
   };

@@ -16,9 +16,10 @@
 
 namespace cyl {
 
-inline constexpr std::size_t record_size = 160;  ///< bytes; no two layouts have the same size
+inline constexpr std::size_t record_size = 272;  ///< bytes; no two layouts have the same size
 
-/// Tag, center, axis, radius, height, rounding of a, then the same of b.
+/// Tag, center, axis, radius, height, rounding, edges, quaternion of a, then the same of b. Numbers that the
+/// shape does not have are not read.
 using Record = std::array<std::uint8_t, record_size>;
 
 Record encode_record(const Pair& pair);

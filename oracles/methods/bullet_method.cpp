@@ -155,7 +155,7 @@ class Bullet : public Method {
  public:
   using Method::Method;
   std::string_view version() const override { return version_; }
-  bool supports(SolidKind) const override { return true; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box; }
   Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
 
  private:

@@ -68,7 +68,7 @@ class Ccd final : public Method {
   Ccd(MethodName name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
       : Method(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
   Claim claim() const override { return claim_; }
 
   MethodAnswer answer(const Pair& pair) override {

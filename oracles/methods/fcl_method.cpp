@@ -65,7 +65,7 @@ class Collide final : public Method {
   }
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
-  bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
   Claim claim() const override { return {.absolute = request_.gjk_tolerance, .source = collide_source}; }
 
   MethodAnswer answer(const Pair& pair) override {
@@ -103,9 +103,7 @@ class Distance final : public Method {
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
   // FCL has no distance to a half-space: its support function is missing.
-  bool supports(SolidKind kind) const override {
-    return kind != SolidKind::rounded && kind != SolidKind::half_space;
-  }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::rounded; }
   Claim claim() const override {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }

@@ -79,7 +79,7 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   const GuestLine line = parse_guest_line(
       R"({"takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":50,"zero":false}})");
   ASSERT_TRUE(line.hello) << line.error;
-  EXPECT_EQ(line.hello->supports, (std::array{true, true, false, false, false}));
+  EXPECT_EQ(line.hello->supports, (std::array{true, true, false, false, false, false, false}));
   EXPECT_EQ(line.hello->sizes, (SizeRange{0.01, 100, 50, false}));
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"least":1}})").hello->sizes, (SizeRange{.least = 1}));
   EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"coordinate":9,"gap":2}})").hello->sizes,

@@ -131,7 +131,7 @@ class Mujoco final : public Method {
   Mujoco(MethodName name, double tolerance, int iterations)
       : Method(std::move(name)), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view version() const override { return mj_versionString(); }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
   Claim claim() const override {
     return {.absolute = tolerance_, .source = "mujoco/mjmodel.h: mpr_tolerance, MPR solver tolerance"};
   }

@@ -189,7 +189,7 @@ class Nlopt final : public Method {
         .assumed = true};
   }
   unsigned share() const override { return setting_.share; }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;

@@ -78,7 +78,7 @@ class Ode final : public Method {
   }
   std::string_view version() const override { return dODE_VERSION; }
   bool recovers() const override { return true; }  // solids are made for each call, in no space
-  bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
   Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source, .assumed = true}; }
 
   MethodAnswer answer(const Pair& pair) override {

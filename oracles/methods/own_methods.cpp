@@ -48,7 +48,7 @@ class Intersect final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
   MethodAnswer answer(const Pair& pair) override {
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -78,7 +78,7 @@ class Decide final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, decide(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
@@ -101,7 +101,7 @@ class MeasureDistance final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });

@@ -109,7 +109,7 @@ TEST(HalfSpace, OnlyItsNormalSeparates) {
 TEST(HalfSpace, TwoOfThemAreNoPair) {
   const Solid plane{.shape = Shape::half_space};
   EXPECT_EQ(judge({plane, plane}).verdict, Verdict::invalid);
-  EXPECT_EQ(find_defect({.radius = 1, .shape = Shape::half_space}), Defect::half_space_has_lengths);
+  EXPECT_EQ(find_defect({.radius = 1, .shape = Shape::half_space}), Defect::foreign_length);
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ Vector3 rounded(const Vector3& v, int digits) {
   return v.unaryExpr([&](double x) { return rounded(x, digits); });
 }
 
-std::array<double*, 2 * cylinder_number_count> numbers(Pair& p) {
-  std::array<double*, 2 * cylinder_number_count> all;
+std::array<double*, 2 * solid_number_count> numbers(Pair& p) {
+  std::array<double*, 2 * solid_number_count> all;
   std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
   return all;
 }
@@ -354,9 +354,10 @@ Pairs centres(const Pair& p) {
 
 Pairs roundings(const Pair& p) {
   Pairs out;
-  constexpr unsigned centre = 0b111, axis = 0b111000, shape = 0b111000000, b = cylinder_number_count;
-  for (const unsigned which : {~0u, centre << b, axis << b, axis, axis | axis << b, shape | shape << b, shape,
-                               shape << b, shape | shape << b | centre << b}) {
+  constexpr unsigned centre = 0b111, axis = 0xF038, lengths = 0xFC0;
+  constexpr unsigned b = solid_number_count;
+  for (const unsigned which : {~0u, centre << b, axis << b, axis, axis | axis << b, lengths | lengths << b,
+                               lengths, lengths << b, lengths | lengths << b | centre << b}) {
     const auto add = [&](auto simpler) {
       out.push_back(with(p, [&](Pair& q) {
         const auto all = numbers(q);

@@ -20,7 +20,7 @@ using namespace moves;
 /// Pairs in one call. They are many, so that a fork costs little, and few, so that few are asked in vain.
 constexpr std::size_t batch_cap = 32;
 
-using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
+using Bits = std::array<std::uint64_t, 2 * solid_number_count>;
 
 /// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height.
 unsigned zeros(const Solid& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
@@ -108,7 +108,7 @@ class Search {
   std::size_t cap_, questions_ = 0;
   const Pair found_;
   bool at_cap_ = false;
-  std::set<std::array<std::uint64_t, 2 * cylinder_number_count>> asked_;
+  std::set<std::array<std::uint64_t, 2 * solid_number_count>> asked_;
 };
 
 }  // namespace
