@@ -30,7 +30,7 @@ struct GuestHello {
   std::string name, version;  ///< empty if the hello has none
   double relative = 0, absolute = 0;
   std::string claim_source;
-  double rounded_rims = 0;     ///< the radius by which it rounds the edges of cylinders, inwards
+  double rounded_rims = 0;     ///< the radius by which it rounds the edges of cylinders and boxes, inwards
   bool depth_at_most = false;  ///< its depths are upper bounds
   /// The kinds of solids that it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
