@@ -99,6 +99,8 @@ daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 
 daylight_script(planted_faults props 600 planted_faults)
+daylight_script(naive_boxes_test props 600 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program})
+daylight_script(naive_boxes_whole_test "props;deep" 2400 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program} all)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some
 # of them: that must be found, and must end nothing.
