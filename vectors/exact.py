@@ -78,8 +78,8 @@ def root(square, bits, above):
 
 
 def plain(solid):
-    """A box with all its fields; else the solid with the fields of a cylinder: of a half-space the point is the center,
-    and the normal the axis."""
+    """A box with all its fields, another solid with the fields of a cylinder. The point of a half-space becomes its
+    center, and the normal its axis."""
     if not isinstance(solid, dict):
         return solid
     shape, solid = solid.get('shape', 'cylinder'), dict(solid)

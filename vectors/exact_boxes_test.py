@@ -35,7 +35,7 @@ def rows(solid):
 
 
 def axes(asked):
-    """The 15 directions of which one separates two boxes, if any does."""
+    """Directions. If two boxes are apart, one of these 15 separates them."""
     a, b = rows(asked['a'])[0], rows(asked['b'])[0]
     return [n for n in (*a, *b, *(cross(u, v) for u in a for v in b)) if any(n)]
 
