@@ -13,9 +13,9 @@ half-space has a point of its plane and the outward normal. A box has center, ed
 
 A direction proves that two solids are apart if planes square to it show a gap. A point proves that they meet if it lies
 in both cores. Two `points` prove it if one lies in each core, no farther apart than both roundings together. A point
-with `hulls` stands for the point nearest to it in the hulls of both solids, which are subspaces. They touch if they
-meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
-proves touching to within 2^-200 of the size.
+with `hulls` stands for the point nearest to it in the hulls of both solids, which are subspaces. A flat box always has
+the hull of its edges that are not 0. They touch if they meet there and a plane through the point has one solid on each
+side: the solids have opposite normals there. `near` proves touching to within 2^-200 of the size.
 
 A `clearance` is added to the rounding of a. If it is negative, a direction proves that the overlap is not deeper than
 tolerated. A deeper overlap has no certificate: only the sign of the interval is checked, and the last line counts such
@@ -162,12 +162,13 @@ def separates(pair, direction, clearance=0):
 
 
 def equations(solid, hull):
-    """The equations n.x = k of the points of a hull, as rows (n, k). The hull of a flat box is that of its edges."""
-    if hull == 'space' or is_half_space(solid):
-        return []
+    """The equations n.x = k of the points of a hull, as rows (n, k). Of a box the hull is always its own."""
     c = vector(solid['center'])
     if is_box(solid):
         return [(e, dot(e, c)) for e, half in edges(solid) if half == 0]
+    if hull == 'space' or is_half_space(solid):
+        return []
+    w = vector(solid['axis'])
     w = vector(solid['axis'])
     if hull == 'plane':
         return [(w, dot(w, c))]

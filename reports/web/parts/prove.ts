@@ -10,7 +10,8 @@
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
 //
 // A point may come with hulls: the axes and planes in which flat solids lie. It stands for the point of the hulls that
-// is nearest to it, which is rational too. Each of two points moves into the hull of its own solid.
+// is nearest to it, which is rational too. Each of two points moves into the hull of its own solid. A flat box always
+// has the hull of its edges that are not 0.
 //
 // A solid with a rounding is its core grown by a ball. The tests above are of the cores, R is the sum of both
 // roundings, and f has the additional term R |D|.
@@ -113,10 +114,10 @@ function nearestInPlanes(x: Vector, planes: Plane[]): Vector | null {
   );
 }
 
-function inHulls(x: Vector, solids: Solid[], hulls: Hull[]): Vector {
+function inHulls(x: Vector, solids: Solid[], hulls: (Hull | undefined)[]): Vector {
   const at = nearestInPlanes(
     x,
-    solids.flatMap((s, i) => planesOf(s, hulls[i]!)),
+    solids.flatMap((s, i) => planesOf(s, hulls[i])),
   );
   if (!at) throw new Error("the hulls have no common point");
   return at;
@@ -162,7 +163,7 @@ function proveTouch(a: Solid, b: Solid, x: Vector, y: Vector, steps: string[]): 
 }
 
 function provePoint(a: Solid, b: Solid, point: Vector, touching: boolean, hulls?: [Hull, Hull]): Proof {
-  const x = hulls ? inHulls(point, [a, b], hulls) : point,
+  const x = inHulls(point, [a, b], hulls ?? []),
     { inside, steps } = inBoth(a, b, x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
   if (touching) return proveTouch(a, b, x, x, steps);
@@ -176,7 +177,7 @@ function two(points: Truth["points"], what: string): [Vector, Vector] {
 
 function provePoints(a: Solid, b: Solid, { points, hulls }: Truth, touching: boolean): Proof {
   const [x, y] = two(points, "the points"),
-    [p, q] = hulls ? [inHulls(x, [a], [hulls[0]]), inHulls(y, [b], [hulls[1]])] : [x, y];
+    [p, q] = [inHulls(x, [a], [hulls?.[0]]), inHulls(y, [b], [hulls?.[1]])];
   const { inside, steps } = comeNear(a, b, p, q);
   if (!inside)
     return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };

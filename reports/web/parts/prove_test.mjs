@@ -246,7 +246,7 @@ test("a box touches other solids", () => {
     assert.equal(touch(die, ...at), true, JSON.stringify(a));
     assert.equal(touch({ ...die, rounding: 2 ** -40 }, ...at), false, "a point of rounded solids");
     assert.equal(touch({ ...die, edges: die.edges.map((e) => e + 2 ** -40) }, ...at), false, "deeper");
-    assert.equal(touch(die, 0, 0, 0), false);
+    assert.equal(touch(die, 5, 5, 5), false);
   }
   assert.equal(holds({ a: sheet, b: up }, { verdict: "touching", point: [0, 0, 4] }), true);
   const beside = { ...sheet, center: [1, 1, 4] };
@@ -268,8 +268,10 @@ test("a rounded box, a flat box, and what is no box", () => {
   assert.deepEqual([near(6), near(6, [3, 2 ** -210])], [true, true]);
   assert.deepEqual([near(6 + 2 ** -40), near(6 - 2 ** -40)], [false, false]);
   const leaning = { a: box([0.1, 0.2, 0.3], [2, 2, 0], [1, 2, 3, 4]), b: cylinder([0, 0, 0], [0, 0, 1], 3, 8) };
-  assert.equal(holds(leaning, point(0.1, 0.2, 0.300000001)), false);
-  assert.equal(holds(leaning, { ...point(0.1, 0.2, 0.300000001), hulls: ["plane", "space"] }), true);
+  for (const hulls of [undefined, ["plane", "space"]]) {
+    assert.equal(holds(leaning, { ...point(0.1, 0.2, 0.300000001), hulls }), true, "the point meant is in its plane");
+    assert.equal(holds(leaning, { ...point(1.7, 0.2, 0.3), hulls }), false);
+  }
   for (const change of [{ edges: [1, 1] }, { edges: [1, 1, -1] }, { quaternion: [0, 0, 0, 0] }, { quaternion: [1] }])
     assert.equal(holds({ a: { ...die, ...change }, b: rod }, direction(3, 4, 0)), false, JSON.stringify(change));
 });

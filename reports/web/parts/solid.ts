@@ -147,12 +147,12 @@ function acrossAxis({ axis }: Solid): [Vector, Vector] {
   return [beside, cross(axis, beside)];
 }
 
-/** The planes that a hull lies in: one for a plane, two for a line, three for a centre. Those of a flat box are
- *  square to its edges of length 0. */
-export function planesOf(s: Solid, hull: Hull): Plane[] {
-  if (s.shape === "half_space") return [];
+/** The planes that a hull lies in: one for a plane, two for a line, three for a centre. A flat box is always in
+ *  those of its edges of length 0. */
+export function planesOf(s: Solid, hull?: Hull): Plane[] {
   const through = (normal: Vector): Plane => ({ normal, offset: dot(normal, s.center) });
   if (s.shape === "box") return s.edges.filter((e) => e.half.n === 0n).map((e) => through(e.along));
+  if (s.shape === "half_space" || !hull) return [];
   const level = hull === "plane" || hull === "center" || s.height.n === 0n,
     thin = hull === "line" || hull === "center" || s.radius.n === 0n;
   return [...(level ? [through(s.axis)] : []), ...(thin ? acrossAxis(s).map(through) : [])];
