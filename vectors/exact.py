@@ -162,7 +162,7 @@ def separates(pair, direction, clearance=0):
 
 
 def equations(solid, hull):
-    """The equations n.x = k of the points of a hull, as rows (n, k). Of a box the hull is always its own."""
+    """The equations n.x = k of the points of a hull, as rows (n, k). A box always has its own hull."""
     c = vector(solid['center'])
     if is_box(solid):
         return [(e, dot(e, c)) for e, half in edges(solid) if half == 0]

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a solid is in exact arithmetic: its support, its points, its outward normals, its hull.
+// Solids in exact arithmetic: the support, the points, the outward normals and the hull of each.
 import { isBox, isHalfSpace, type Coordinate, type Hull, type Solid as Given } from "./data.ts";
 import {
   abs, add, cross, decimal, div, dot, equal, exact, half, isZero, less, minus, moved, mul, neg, one, rational, root,
   square, turned, zero, type Rational, type Vector,
 } from "./rational.ts";
 
-/** Of a box: its unit direction, which is rational, and half its length. */
+/** An edge of a box: its unit direction, which is rational, and half its length. */
 interface Edge {
   along: Vector;
   half: Rational;
