@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box_rounded.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/multiprecision.hpp"
@@ -139,7 +140,7 @@ std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& fil
 }
 
 Truth judge_box_exactly(const Pair& pair, int bits_cap) {
-  if (!has_box_relation(pair)) return {};
+  if (!has_box_relation(pair)) return judge_rounded_box(pair, bits_cap);
   const BoxRelation r = box_relation(pair, near_bits);
   if (r.sign < 0) return disjoint_truth(pair, r.direction, bits_cap);
   return r.sign == 0 ? touching_truth(pair, r) : overlap_truth(pair, r, bits_cap);
