@@ -97,11 +97,11 @@ Truth overlap_truth(const Pair& pair, BoxRelation r, int bits_cap) {
     }
     const PrecisionScope precision(bits);
     const Simplex<MpFloat> found = search_box(shrunk(terms_of_pair<MpFloat>(pair), bits / 2), bits, true);
-    if (const auto common = common_point(pair, exact(pair.a.center) + rational(found.on_a())))
-      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
-    // A point of two polytopes that is exact, if the depth is tiny.
-    if (const auto common = common_point(pair, r.on_a))
-      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
+    auto common = common_point(pair, exact(pair.a.center) + rational(found.on_a()));
+    // If the depth is tiny, an exact point may still be one.
+    if (!common)
+      common = common_point(pair, are_polytopes(pair) ? common_point_of_polytopes(pair, bits) : r.on_a);
+    if (common) return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
   }
   Truth t;
   t.verdict = Verdict::intersecting;
