@@ -87,10 +87,10 @@ TEST(BoxDistance, IsThatOnPaper) {
 /// A solid of any kind, half of the time in a simple place, with some lengths 0.
 Solid drawn(RandomStream& s, bool boxed) {
   const bool simple = s.integer(0, 1) == 0;
-  const auto length = [&] { return s.integer(0, 5) == 0 ? 0 : std::exp(s.between(-2, 1)); };
+  const auto length = [&] { return s.integer(0, 5) == 0 ? 0 : std::exp(s.between(-1, 1.2)); };
   const auto whole = [&] { return static_cast<double>(s.integer(-1, 1)); };
   const double rounding = s.integer(0, 2) == 0 ? s.between(0, 0.5) : 0;
-  const Vector3 center = simple ? Vector3(whole(), whole(), whole()) : Vector3(1.5 * s.unit_vector());
+  const Vector3 center = simple ? Vector3(whole(), whole(), whole()) : Vector3(0.8 * s.unit_vector());
   if (boxed) {
     std::array<double, 4> q{1, whole(), whole(), 0};
     if (!simple) q = {s.between(-1, 1), s.between(-1, 1), s.between(-1, 1), s.between(0.1, 1)};
