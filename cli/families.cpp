@@ -53,8 +53,13 @@ std::vector<Family> families_named(std::string_view spec, const PairFilter& is_w
   const auto all = campaign_families();
   if (spec.empty()) {
     std::vector<Family> kept(all.begin(), all.end());
-    // All pairs of a family have solids of the same kinds.
-    std::erase_if(kept, [&](const Family& family) { return !is_wanted(family.generate(0, 0)); });
+    // A family may have solids of several kinds.
+    constexpr std::uint64_t looked_at = 8;
+    std::erase_if(kept, [&](const Family& family) {
+      std::uint64_t index = 0;
+      while (index < looked_at && !is_wanted(family.generate(0, index))) ++index;
+      return index == looked_at;
+    });
     return kept;
   }
   std::vector<std::string> names;

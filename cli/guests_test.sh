@@ -45,7 +45,7 @@ printf '%s\n' "$pair" >pair.jsonl
 expect 2 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
 holds 'campaign' out '^bad +400 +[1-9][0-9]+ +[1-9]'
 holds 'campaign' out '^worse +400 +[1-9][0-9]+ +[1-9]'
-holds 'what it takes not' out '^unsupported by bad, so not asked: sphere, capsule, rounded, half_space$'
+holds 'what it takes not' out '^unsupported by bad, so not asked: sphere, capsule, rounded, half_space, box, rounded_box$'
 python3 - <<'END' || failed 'guests take families from others'
 import sqlite3
 counts = "SELECT asked - declined FROM tally WHERE family = 'sphere_sphere' AND method = ?"

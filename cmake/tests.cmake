@@ -87,6 +87,7 @@ daylight_script(guides_test cli 2400 ${PROJECT_SOURCE_DIR}/docs/guides/guides_te
 daylight_script(guides_whole_test "cli;deep" 2400 ${PROJECT_SOURCE_DIR}/docs/guides/guides_test.sh ${program} whole)
 daylight_script(docs_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/docs_test.py ${program})
 daylight_script(exact_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/exact_test.py)
+daylight_script(exact_boxes_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/exact_boxes_test.py)
 daylight_script(vectors_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/vectors_test.py ${program})
 daylight_script(add_gate_test cli 600 ${PROJECT_SOURCE_DIR}/cmake/gate/gate_test.sh ${program})
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
@@ -99,6 +100,8 @@ daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 
 daylight_script(planted_faults props 600 planted_faults)
+daylight_script(naive_boxes_test props 600 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program})
+daylight_script(naive_boxes_whole_test "props;deep" 2400 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program} all)
 
 # The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some
 # of them: that must be found, and must end nothing.

@@ -35,8 +35,9 @@ enum DaylightShapes {
   DAYLIGHT_CAPSULE = 2,
   DAYLIGHT_CYLINDER = 4,
   DAYLIGHT_ROUNDED_CYLINDER = 8,
-  DAYLIGHT_HALF_SPACE = 16, /* this and the next only with ask_solids */
-  DAYLIGHT_BOX = 32
+  DAYLIGHT_HALF_SPACE = 16, /* this and the next two only with ask_solids */
+  DAYLIGHT_BOX = 32,        /* without rounding */
+  DAYLIGHT_ROUNDED_BOX = 64
 };
 
 /* A closed solid. The fields that its shape does not have are 0. A pair has at most one half-space. */
@@ -97,7 +98,8 @@ struct DaylightMethod {
   double least_length, greatest_length;
   /* The greatest of these lengths of one solid divided by the least. */
   double greatest_aspect;
-  /* 1: no disks and segments, that is, no cylinders with a radius or height of 0. */
+  /* 1: no disks and segments, that is, no cylinders with a radius or height of 0. No boxes with an edge of
+   * 0. */
   int no_zero_lengths;
 
   /* Added in interface 4. The first two limit the pairs that are passed to it. 0 means no limit. */
@@ -139,7 +141,7 @@ static inline void daylight_rotation(const double axis[3], int along, double rot
  * the edges of a box. The third column of all other solids is the unit axis or normal, as in
  * daylight_rotation(). */
 static inline void daylight_solid_rotation(const struct DaylightSolid* solid, double rotation[9]) {
-  if (solid->shape != DAYLIGHT_BOX) {
+  if (solid->shape < DAYLIGHT_BOX) {
     daylight_rotation(solid->axis, 2, rotation);
     return;
   }

@@ -124,10 +124,10 @@ py::object check(const py::object& a, const py::object& b) {
   return codes;
 }
 
-// The solver has no distance of half-spaces, but the referee does.
+// The solver has no distance of half-spaces and boxes, but the referee does.
 Distance measured(const Solid& a, const Solid& b) {
   const Pair pair{a, b};
-  if (!has_half_space(pair)) return distance(a, b);
+  if (!has_half_space(pair) && !has_box(pair)) return distance(a, b);
   Distance found;
   const Truth truth = decide_exactly(a, b);
   found.verdict = truth.verdict;
@@ -177,7 +177,7 @@ height 0 is a disk. With rounding a segment is a capsule, and a point a sphere.
 
 Or a solid is a dict with the fields of the case files, such as
 {"shape": "half_space", "point": [0, 0, 0], "normal": [0, 0, 1]}. The shapes are
-cylinder, capsule, sphere and half_space. It counts as a single solid.
+cylinder, capsule, sphere, half_space and box. It counts as a single solid.
 
 a and b have shapes (.., 8) or (.., 9) of as many solids, or one of them is a
 single solid. Two single solids give a Verdict and floats. Arrays give, for each

@@ -102,6 +102,20 @@ class Module(unittest.TestCase):
         np.testing.assert_allclose(found.on_a[:, 2], 0, atol=1e-12)
         self.assertEqual(daylight.distance(rod, pill).value, daylight.distance(ROD, [3, 0, 0, 0, 0, 1, 0, 1, 2.0]).value)
 
+    def test_boxes(self):
+        box = {'shape': 'box', 'center': np.array([3, 0, 0]), 'edges': [2, 4, np.float64(6)], 'quaternion': [3, 3, 3, 3]}
+        self.assertIs(daylight.check(box, {**box, 'center': [9, 0, 0]}), Verdict.touching)
+        self.assertIs(daylight.check(box, {**box, 'center': [9.1, 0, 0]}), Verdict.disjoint)
+        self.assertIs(daylight.check({**box, 'rounding': 0.5}, {**box, 'center': [9.1, 0, 0]}), Verdict.intersecting)
+        self.assertIs(daylight.check(beside(-1), box), Verdict.touching)
+        rods = np.stack([beside(-2), beside(-1), beside(0)])
+        self.assertEqual(daylight.check(rods, box).tolist(), [0, 2, 1])
+        found = daylight.distance(rods, box)
+        np.testing.assert_allclose(found.value, [1, 0, -1], atol=1e-12)
+        self.assertLess(found.error.max(), 1e-12)
+        np.testing.assert_allclose(found.direction, [[1, 0, 0]] * 3, atol=1e-12)
+        np.testing.assert_allclose((box['center'] + found.on_b)[:, 0], 0, atol=1e-12)
+
     def test_errors_of_solids_by_name(self):
         ball = {'shape': 'sphere', 'center': [0, 0, 0], 'radius': 1}
         floor = {'shape': 'half_space', 'point': [0, 0, 0], 'normal': [0, 0, 1]}
@@ -110,6 +124,7 @@ class Module(unittest.TestCase):
                                 ({**ball, 'shape': 'cone'}, ROD, '^a.shape is "cone", expected cylinder, capsule, sphere or'),
                                 (ROD, {**ball, 'center': [0, np.nan, 0]}, r'^b.center\[1\] is NaN, expected a number$'),
                                 ({**floor, 'radius': 1}, ROD, '^a.radius is given, but a half_space has point and normal$'),
+                                ({'shape': 'box', 'center': [0, 0, 0], 'edges': [1, 2, -3]}, ROD, '^a.edges'),
                                 (floor, floor, '^a and b are both half-spaces$'),
                                 ({**ball, 'radius': object()}, ROD, '^a has a value that is neither'),
                                 (ball, [1, 2], r'^b has shape \(2,\), not')):

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "corpus/pairs/box_pairs.hpp"
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/exact_pairs.hpp"
 #include "corpus/pairs/near_touching.hpp"
@@ -377,6 +378,40 @@ constexpr Entry half_space_entries[] = {
     {"half_space_normal", "normals of length 1e-300 to 1e300", half_space_pair<HalfSpaceKind::scaled_normal>},
 };
 
+/// A rounded box and a solid of each kind in turn.
+Pair rounded_box_pair(RandomStream& s, std::uint64_t index) {
+  constexpr std::uint64_t kinds = enum_values<SolidKind>.size();
+  return draw_rounded(rounded_box, static_cast<SolidKind>(index % kinds), s, index / kinds);
+}
+
+template <BoxKind kind>
+Pair box_pair(RandomStream& s, std::uint64_t index) {
+  return draw_with_box(kind, s, index);
+}
+
+constexpr Entry box_entries[] = {
+    {"box_sphere", "a box and a ball", rounded_pair<box, sphere>},
+    {"box_capsule", "a box and a capsule", rounded_pair<box, capsule>},
+    {"box_cylinder", "a box and a cylinder", rounded_pair<box, cylinder>},
+    {"box_rounded", "a box and a rounded cylinder", rounded_pair<box, rounded>},
+    {"box_half_space", "a box and a half-space", rounded_pair<box, half_space>},
+    {"box_box", "two boxes", rounded_pair<box, box>},
+    {"rounded_box", "a rounded box and a solid of any kind", rounded_box_pair},
+    {"box_edges", "edge meets edge or side at every angle, in the middle or at the corners",
+     box_pair<BoxKind::edges>},
+    {"box_flush", "a facet meets a facet, edge, cap or side, flat or 1e-15 to 1e-2 rad from it",
+     box_pair<BoxKind::flush>},
+    {"box_stacked", "boxes turned alike, often equal, at facets, edges, corners or one centre",
+     box_pair<BoxKind::stacked>},
+    {"box_nested", "a solid 1e-1 to 1e-12 as large as a box, inside it or through its surface",
+     box_pair<BoxKind::nested>},
+    {"box_thin", "plates, rods and points: edges 0 or nearly, often both solids", box_pair<BoxKind::thin>},
+    {"box_lattice", "small integers and quarter turns: exact ties", box_pair<BoxKind::lattice>},
+    {"box_far", "nearly touching 1e2 to 1e12 from the origin", box_pair<BoxKind::far>},
+    {"box_quaternion", "nearly touching, quaternions of length 1e-300 to 1e300",
+     box_pair<BoxKind::quaternion>},
+};
+
 template <const auto& some, std::size_t i>
 Pair generate(std::uint64_t seed, std::uint64_t index) {
   RandomStream stream(some[i].name, seed, index);
@@ -391,7 +426,7 @@ constexpr std::array<Family, sizeof...(i)> make_families(std::index_sequence<i..
 // The families of a campaign: first those without rounding.
 constexpr auto drawn = [] {
   std::array<Family, std::size(entries) + std::size(close_entries) + std::size(rounded_entries) +
-                         std::size(half_space_entries)>
+                         std::size(half_space_entries) + std::size(box_entries)>
       all;
   auto next = all.begin();
   const auto add = [&](const auto& some) { next = std::ranges::copy(some, next).out; };
@@ -399,6 +434,7 @@ constexpr auto drawn = [] {
   add(make_families<close_entries>(std::make_index_sequence<std::size(close_entries)>()));
   add(make_families<rounded_entries>(std::make_index_sequence<std::size(rounded_entries)>()));
   add(make_families<half_space_entries>(std::make_index_sequence<std::size(half_space_entries)>()));
+  add(make_families<box_entries>(std::make_index_sequence<std::size(box_entries)>()));
   return all;
 }();
 
@@ -413,8 +449,11 @@ std::span<const Family> rounded_families() {
       .subspan<std::size(entries) + std::size(close_entries), std::size(rounded_entries)>();
 }
 std::span<const Family> half_space_families() {
-  return std::span(drawn).last<std::size(half_space_entries)>();
+  return std::span(drawn)
+      .last<std::size(half_space_entries) + std::size(box_entries)>()
+      .first<std::size(half_space_entries)>();
 }
+std::span<const Family> box_families() { return std::span(drawn).last<std::size(box_entries)>(); }
 std::span<const Family> campaign_families() { return drawn; }
 
 const Family* find_family(std::string_view name) {

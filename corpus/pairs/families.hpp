@@ -28,7 +28,9 @@ std::span<const Family> close_families();
 std::span<const Family> rounded_families();
 /// A half-space with each of them, and at the ends of the range.
 std::span<const Family> half_space_families();
-/// The families of a campaign: families(), rounded_families(), half_space_families().
+/// A box with each of them, with a half-space and with a box, rounded too, and at the boundaries of boxes.
+std::span<const Family> box_families();
+/// The families of a campaign: families(), rounded_families(), half_space_families(), box_families().
 std::span<const Family> campaign_families();
 /// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15". Pairs have that margin as a gap
 /// (even index) or a penetration (odd index; at 1e-01 only gaps). They have the features of solids in general

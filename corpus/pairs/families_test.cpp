@@ -77,7 +77,8 @@ TEST(Families, HaveNamesAndSummaries) {
     EXPECT_EQ(find_family(f.name), &f);
   }
   EXPECT_EQ(families().size(), 36u);
-  EXPECT_EQ(names.size(), families().size() + rounded_families().size() + half_space_families().size());
+  EXPECT_EQ(names.size(), families().size() + rounded_families().size() + half_space_families().size() +
+                              box_families().size());
   EXPECT_EQ(find_family("axes"), nullptr);
 }
 

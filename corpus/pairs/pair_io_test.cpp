@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
 namespace cyl {
@@ -40,11 +42,10 @@ bool same_bits(double x, double y) {
   return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
 }
 
+using Bits = std::array<std::uint64_t, solid_number_count>;
+
 bool same_bits(const Solid& x, const Solid& y) {
-  bool same = same_bits(x.radius, y.radius) && same_bits(x.height, y.height);
-  for (int i = 0; i < 3; ++i)
-    same = same && same_bits(x.center[i], y.center[i]) && same_bits(x.axis[i], y.axis[i]);
-  return same;
+  return x.shape == y.shape && std::bit_cast<Bits>(numbers_of(x)) == std::bit_cast<Bits>(numbers_of(y));
 }
 
 bool same_bits(const Pair& x, const Pair& y) { return same_bits(x.a, y.a) && same_bits(x.b, y.b); }
@@ -113,7 +114,7 @@ TEST(PairIo, KeepsEveryBitOfEveryDouble) {
 }
 
 TEST(PairIo, KeepsEveryBitOfEveryFamily) {
-  for (const Family& family : families())
+  for (const Family& family : campaign_families())
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Pair p = family.generate(20261121, i);
       const CaseLine line = parse_case(format_pair(p), 1);
@@ -186,6 +187,21 @@ TEST(PairIo, ReadsShapesByName) {
   EXPECT_EQ(written.substr(0, written.find(",\"b\"")),
             R"({"a":{"shape":"half_space","point":[1,2,3],"normal":[0,0,-2]})");
   EXPECT_TRUE(same_bits(parse_case(written, 1).value->pair, {plane, capsule}));
+  const Solid box =
+      read(R"({"rounding":0.5,"quaternion":[0,-0.0,1,2],"edges":[1,0,3],"center":[4,5,6],"shape":"box"})");
+  EXPECT_EQ(box.shape, Shape::box);
+  EXPECT_EQ(box.center, Vector3(4, 5, 6));
+  EXPECT_EQ(box.edges, (std::array<double, 3>{1, 0, 3}));
+  EXPECT_EQ(box.quaternion, (std::array<double, 4>{0, 0, 1, 2}));
+  EXPECT_EQ(box.rounding, 0.5);
+  const Solid plain = read(R"({"shape":"box","center":[0,0,0],"edges":[1,2,3]})");
+  EXPECT_EQ(plain.quaternion, (std::array<double, 4>{1, 0, 0, 0}));
+  EXPECT_EQ(plain.rounding, 0);
+  const std::string boxes = format_pair({plain, box});
+  EXPECT_EQ(boxes,
+            R"({"a":{"shape":"box","center":[0,0,0],"edges":[1,2,3],"quaternion":[1,0,0,0]},"b":{)"
+            R"("shape":"box","center":[4,5,6],"edges":[1,0,3],"quaternion":[0,-0,1,2],"rounding":0.5}})");
+  EXPECT_TRUE(same_bits(parse_case(boxes, 1).value->pair, {plain, box}));
 }
 
 struct Refusal {
@@ -199,7 +215,21 @@ TEST(PairIo, NamesTheFaultAndItsPlace) {
   const std::vector<Refusal> refusals = {
       // Shapes by name.
       {with_a(R"({"shape":@"ball","center":[0,0,0],"radius":1})"),
-       "a.shape is \"ball\", expected cylinder, capsule, sphere or half_space"},
+       "a.shape is \"ball\", expected cylinder, capsule, sphere, half_space or box"},
+      {with_a(R"({"shape":"box","center":[0,0,0],@"size":[1,2,3]})"),
+       "a.size is not a field of a solid; give edges, the three full lengths"},
+      {with_a(R"({"shape":"box","center":[0,0,0],@"half_extents":[1,2,3]})"),
+       "a.half_extents is not a field of a solid; give edges, which are twice as much"},
+      {with_a(R"({"shape":"box","center":[0,0,0],"edges":[1,2,3],"radius":1@})"),
+       "a.radius is given, but a box has center, edges, and perhaps quaternion and rounding"},
+      {with_a(R"({"shape":"box","center":[0,0,0]@})"), "a.edges is missing"},
+      {with_a(R"({"shape":"box","center":[0,0,0],"edges":@[1,-2,3]})"), "a.edges are negative"},
+      {with_a(R"({"shape":"box","center":[0,0,0],"edges":@[1,2]})"), "a.edges has 2 coordinates, expected 3"},
+      {with_a(R"({"shape":"box","center":[0,0,0],"edges":[1,2,3],"quaternion":[0,0,0,-0.0]@})"),
+       "a.quaternion is zero"},
+      {with_a(R"({"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"edges":[1,2,3]@})"),
+       "a.edges is given, but a cylinder has center, axis or quaternion, radius, height, and perhaps "
+       "rounding"},
       {with_a(R"({"shape":"sphere","center":[0,0,0],"radius":1,"height":2@})"),
        "a.height is given, but a sphere has center and radius"},
       {with_a(R"({"shape":"half_space","point":[0,0,0]@})"), "a.normal is missing"},
@@ -378,7 +408,8 @@ TEST(PairIo, SurvivesMutatedBytes) {
   const std::vector<std::string> seeds = {
       good_line,
       with_more(R"("id":"n\u0061me","source":"b\\k","truth":"touching","note":"","x":[1,{"y":null}]})"),
-      with_a(R"({"center":[-0,1e-300,-1.5E+3],"axis":[0,0,1e150],"radius":0,"height":0})")};
+      with_a(R"({"center":[-0,1e-300,-1.5E+3],"axis":[0,0,1e150],"radius":0,"height":0})"),
+      with_a(R"({"shape":"box","center":[1,2,3],"edges":[0,1.5,2],"quaternion":[1,0,-1,0],"rounding":1})")};
   RandomStream stream("pair_io_test", 20261121, 1);
   const auto bits = [&] { return static_cast<std::uint32_t>(stream.bits() >> 32); };
   constexpr std::string_view favourites = "\"\\{}[]:,-+.eE0123456789 \t\r\n\xEF\xBB\xBF\xFFtruefalsn";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 namespace {
@@ -17,49 +18,71 @@ constexpr std::array<double, 6> parts{1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> dusts{1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
 constexpr std::array<double, 8> scales{1e-300, 1e-150, 1e-50, 1e-10, 1e10, 1e50, 1e100, 1e150};
 
+bool is_box(SolidKind kind) { return kind == SolidKind::box || kind == SolidKind::rounded_box; }
 bool is_bounded(SolidKind kind) { return kind != SolidKind::half_space; }
-bool has_height(SolidKind kind) { return is_bounded(kind) && kind != SolidKind::sphere; }
 bool has_radius(SolidKind kind) { return kind == SolidKind::cylinder || kind == SolidKind::rounded; }
-bool has_rounding(SolidKind kind) { return is_bounded(kind) && kind != SolidKind::cylinder; }
+bool has_height(SolidKind kind) { return has_radius(kind) || kind == SolidKind::capsule; }
+bool has_rounding(SolidKind kind) {
+  return is_bounded(kind) && kind != SolidKind::cylinder && kind != SolidKind::box;
+}
 
-/// Draws a solid of this kind, with lengths from `length`.
-template <class Length>
-Solid draw_kind(SolidKind kind, RandomStream& s, Length length) {
+/// The radius of the ball about the centre that holds the solid.
+double reach(const Solid& c) {
+  const double edges = c.edges[0] * c.edges[0] + c.edges[1] * c.edges[1] + c.edges[2] * c.edges[2];
+  return std::sqrt(c.radius * c.radius + (c.height * c.height + edges) / 4) + c.rounding;
+}
+
+}  // namespace
+
+double draw_moderate(RandomStream& s) { return s.between(0.5, 2); }
+
+Solid draw_kind(SolidKind kind, RandomStream& s, double (*length)(RandomStream&)) {
   Solid c;
-  c.axis = s.unit_vector();
+  if (is_box(kind)) {
+    c.shape = Shape::box;
+    c.quaternion = draw_quaternion(s);
+    for (double& edge : c.edges) edge = length(s);
+  } else {
+    c.axis = s.unit_vector();
+  }
   if (!is_bounded(kind)) c.shape = Shape::half_space;
-  if (has_radius(kind)) c.radius = length();
-  if (has_height(kind)) c.height = length();
-  if (has_rounding(kind)) c.rounding = length();
+  if (has_radius(kind)) c.radius = length(s);
+  if (has_height(kind)) c.height = length(s);
+  if (has_rounding(kind)) c.rounding = length(s);
   return c;
 }
 
-Solid draw_any(SolidKind kind, RandomStream& s) {
-  return draw_kind(kind, s, [&] { return s.within_decades(lengths); });
-}
-
-double reach(const Solid& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding; }
-
-void scatter(RandomStream& s, Pair& p) {
+void put_anywhere(RandomStream& s, Pair& p) {
   for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
   const double distance = s.between(0, 0.9) * (reach(p.a) + reach(p.b));
   p.b.center = p.a.center + distance * s.unit_vector();
 }
 
+namespace {
+
+Solid draw_any(SolidKind kind, RandomStream& s) {
+  return draw_kind(kind, s, [](RandomStream& t) { return t.within_decades(lengths); });
+}
+
 Pair draw_anywhere(SolidKind a, SolidKind b, RandomStream& s) {
   Pair p{draw_any(a, s), draw_any(b, s)};
-  scatter(s, p);
+  put_anywhere(s, p);
   return p;
 }
 
 // How far from the middle of a side, cap or segment a contact may lie, as a part of the way to its end.
 constexpr double inside_part = 0.6;
 
-/// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim. A
-/// segment is touched inside it or at its end. A half-space lies behind the plane. Returns the contact from
-/// the centre.
-Vector3 touch_plane(Solid& c, const Vector3& n, RandomStream& s) {
+/// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim, or in
+/// any part of a box. A segment is touched inside it or at its end. A half-space lies behind the plane.
+/// Returns the contact from the centre.
+Vector3 touch_anywhere(Solid& c, const Vector3& n, RandomStream& s) {
   const Vector3 v = s.perpendicular(n), third = n.cross(v);
+  if (is_box(c)) {
+    const auto part = static_cast<TouchPart>(s.below(3));
+    const double along = s.between(-inside_part, inside_part), across = s.between(-inside_part, inside_part);
+    return touch_plane(c, part, n, v, {along, across}, s);
+  }
   if (is_half_space(c)) {
     c.axis = n;
     return s.between(-2, 2) * v;
@@ -81,37 +104,64 @@ Vector3 touch_plane(Solid& c, const Vector3& n, RandomStream& s) {
   return half * towards + c.radius * radial;
 }
 
-// The cores lie on either side of two parallel planes. The planes are as far apart as both roundings and the
-// margin together. So the cores are too, at the two contacts.
-Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index, double b_to_a = 1) {
-  const auto length = [&] { return s.between(0.5, 2); };
-  Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
-  for (double* x : {&p.b.radius, &p.b.height, &p.b.rounding}) *x *= b_to_a;
-  const double margin = margins[(index / 2) % margins.size()] * (index % 2 == 0 ? 1 : -1);
-  const Vector3 n = s.unit_vector();
-  const Vector3 on_a = touch_plane(p.a, n, s), on_b = touch_plane(p.b, -n, s);
-  for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
-  // An overlap deeper than both roundings would make the cores overlap, so the cores then touch.
-  const double apart = std::fmax(0, p.a.rounding + p.b.rounding + margin * size_of(p));
-  p.b.center = p.a.center + (on_a + apart * n - on_b);
-  return p;
-}
-
 Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
-  const auto length = [&] { return static_cast<double>(s.integer(1, 4)); };
+  const auto length = [](RandomStream& t) { return static_cast<double>(t.integer(1, 4)); };
   Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
   constexpr std::array<std::array<int, 3>, 6> rational{
       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 4, 0}, {0, 3, -4}, {1, 2, 2}}};  // their lengths are integers
+  constexpr std::array<std::array<double, 4>, 8> turns{{{1, 0, 0, 0},
+                                                        {1, 0, 0, 1},
+                                                        {1, 1, 0, 0},
+                                                        {1, 1, 1, 1},
+                                                        {0, 1, -1, 0},
+                                                        {3, 0, 1, 0},
+                                                        {2, -1, 0, 2},
+                                                        {1, 2, 3, -4}}};
   for (Solid* c : {&p.a, &p.b}) {
-    const auto& w = rational[s.below(rational.size())];
-    c->axis = Vector3(w[0], w[1], w[2]);
+    if (is_box(*c)) {
+      c->quaternion = turns[s.below(turns.size())];
+    } else {
+      const auto& w = rational[s.below(rational.size())];
+      c->axis = Vector3(w[0], w[1], w[2]);
+    }
     for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-4, 4);
+  }
+  return p;
+}
+
+/// Does the same to a pair with a box.
+Pair made_awkward(Pair p, RandomStream& s) {
+  const Vector3 along = is_box(p.a) ? edge_direction(p.a, s.below(3)) : p.a.axis;
+  switch (s.below(6)) {
+    case 0:
+      lay_along(p.b, along, s);
+      p.b.center = p.a.center + s.between(-1, 1) * (reach(p.a) + reach(p.b)) * along;
+      break;
+    case 1:
+      lay_along(p.b, along, s);
+      break;
+    case 2:
+      p.b.center = p.a.center;
+      break;
+    case 3: {
+      const double scale = s.pick(scales);
+      for_each_length(p, [&](double& x) { x *= scale; });
+      break;
+    }
+    case 4:
+      p.a.edges[s.below(3)] *= s.pick(dusts);
+      p.b.edges[s.below(3)] *= s.pick(dusts);
+      break;
+    default:
+      p.a.rounding *= s.pick(dusts);
+      p.b.rounding *= s.pick(dusts);
   }
   return p;
 }
 
 Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
   Pair p = draw_anywhere(a, b, s);
+  if (has_box(p)) return made_awkward(p, s);
   switch (s.below(6)) {
     case 0:  // in line
       p.b.axis = s.sign() * p.a.axis;
@@ -145,6 +195,27 @@ constexpr std::array<double, 6> offsets{1e2, 1e4, 1e6, 1e8, 1e10, 1e12};
 constexpr std::array<double, 7> normal_lengths{1e-300, 1e-150, 1e-20, 3, 1e20, 1e150, 1e300};
 
 }  // namespace
+
+// The cores lie on either side of two parallel planes. The planes are as far apart as both roundings and the
+// margin together. So the cores are too, at the two contacts.
+Pair put_near(Pair p, RandomStream& s, std::uint64_t index) {
+  const double margin = margins[(index / 2) % margins.size()] * (index % 2 == 0 ? 1 : -1);
+  const Vector3 n = s.unit_vector();
+  const Vector3 on_a = touch_anywhere(p.a, n, s), on_b = touch_anywhere(p.b, -n, s);
+  for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
+  // An overlap deeper than both roundings would make the cores overlap, so the cores then touch. With a box
+  // they overlap.
+  const double apart = p.a.rounding + p.b.rounding + margin * size_of(p);
+  p.b.center = p.a.center + (on_a + (has_box(p) ? apart : std::fmax(0, apart)) * n - on_b);
+  return p;
+}
+
+Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index, double b_to_a) {
+  Pair p{draw_kind(a, s, draw_moderate), draw_kind(b, s, draw_moderate)};
+  for (double* x : {&p.b.radius, &p.b.height, &p.b.rounding, &p.b.edges[0], &p.b.edges[1], &p.b.edges[2]})
+    *x *= b_to_a;
+  return put_near(p, s, index);
+}
 
 Pair draw_half_space(HalfSpaceKind kind, RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded};

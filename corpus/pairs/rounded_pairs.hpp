@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of solids grown by balls: spheres, capsules, rounded cylinders, and these with cylinders.
+// Pairs of solids of given kinds: spheres, capsules, cylinders, half-spaces and boxes, rounded or not.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,20 @@ namespace cyl {
 ///    moves the margin by up to 5e-16 of the size.
 /// 3. The fourth is in turn a pair of small integers, which may touch exactly, and an awkward pair. That has
 ///    solids on one line or about one centre, other scales, or tiny lengths or roundings.
-/// It is random which solid is `a`.
+/// It is random which solid is `a`. In a pair without a box, no overlap is deeper than both roundings.
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index);
+
+/// Draws the lengths of a solid of this kind by `length`, and its directions.
+Solid draw_kind(SolidKind kind, RandomStream& stream, double (*length)(RandomStream&));
+/// From 0.5 to 2.
+double draw_moderate(RandomStream& stream);
+/// Puts b around a. The centres are apart by up to 0.9 of the radii of the balls around the solids.
+void put_anywhere(RandomStream& stream, Pair& pair);
+/// Turns and puts solids as the second pair has them (even index) or the third, with any part of a box at the
+/// contact. An overlap may be less deep than its margin, and one of 1e-1 may be none.
+Pair put_near(Pair pair, RandomStream& stream, std::uint64_t index);
+/// Draws such a pair with moderate lengths. b is `b_to_a` times as large.
+Pair draw_near(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index, double b_to_a = 1);
 
 enum class HalfSpaceKind : unsigned char { tilted, thin, far, scaled_normal };
 /// Draws a half-space and a solid near touching, at margins of 1e-1 to 1e-15, then changes it.

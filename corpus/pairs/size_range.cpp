@@ -17,7 +17,7 @@ struct Lengths {
 /// Returns the least and the greatest of the lengths that are not 0.
 Lengths lengths_of(const Solid& c) {
   Lengths lengths;
-  for (const double x : {c.radius, c.height, c.rounding}) {
+  for (const double x : {c.radius, c.height, c.rounding, c.edges[0], c.edges[1], c.edges[2]}) {
     if (x == 0) continue;
     lengths.least = std::min(lengths.least, x);
     lengths.greatest = std::max(lengths.greatest, x);
@@ -26,6 +26,7 @@ Lengths lengths_of(const Solid& c) {
 }
 
 bool has_zero_length(const Solid& c) {
+  if (is_box(c)) return std::ranges::count(c.edges, 0.0) > 0;
   const SolidKind kind = kind_of(c);
   return (kind == SolidKind::cylinder && c.radius == 0) ||
          ((kind == SolidKind::cylinder || kind == SolidKind::rounded) && c.height == 0);
@@ -33,7 +34,10 @@ bool has_zero_length(const Solid& c) {
 
 double coordinate_of(const Solid& c) { return c.center.cwiseAbs().maxCoeff(); }
 
-double ball_of(const Solid& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
+double ball_of(const Solid& c) {
+  if (is_box(c)) return std::hypot(c.edges[0], c.edges[1], c.edges[2]) / 2 + c.rounding;
+  return std::hypot(c.radius, c.height / 2) + c.rounding;
+}
 
 /// Returns the gap between the balls around the solids, negative if they overlap.
 double gap_of(const Pair& pair) {

@@ -9,12 +9,13 @@
 
 namespace cyl {
 
-/// Limits of the radius, height and rounding of one solid, in the unit of the scene. A sphere has no radius
-/// and no height, and a capsule no radius. The limits do not apply to these.
+/// Limits of the radius, height, edges and rounding of one solid, in the unit of the scene. A sphere has no
+/// radius and no height, and a capsule no radius. The limits do not apply to these.
 struct SizeRange {
   double least = 0, greatest = std::numeric_limits<double>::infinity();
   double aspect = std::numeric_limits<double>::infinity();  ///< the greatest length divided by the least
-  bool zero_lengths = true;  ///< includes cylinders, rounded or not, with a radius or height of 0
+  /// It includes cylinders with a radius or height of 0 and boxes with an edge of 0, rounded or not.
+  bool zero_lengths = true;
 
   /// The greatest coordinate of a centre in absolute value.
   double coordinate = std::numeric_limits<double>::infinity();

@@ -40,6 +40,28 @@ TEST(SizeRange, CountsNoMissingLengthOfSpheresAndCapsules) {
   EXPECT_TRUE(SizeRange{.least = 0.1}.holds(solid(1, 0)));
 }
 
+TEST(SizeRange, CountsTheEdgesOfBoxes) {
+  const auto box = [](std::array<double, 3> edges, double rounding = 0) {
+    return Solid{.rounding = rounding, .shape = Shape::box, .edges = edges};
+  };
+  const SizeRange range{.least = 0.1, .greatest = 10, .aspect = 20, .zero_lengths = false};
+  EXPECT_TRUE(range.holds(box({0.5, 1, 10})));
+  EXPECT_FALSE(range.holds(box({0.09, 1, 1})));
+  EXPECT_FALSE(range.holds(box({1, 10.5, 1})));
+  EXPECT_FALSE(range.holds(box({0.4, 1, 10}))) << "an aspect of 25";
+  EXPECT_FALSE(range.holds(box({8, 8, 8}, 0.3))) << "the rounding counts too";
+  EXPECT_FALSE(range.holds(box({1, 0, 1})));
+  EXPECT_FALSE(range.holds(box({1, 0, 1}, 1)));
+  EXPECT_TRUE(SizeRange{.least = 0.1}.holds(box({1, 0, 1})));
+  const Pair large{box({100, 20, 8}), solid(0, 0, 40)};
+  EXPECT_EQ(numbers_of(*fitted(large, {.greatest = 10})), numbers_of(scaled(large, -4)));
+  EXPECT_EQ(size_of(large), 168);
+  Pair apart{box({2, 4, 4}, 1), solid(0, 0, 1)};  // their balls have the radii 4 and 1
+  apart.b.center = apart.a.center + Vector3(0, 9, 0);
+  EXPECT_TRUE(SizeRange{.gap = 4}.holds(apart));
+  EXPECT_FALSE(SizeRange{.gap = 3.9}.holds(apart));
+}
+
 TEST(SizeRange, ScalesAPairIntoTheRange) {
   const SizeRange range{.least = 0.1, .greatest = 10};
   const Pair small{solid(0.01, 0.02), solid(0.03, 0.04)}, large{solid(100, 20), solid(8, 40)};

@@ -17,15 +17,16 @@ heard.addSingleResult = (point) => {
   return 0;
 };
 
-function cylinder(s) {
-  const half = new Bullet.btVector3(s.radius, s.halfHeight, s.radius), shape = new Bullet.btCylinderShape(half);
-  Bullet.destroy(half);
+function made(Shape, ...half) {
+  const vector = new Bullet.btVector3(...half), shape = new Shape(vector);
+  Bullet.destroy(vector);
   return shape;
 }
 const shapes = {
   sphere: (s) => new Bullet.btSphereShape(s.rounding),
   capsule: (s) => new Bullet.btCapsuleShape(s.rounding, 2 * s.halfHeight),
-  cylinder,
+  cylinder: (s) => made(Bullet.btCylinderShape, s.radius, s.halfHeight, s.radius),
+  box: (s) => made(Bullet.btBoxShape, ...s.half),
   half_space: () => new Bullet.btStaticPlaneShape(up, 0),
 };
 
@@ -40,7 +41,7 @@ function placed(s) {
 
 const rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space'], rounded_rims: rims }, (a, b) => {
+serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space', 'box'], rounded_rims: rims }, (a, b) => {
   const one = placed(a), other = placed(b);
   least = Infinity;
   world.contactPairTest(one.object, other.object, heard);

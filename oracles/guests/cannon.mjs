@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// cannon-es: a test of separating axes of two prisms, which lie inside the cylinders.
+// cannon-es: a test of separating axes of two polyhedra. The prisms lie inside the cylinders.
 import { readFileSync } from 'node:fs';
-import { Cylinder, Narrowphase, Plane, Quaternion, Vec3 } from 'cannon-es';
+import { Box, Cylinder, Narrowphase, Plane, Quaternion, Vec3 } from 'cannon-es';
 import { serve } from './lines.mjs';
 
 const { version } = JSON.parse(readFileSync(new URL('node_modules/cannon-es/package.json', import.meta.url)));
@@ -12,6 +12,7 @@ const toY = new Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2); // from z, the no
 const shapes = {
   cylinder: ({ radius, halfHeight }) => new Cylinder(radius, radius, 2 * halfHeight, sides),
   half_space: () => new Plane(),
+  box: ({ half }) => new Box(new Vec3(...half)).convexPolyhedronRepresentation,
 };
 const placed = (s) => {
   const { position: p, turn: t } = s;
@@ -19,7 +20,7 @@ const placed = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: 1e-6, source: 'cannon-es.js, Vec3.almostZero: an axis shorter than 1e-6 is passed over' };
-serve({ name: 'cannon', version, claim, takes: ['cylinder', 'half_space'] }, (a, b) => {
+serve({ name: 'cannon', version, claim, takes: ['cylinder', 'half_space', 'box'] }, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   const [one, at, turn] = placed(a), [other, ...there] = placed(b), axis = new Vec3();
   const meet = a.kind === 'half_space'

@@ -22,13 +22,16 @@ const shapes = {
   sphere: (s) => Havok.HP_Shape_CreateSphere([0, 0, 0], s.rounding),
   capsule: (s) => Havok.HP_Shape_CreateCapsule([0, -s.halfHeight, 0], [0, s.halfHeight, 0], s.rounding),
   cylinder: (s) => Havok.HP_Shape_CreateCylinder([0, -s.halfHeight, 0], [0, s.halfHeight, 0], s.radius),
+  box: (s) => Havok.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], s.half.map((half) => 2 * half)),
 };
 const place = ({ position: p, turn: t }) => [[p.x, p.y, p.z], [t.x, t.y, t.z, t.w]];
-const reach = (s) => Math.hypot(s.radius, s.halfHeight) + s.rounding;
+const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
 
-// It turns a cylinder into a prism of 16 sides inside it. Rims are rounded by at most 0.015, as small spheres show.
+// It turns a cylinder into a prism of 16 sides inside it. As small spheres show, the edges of boxes are rounded by 0.015, and
+// rims by at most as much.
+const rims = 0.015;
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'] }, (a, b) => {
+serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'box'], rounded_rims: rims }, (a, b) => {
   const made = [a, b].map((s) => shapes[s.kind](s));
   if (made.some(([result]) => result !== Havok.Result.RESULT_OK)) return { declined: 'it makes no such shape' };
   const [one, other] = made.map(must);

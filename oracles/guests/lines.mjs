@@ -19,27 +19,40 @@ function halfSpaceOf({ point, normal }, origin) {
   const offset = line.reduce((sum, c, i) => sum + (c / length) * (point[i] - origin[i]), 0);
   const [px, py, pz] = line.map((c) => (c / length) * offset);
   const turn = normal[1] < 0 ? { x: w, y: z, z: 0, w: -x } : { x, y: 0, z, w }; // half a turn about x first
-  return { kind: 'half_space', halfHeight: 0, radius: 0, rounding: 0, position: { x: px, y: py, z: pz }, turn };
+  return { kind: 'half_space', lengths: [], position: { x: px, y: py, z: pz }, turn };
 }
 
-function solidOf(cylinder, origin) {
-  if (cylinder.shape === 'half_space') return halfSpaceOf(cylinder, origin);
-  const [x, y, z] = cylinder.center.map((c, i) => c - origin[i]);
-  const { height, radius, rounding = 0 } = cylinder;
-  const kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
-  return { kind, halfHeight: height / 2, radius, rounding, position: { x, y, z }, turn: turnFromY(cylinder.axis) };
+/** The unit quaternion of any quaternion but 0. */
+function unit(quaternion) {
+  const [w, x, y, z] = quaternion.map((c) => c / Math.max(...quaternion.map(Math.abs)));
+  const n = Math.hypot(w, x, y, z);
+  return { x: x / n, y: y / n, z: z / n, w: w / n };
+}
+
+/** `lengths` has all of its lengths. */
+function solidOf(solid, origin) {
+  if (solid.shape === 'half_space') return halfSpaceOf(solid, origin);
+  const [x, y, z] = solid.center.map((c, i) => c - origin[i]);
+  const { height, radius, rounding = 0, quaternion = [1, 0, 0, 0] } = solid;
+  const position = { x, y, z };
+  if (solid.shape === 'box') {
+    const half = solid.edges.map((edge) => edge / 2), kind = rounding === 0 ? 'box' : 'rounded_box';
+    return { kind, half, rounding, lengths: [...half, rounding], position, turn: unit(quaternion) };
+  }
+  const halfHeight = height / 2, kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
+  return { kind, halfHeight, radius, rounding, lengths: [halfHeight, radius, rounding], position, turn: turnFromY(solid.axis) };
 }
 
 /** Lengths whose fourth powers single precision holds. */
 const least = 1e-9, most = 1e9;
 
-function fits({ halfHeight, radius, rounding, position }) {
-  return [halfHeight, radius, rounding].every((x) => x === 0 || (x >= least && x <= most)) &&
+function fits({ lengths, position }) {
+  return lengths.every((x) => x === 0 || (x >= least && x <= most)) &&
     Object.values(position).every((x) => Math.abs(x) <= most);
 }
 
 /** All kinds of solids that daylight asks about. */
-export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded', 'half_space'];
+export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded', 'half_space', 'box', 'rounded_box'];
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
@@ -54,7 +67,7 @@ export function serve(hello, answer) {
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
     try {
-      const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center ?? b.center));
+      const solids = [a, b].map((solid) => solidOf(solid, a.center ?? b.center));
       say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
     } catch (error) {
       say({ error: String(error) });

@@ -15,6 +15,7 @@ const shapes = {
   sphere: (s) => new geometry.SphereGeometry(s.rounding),
   capsule: (s) => new geometry.CapsuleGeometry(s.rounding, s.halfHeight),
   cylinder: (s) => new geometry.CylinderGeometry(s.radius, s.halfHeight),
+  box: (s) => new geometry.BoxGeometry(new Vec3(...s.half)),
 };
 
 function placed(s) {
@@ -24,9 +25,9 @@ function placed(s) {
   return [shapes[s.kind](s), at];
 }
 
-const rims = oimo.common.Setting.defaultGJKMargin; // inside the cylinder
+const rims = oimo.common.Setting.defaultGJKMargin; // inside the solid; less for a thin box
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1. Its EPA ends after 40 steps' };
-serve({ name: 'oimo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims }, (a, b) => {
+serve({ name: 'oimo', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'box'], rounded_rims: rims }, (a, b) => {
   const [one, at] = placed(a), [other, there] = placed(b);
   const status = gjk.computeClosestPoints(one, other, at, there, null);
   if (status !== 0) return { error: `GjkEpaResultState ${status}` };

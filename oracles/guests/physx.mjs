@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PhysX's overlap of two solids, and the separation that its GJK finds. Cylinders are convex cores.
+// PhysX's overlap of two solids, and the separation that its GJK finds. Cylinders and rounded boxes are convex cores.
 import { readFileSync } from 'node:fs';
 import { all_kinds, serve } from './lines.mjs';
 
@@ -21,20 +21,32 @@ function cylinder(s) {
   return geometry;
 }
 
+function rounded_box(s) {
+  const core = new PhysX.PxConvexCoreBox(...s.half.map((half) => 2 * half));
+  const geometry = factory.createFromBox(core, s.rounding);
+  PhysX.destroy(core);
+  return geometry;
+}
+
 const shapes = {
   sphere: (s) => new PhysX.PxSphereGeometry(s.rounding),
   capsule: (s) => new PhysX.PxCapsuleGeometry(s.rounding, s.halfHeight),
   cylinder,
   rounded: cylinder,
   half_space: () => new PhysX.PxPlaneGeometry(),
+  box: (s) => new PhysX.PxBoxGeometry(...s.half),
+  rounded_box,
 };
 
-const quarter = Math.SQRT1_2; // from its x to y
+const quarter = Math.SQRT1_2; // from its x to y, but not for boxes
+const turnOf = ({ half, turn: t }) => half
+  ? [t.x, t.y, t.z, t.w]
+  : [(t.x + t.y) * quarter, (t.y - t.x) * quarter, (t.z + t.w) * quarter, (t.w - t.z) * quarter];
 
 function placed(s) {
-  const { position: p, turn: t } = s;
+  const { position: p } = s;
   const at = new PhysX.PxVec3(p.x, p.y, p.z);
-  const turn = new PhysX.PxQuat((t.x + t.y) * quarter, (t.y - t.x) * quarter, (t.z + t.w) * quarter, (t.w - t.z) * quarter);
+  const turn = new PhysX.PxQuat(...turnOf(s));
   const pose = new PhysX.PxTransform(at, turn), geometry = shapes[s.kind](s);
   return { geometry, pose, end: () => [geometry, pose, turn, at].forEach((gone) => PhysX.destroy(gone)) };
 }

@@ -10,6 +10,8 @@ const shapes = {
   capsule: (s) => new RAPIER.Capsule(s.halfHeight, s.rounding),
   cylinder: (s) => new RAPIER.Cylinder(s.halfHeight, s.radius),
   half_space: () => new RAPIER.HalfSpace({ x: 0, y: 1, z: 0 }),
+  box: (s) => new RAPIER.Cuboid(...s.half),
+  rounded_box: (s) => new RAPIER.RoundCuboid(...s.half, s.rounding),
   rounded: (s) => new RAPIER.RoundCylinder(s.halfHeight, s.radius, s.rounding),
 };
 serve({ name: 'rapier', version: RAPIER.version(), claim, takes: all_kinds }, (a, b) => {

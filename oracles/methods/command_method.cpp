@@ -28,7 +28,10 @@ constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60
 
 /// Returns a simple pair of solids of that kind, which are disjoint.
 Pair easy_pair(SolidKind kind) {
-  Solid solid{.radius = 1, .height = 2, .rounding = kind == SolidKind::cylinder ? 0.0 : 1.0};
+  const bool sharp = kind == SolidKind::cylinder || kind == SolidKind::box;
+  Solid solid{.radius = 1, .height = 2, .rounding = sharp ? 0.0 : 1.0};
+  if (kind == SolidKind::box || kind == SolidKind::rounded_box)
+    solid = {.rounding = solid.rounding, .shape = Shape::box, .edges = {2, 2, 2}};
   if (kind == SolidKind::sphere) solid.height = 0;
   if (kind == SolidKind::sphere || kind == SolidKind::capsule) solid.radius = 0;
   Pair pair{solid, solid};
@@ -167,8 +170,8 @@ class CommandMethod final : public Method {
 
   /// Returns a pair of a shape that it supports, cylinders if it does.
   Pair easy() const {
-    for (const SolidKind kind :
-         {SolidKind::cylinder, SolidKind::capsule, SolidKind::sphere, SolidKind::rounded})
+    for (const SolidKind kind : {SolidKind::cylinder, SolidKind::capsule, SolidKind::sphere,
+                                 SolidKind::rounded, SolidKind::box, SolidKind::rounded_box})
       if (supports(kind)) return easy_pair(kind);
     return easy_pair(SolidKind::cylinder);
   }

@@ -111,7 +111,7 @@ GuestHello hello_of(const json& line) {
       const auto kind = from_word<SolidKind>(word.is_string() ? word.get<std::string>() : "");
       if (!kind)
         throw std::invalid_argument(
-            "takes has what is none of sphere, capsule, cylinder, rounded, half_space");
+            "takes has what is none of sphere, capsule, cylinder, rounded, half_space, box, rounded_box");
       hello.supports[static_cast<std::size_t>(*kind)] = true;
     }
     if (*supports == json::array({"half_space"}))

@@ -3,7 +3,7 @@
 // for each pair. The questions are lines of pair_io.
 //
 //   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"},
-//    "takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false,
+//    "takes":["sphere","box"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false,
 //    "coordinate":1e6,"gap":10},"depth":"at_most"}
 //   {"verdict":"disjoint","distance":0.5,"direction":[1,0,0]}
 //   {"verdict":"intersecting","distance":-0.1,"point":[0,0,1]}
@@ -30,7 +30,7 @@ struct GuestHello {
   std::string name, version;  ///< empty if the hello has none
   double relative = 0, absolute = 0;
   std::string claim_source;
-  double rounded_rims = 0;     ///< the radius by which it rounds the edges of cylinders, inwards
+  double rounded_rims = 0;     ///< the radius by which it rounds the edges of cylinders and boxes, inwards
   bool depth_at_most = false;  ///< its depths are upper bounds
   /// The kinds of solids that it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};

@@ -89,6 +89,8 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   EXPECT_TRUE(
       parse_guest_line(R"({"takes":["half_space"]})").error.starts_with("takes has half_space alone"));
   EXPECT_TRUE(parse_guest_line(R"({"takes":["half_space","sphere"]})").hello);
+  EXPECT_EQ(parse_guest_line(R"({"takes":["box","rounded_box"]})").hello->supports,
+            (std::array{false, false, false, false, false, true, true}));
   for (const char* wrong :
        {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
         R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",

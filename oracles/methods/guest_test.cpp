@@ -259,8 +259,12 @@ TEST(GuestRotation, OfASolidIsThatOfItsQuaternionOrAxis) {
   for (const Eigen::Vector4d& q :
        {Eigen::Vector4d(1, 0, 0, 0), {-3, 4, 1, 2}, {0, 1e-9, 0, 1}, {0, -1, 5, 0}})
     for (const double length : {1.0, 1e-300, 1e307}) {
-      DaylightSolid box{
-          .shape = DAYLIGHT_BOX, .center = {}, .axis = {}, .quaternion = {}, .lengths = {}, .rounding = 0};
+      DaylightSolid box{.shape = DAYLIGHT_ROUNDED_BOX,
+                        .center = {},
+                        .axis = {},
+                        .quaternion = {},
+                        .lengths = {},
+                        .rounding = 0};
       for (int i = 0; i < 4; ++i) box.quaternion[i] = q[i] * length;
       Rotation rotation;
       daylight_solid_rotation(&box, rotation.data());
@@ -289,6 +293,19 @@ TEST(GuestCommand, ItsHelloLimitsPositionsAndDepths) {
   pair.a.center.x() = -1;
   EXPECT_FALSE(method->supports(pair)) << "a gap of 5 - sqrt 8";
   EXPECT_STREQ(method->ask(pair).reason, "it does not support these sizes or positions");
+}
+
+TEST(GuestCommand, OneOfBoxesAloneIsAskedAboutBoxes) {
+  for (const char* kind : {"box", "rounded_box"}) {
+    const std::string trouble = "case $q in *'\"shape\":\"box\"'*) " + say(apart) + ";; *) exit 1;; esac";
+    const auto method =
+        command(say(std::string(R"({"takes":[")") + kind + R"("]})") + "; " + each_line(trouble));
+    EXPECT_EQ(method->ask(numbered_pairs(1)[0]).status, Status::declined);
+    const Solid box{.rounding = *kind == 'r' ? 1.0 : 0.0, .shape = Shape::box, .edges = {1, 2, 0}};
+    EXPECT_EQ(method->ask({box, box}).status, Status::answered) << kind;
+    const Solid other{.rounding = 1 - box.rounding, .shape = Shape::box};
+    EXPECT_EQ(method->ask({box, other}).status, Status::declined) << kind;
+  }
 }
 
 TEST(GuestNames, GivenOrDerived) {

@@ -87,7 +87,7 @@ class Method {
     return declined_size();
   }
   /// Returns the solids that it really tests. They differ from `pair` if it rounds the
-  /// edges of cylinders on purpose.
+  /// edges of cylinders and boxes on purpose.
   virtual Pair modelled(const Pair& pair) const { return pair; }
   /// Returns its answer. It declines pairs that it does not support.
   MethodAnswer ask(const Pair& pair) { return supports(pair) ? answer(pair) : decline(pair); }

@@ -50,7 +50,7 @@ static_assert(interface_sizes.size() == DAYLIGHT_PLUGIN_ABI);
 
 constexpr int cylinder_shapes =
     DAYLIGHT_SPHERE | DAYLIGHT_CAPSULE | DAYLIGHT_CYLINDER | DAYLIGHT_ROUNDED_CYLINDER;
-constexpr int all_shapes = cylinder_shapes | DAYLIGHT_HALF_SPACE | DAYLIGHT_BOX;
+constexpr int all_shapes = cylinder_shapes | DAYLIGHT_HALF_SPACE | DAYLIGHT_BOX | DAYLIGHT_ROUNDED_BOX;
 
 /// Returns the method with all fields of today's interface. A field that its own does not have is 0.
 DaylightMethod checked(const DaylightMethod* given) {

@@ -68,12 +68,15 @@ MethodName name_of(const Guest& guest, const std::vector<PluginLabel>& labels) {
 }
 
 DaylightSolid struct_of(const Solid& s) {
-  return {1 << static_cast<int>(kind_of(s)),
-          {s.center[0], s.center[1], s.center[2]},
-          {s.axis[0], s.axis[1], s.axis[2]},
-          {},
-          {s.radius, s.height},
-          s.rounding};
+  DaylightSolid out{1 << static_cast<int>(kind_of(s)), {}, {}, {}, {s.radius, s.height}, s.rounding};
+  std::ranges::copy(s.center, out.center);
+  if (is_box(s)) {
+    std::ranges::copy(s.quaternion, out.quaternion);
+    std::ranges::copy(s.edges, out.lengths);
+  } else {
+    std::ranges::copy(s.axis, out.axis);
+  }
+  return out;
 }
 
 /// Pairs in the form in which a method is asked about them, and the calls that pass them.
@@ -140,7 +143,8 @@ class Plugin final : public Method {
   bool supports(SolidKind kind) const override {
     static_assert(1 << static_cast<int>(SolidKind::sphere) == DAYLIGHT_SPHERE &&
                   1 << static_cast<int>(SolidKind::rounded) == DAYLIGHT_ROUNDED_CYLINDER &&
-                  1 << static_cast<int>(SolidKind::half_space) == DAYLIGHT_HALF_SPACE);
+                  1 << static_cast<int>(SolidKind::half_space) == DAYLIGHT_HALF_SPACE &&
+                  1 << static_cast<int>(SolidKind::rounded_box) == DAYLIGHT_ROUNDED_BOX);
     return (label_.method.shapes >> static_cast<int>(kind) & 1) != 0;
   }
   const SizeRange* sizes() const override { return &sizes_; }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/touch_plane.hpp"
+
+#include <cmath>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr Eigen::Index index_of(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// Turns the box so that its own directions `out` and `along`, square to each other, become n and u.
+void turn_to(Solid& box, const Vector3& out, const Vector3& along, const Vector3& n, const Vector3& u) {
+  const Vector3 third = out.cross(along), w = n.cross(u);
+  std::array<Vector3, 3> columns;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    columns[static_cast<std::size_t>(i)] = (out[i] * n + along[i] * u) + third[i] * w;
+  box.quaternion = quaternion_of(columns);
+}
+
+// All coordinates of `out` in the box's frame that are not 0 are at least 0.2. So the contact is a vertex, an
+// edge or a facet with room for roundings.
+Vector3 touch_with_box(Solid& box, TouchPart part, const Vector3& n, const Vector3& u,
+                       const TouchPlace& place, RandomStream& s) {
+  constexpr double least = 0.3;
+  const std::size_t i = s.below(3), j = (i + 1) % 3, k = (i + 2) % 3;
+  Vector3 out(0, 0, 0), along(0, 0, 0);
+  out[index_of(i)] = s.sign() * s.between(least, 1);
+  along[index_of(k)] = s.sign();
+  if (part != TouchPart::face) out[index_of(j)] = s.sign() * s.between(least, 1);
+  if (part == TouchPart::point) {
+    out[index_of(k)] = s.sign() * s.between(least, 1);
+    along = out.cross(along);
+  }
+  turn_to(box, normalise(out), normalise(along), n, u);
+  Vector3 contact(0, 0, 0);
+  for (const std::size_t e : {i, j, k}) {
+    const double part_of = e == k ? place.along : place.across, towards = out[index_of(e)];
+    const double half = box.edges[e] / 2;
+    contact += half * (towards == 0 ? part_of : towards < 0 ? -1 : 1) * edge_direction(box, e);
+  }
+  return contact;
+}
+
+}  // namespace
+
+// Each element of the symmetric matrix q q^T, times 4 over |q|^2, is a sum of elements of the rotation. A row
+// with a large diagonal element is q at some length.
+std::array<double, 4> quaternion_of(const std::array<Vector3, 3>& c) {
+  const double x = c[0][0], y = c[1][1], z = c[2][2];
+  const double wx = c[1][2] - c[2][1], wy = c[2][0] - c[0][2], wz = c[0][1] - c[1][0];
+  const double xy = c[0][1] + c[1][0], xz = c[2][0] + c[0][2], yz = c[1][2] + c[2][1];
+  if (x + y + z > 0) return {1 + x + y + z, wx, wy, wz};
+  if (x >= y && x >= z) return {wx, 1 + x - y - z, xy, xz};
+  if (y >= z) return {wy, xy, 1 - x + y - z, yz};
+  return {wz, xz, yz, 1 - x - y + z};
+}
+
+std::array<double, 4> draw_quaternion(RandomStream& s) {
+  for (;;) {
+    std::array<double, 4> q;
+    double square = 0;
+    for (double& x : q) {
+      x = s.between(-1, 1);
+      square += x * x;
+    }
+    if (square <= 1 && square >= 1e-2) return q;
+  }
+}
+
+Vector3 edge_direction(const Solid& box, std::size_t edge) {
+  const Vec3<double> e = edge_directions<double>(box.quaternion)[edge];
+  return {e.x, e.y, e.z};
+}
+
+void lay_along(Solid& c, const Vector3& along, RandomStream& s) {
+  if (!is_box(c)) {
+    c.axis = s.sign() * along;
+    return;
+  }
+  Vector3 edge(0, 0, 0), next(0, 0, 0);
+  const std::size_t i = s.below(3);
+  edge[index_of(i)] = s.sign();
+  next[index_of((i + 1) % 3)] = 1;
+  turn_to(c, edge, next, along, s.perpendicular(along));
+}
+
+Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u, const TouchPlace& place,
+                    RandomStream& s) {
+  if (is_box(c)) return touch_with_box(c, part, n, u, place, s);
+  const Vector3 w = n.cross(u);
+  if (is_half_space(c)) {
+    c.axis = n;
+    return 2 * place.along * u + 2 * place.across * w;
+  }
+  const double half = c.height / 2;
+  if (part == TouchPart::line || (part == TouchPart::face && c.radius == 0)) {
+    c.axis = s.sign() * u;
+    return c.radius * n + place.along * half * u;
+  }
+  if (part == TouchPart::face) {
+    c.axis = s.sign() * n;
+    return half * n + place.along * c.radius * u;
+  }
+  const double along = s.between(0.3, 1), across = s.between(0.3, 1);
+  const Vector3 towards = normalise(along * n + across * w), radial = normalise(across * n - along * w);
+  c.axis = s.sign() * towards;
+  return half * towards + c.radius * radial;
+}
+
+}  // namespace cyl

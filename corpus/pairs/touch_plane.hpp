@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Turns solids of any kind so that a plane touches them in a chosen part: the start of a pair that is built
+// from the contact outwards.
+#pragma once
+
+#include <array>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "solver/solid.hpp"
+
+namespace cyl {
+
+/// The part of the core in which a plane touches it, by its dimension.
+enum class TouchPart : unsigned char {
+  point,  ///< a vertex, a rim, the end of a segment
+  line,   ///< an edge, a side, a segment
+  face    ///< a facet, a cap
+};
+
+/// Returns a quaternion, not of length 1, of the rotation with these columns. They are orthonormal up to
+/// rounding.
+std::array<double, 4> quaternion_of(const std::array<Vector3, 3>& columns);
+
+/// Returns a random quaternion with a length of 0.1 to 1.
+std::array<double, 4> draw_quaternion(RandomStream& s);
+
+/// Returns the unit direction of an edge, rounded.
+Vector3 edge_direction(const Solid& box, std::size_t edge);
+
+/// Turns the solid so that its axis, or an edge drawn from the three, has the unit direction `along`.
+void lay_along(Solid& c, const Vector3& along, RandomStream& s);
+
+/// Where a contact lies in its part, from -1 to 1 each. 0 is the middle of the part and 1 its border.
+struct TouchPlace {
+  double along, across;
+};
+
+/// Turns the core so that the plane square to `n` touches it from outside. `u` is square to `n`; an edge or a
+/// side that touches has its direction, and an edge of a facet too. A sphere has one part only. A half-space
+/// lies behind the plane. Returns the contact from the centre. Its n.x is the greatest of the core, up to
+/// rounding.
+Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u, const TouchPlace& place,
+                    RandomStream& s);
+
+}  // namespace cyl
