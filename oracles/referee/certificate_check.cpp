@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/certificate_check.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -53,9 +54,30 @@ bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
 bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
 Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
 
+// A flat box has the hull of a disk, segment or point.
 Hull own_hull(const Solid& c) {
   if (is_half_space(c)) return Hull::space;
+  if (is_box(c)) {
+    constexpr std::array hulls{Hull::space, Hull::plane, Hull::line, Hull::center};
+    return hulls[static_cast<std::size_t>(std::ranges::count(c.edges, 0.0))];
+  }
   return both(c.height == 0 ? Hull::plane : Hull::space, c.radius == 0 ? Hull::line : Hull::space);
+}
+
+// The hull that an answer names for a box counts for nothing: its own is always meant.
+Hull hull_within(const Solid& c, Hull named) { return is_box(c) ? own_hull(c) : both(own_hull(c), named); }
+
+// Returns the edge that gives the direction of a flat box's hull: its only edge that is 0, or is not 0.
+std::size_t hull_edge(const Solid& box) {
+  const bool plane = own_hull(box) == Hull::plane;
+  for (std::size_t i = 0; i < 2; ++i)
+    if ((box.edges[i] == 0) == plane) return i;
+  return 2;
+}
+
+// Returns the normal of the hull if that is a plane, its direction if it is a line.
+Rational3 hull_axis(const Solid& c) {
+  return is_box(c) ? edge_directions<mpq_class>(c.quaternion)[hull_edge(c)] : exact(c.axis);
 }
 
 }  // namespace
@@ -66,6 +88,7 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
   double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
   for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
   most = std::fmax(most, std::fmax(a.rounding, b.rounding));
+  for (const Solid* c : {&a, &b}) most = std::fmax(most, std::ranges::max(c->edges));
   if (!std::isfinite(most)) return;
   exponent_ = most > 0 ? std::ilogb(most) : 0;
   bool exact = true;
@@ -77,10 +100,20 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
     s.half = R(scaled(c.height, -exponent_, exact)) / 2;
     s.rounding = scaled(c.rounding, -exponent_, exact);
     s.rounded = c.rounding != 0;
+    s.hull = own_hull(c);
+    s.box = is_box(c);
+    if (s.box) {
+      std::array<double, 4> q = c.quaternion;
+      const double greatest = std::fmax(max_abs({q[0], q[1], q[2]}), std::fabs(q[3]));
+      for (double& x : q) x = scaled(x, -std::ilogb(greatest), exact);
+      s.edges = edge_directions<I>(q);
+      for (std::size_t i = 0; i < 3; ++i) s.halves[i] = R(scaled(c.edges[i], -exponent_, exact)) / 2;
+      s.axis = s.edges[hull_edge(c)];
+      return s;
+    }
     const Vec3<double> w = plain(c.axis);
     const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
     s.axis = axis / norm(axis);
-    s.hull = own_hull(c);
     return s;
   };
   a_ = solid(a);
@@ -113,13 +146,30 @@ bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
 }
 
 template <class R>
+Hull BasicFilter<R>::Lifted::within(Hull named) const {
+  return this->box ? hull : both(hull, named);
+}
+
+template <class R>
 bool BasicFilter<R>::is_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
+  if (s.box) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if ((hull == Hull::space || s.halves[i].lo > 0) && !(abs(dot(at, s.edges[i])).hi <= s.halves[i].lo))
+        return false;
+    return true;
+  }
   return (level(hull) || abs(dot(at, s.axis)).hi <= s.half.lo) &&
          (thin(hull) || norm(cross(at, s.axis)).hi <= s.radius.lo);
 }
 
 template <class R>
 bool BasicFilter<R>::is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
+  if (s.box) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if ((hull == Hull::space || s.halves[i].lo > 0) && !(abs(dot(at, s.edges[i])).hi < s.halves[i].lo))
+        return false;
+    return true;
+  }
   return (level(hull) || abs(dot(at, s.axis)).hi < s.half.lo) &&
          (thin(hull) || norm(cross(at, s.axis)).hi < s.radius.lo);
 }
@@ -179,7 +229,7 @@ bool BasicFilter<R>::come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const {
 
 template <class R>
 bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const {
-  const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
+  const Hull hull_a = a_.within(hulls[0]), hull_b = b_.within(hulls[1]);
   const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
   return usable_ && is_in(a_, hull_a, x) && is_in(b_, hull_b, y) &&
          norm(delta_ + y - x).hi <= (a_.rounding + b_.rounding).lo;
@@ -192,7 +242,7 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
 // Then a - b holds a ball about 0, so f > 0 in every direction.
 template <class R>
 bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
-  const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
+  const Hull hull_a = a_.within(hulls[0]), hull_b = b_.within(hulls[1]);
   if (hull_a != Hull::space && hull_b != Hull::space) {
     const bool swap = hull_b != Hull::plane;  // now `second` lies in a plane
     const Lifted &first = swap ? b_ : a_, &second = swap ? a_ : b_;
@@ -259,8 +309,22 @@ Sides sides_of(const Solid& c, const Rational3& point) {
           cmp(mpq_class(dot(across, across)), mpq_class(radius * radius * ww))};
 }
 
+// Returns whether the point is in the box, or strictly inside. Its sides whose edge is 0 are left out if
+// `flat`.
+bool is_in_box(const Solid& c, const Rational3& point, bool strictly, bool flat) {
+  const auto directions = edge_directions<mpq_class>(c.quaternion);
+  const Rational3 x = point - exact(c.center);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (flat && c.edges[i] == 0) continue;
+    const int side = cmp(mpq_class(abs(dot(x, directions[i]))), mpq_class(mpq_class(c.edges[i]) / 2));
+    if (side > 0 || (strictly && side == 0)) return false;
+  }
+  return true;
+}
+
 bool is_in(const Solid& c, const Rational3& point) {
   if (is_half_space(c)) return dot(exact(c.axis), point - exact(c.center)) <= 0;
+  if (is_box(c)) return is_in_box(c, point, false, false);
   const Sides sides = sides_of(c, point);
   return sides.cap <= 0 && sides.wall <= 0;
 }
@@ -268,13 +332,14 @@ bool is_in(const Solid& c, const Rational3& point) {
 // A flat solid is taken as a part of its plane or line. The point must be in the solid.
 bool strictly_inside(const Solid& c, const Rational3& point, Hull hull) {
   if (is_half_space(c)) return dot(exact(c.axis), point - exact(c.center)) < 0;
+  if (is_box(c)) return is_in_box(c, point, true, hull != Hull::space);
   const Sides sides = sides_of(c, point);
   return (level(hull) || sides.cap < 0) && (thin(hull) || sides.wall < 0);
 }
 
 // Returns whether the hulls are two planes, or a plane and a line, that are not parallel.
 bool cross_at_an_angle(const Pair& pair, Hull hull_a, Hull hull_b) {
-  const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis), normal = cross(w0, w1);
+  const Rational3 w0 = hull_axis(pair.a), w1 = hull_axis(pair.b), normal = cross(w0, w1);
   if (hull_a == hull_b) return hull_a == Hull::plane && dot(normal, normal) != 0;
   return hull_a != Hull::center && hull_b != Hull::center && dot(w0, w1) != 0;
 }
@@ -293,11 +358,14 @@ mpq_class contact_distance_of(const Pair& pair) {
   return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding);
 }
 
+bool is_flat(const Solid& c) { return own_hull(c) != Hull::space; }
+
 Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull) {
-  const Hull in = both(own_hull(c), hull);
-  const Rational3 center = exact(c.center), w = exact(c.axis), x = point - center;
+  const Hull in = hull_within(c, hull);
+  const Rational3 center = exact(c.center);
   if (in == Hull::space) return point;
   if (in == Hull::center) return center;
+  const Rational3 w = hull_axis(c), x = point - center;
   const Rational3 along = mpq_class(dot(x, w) / dot(w, w)) * w;
   return center + (in == Hull::line ? along : x - along);
 }
@@ -334,8 +402,9 @@ std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& poi
   };
   for (const bool second : {false, true}) {
     const Solid& c = second ? pair.b : pair.a;
-    const Hull hull = both(own_hull(c), hulls[second ? 1 : 0]);
-    const Rational3 w = exact(c.axis), center = exact(c.center);
+    const Hull hull = hull_within(c, hulls[second ? 1 : 0]);
+    if (hull == Hull::space) continue;
+    const Rational3 w = hull_axis(c), center = exact(c.center);
     if (level(hull)) add(w, center);
     if (thin(hull)) {
       // Any vector not along w gives a first normal; the coordinate vector of w's least coordinate is one.

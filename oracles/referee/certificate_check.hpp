@@ -18,7 +18,8 @@ namespace cyl {
 using Rational3 = Vec3<mpq_class>;
 
 /// The hulls that the caller requires to contain the point, one for each solid. The own hull of a flat solid
-/// is always required too: the plane of a disk, the line of a segment, or the point.
+/// is always required too: the plane of a disk, the line of a segment, or the point. Of a box, the hull of
+/// its edges that are not 0 is required, and no other.
 using Hulls = std::array<Hull, 2>;
 
 /// The filter, in intervals of R: double, or long double if that has more digits. It scales the pair by
@@ -63,6 +64,7 @@ class BasicFilter {
   struct Lifted : Terms<I> {  // in the filter's unit
     Vec3<R> center;
     Hull hull;
+    Hull within(Hull named) const;  ///< the hull and the one that an answer names
   };
   bool close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const;
   bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
@@ -96,6 +98,9 @@ bool overlap_at(const Pair& pair, const Rational3& point);
 /// Returns the point of the hulls nearest to the one given, exactly. Returns nothing if the hulls have no
 /// common point.
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls = {});
+
+/// Returns whether the core lies in a plane.
+bool is_flat(const Solid& c);
 
 /// Returns the point of the solid's own hull and of `hull` that is nearest to the given point, exactly.
 Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull = Hull::space);

@@ -89,9 +89,25 @@ std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction
   return std::nullopt;
 }
 
+std::optional<CommonPoint> common_point(const Pair& pair, const Rational3& guess) {
+  const Rational3 a = exact(pair.a.center);
+  const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
+  const double tail[3] = {mpq_class(guess.x - a.x).get_d(), mpq_class(guess.y - a.y).get_d(),
+                          mpq_class(guess.z - a.z).get_d()};
+  if (finite(tail)) {
+    const Rational3 rounded = sum(head, tail);
+    if (in_both_exact(pair, rounded)) return CommonPoint{rounded, exact_vector(head, tail)};
+  }
+  const auto moved = project_to_hulls(pair, guess);
+  if (moved && in_both_exact(pair, *moved)) return CommonPoint{*moved, exact_vector(*moved)};
+  return std::nullopt;
+}
+
 mpq_class exact_size(const Pair& pair) {
-  return mpq_class(pair.a.radius) + mpq_class(pair.a.height) + mpq_class(pair.b.radius) +
-         mpq_class(pair.b.height) + contact_distance_of(pair);
+  mpq_class size = contact_distance_of(pair);
+  for (const Solid* c : {&pair.a, &pair.b})
+    for (const double x : {c->radius, c->height, c->edges[0], c->edges[1], c->edges[2]}) size += x;
+  return size;
 }
 
 mpq_class times_power(mpq_class x, int exponent) {

@@ -47,6 +47,16 @@ Rational3 rational(const Vec3<MpFloat>& v);
 /// Returns nothing if the direction does not separate, at this precision or at twice as many bits.
 std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction, int bits);
 
+/// A common point found from a guess. It is the guess rounded to a's centre plus a double, which is short,
+/// and good enough for all but the closest calls. Or it is the guess moved exactly into the lines and planes
+/// of the flat solids.
+struct CommonPoint {
+  Rational3 point;
+  ExactVector written;
+};
+std::optional<CommonPoint> common_point(const Pair& pair, const Rational3& guess);
+
+/// The sum of all lengths but the distance of the centres, as size_of(), exactly.
 mpq_class exact_size(const Pair& pair);
 mpq_class times_power(mpq_class x, int exponent);
 /// Returns the simplest rationals whose distance from each coordinate is at most 2^-(bits/4) times the size.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/half_space.hpp"
 #include "oracles/referee/multiprecision.hpp"
@@ -93,28 +94,6 @@ std::optional<Truth> check_offers(const Pair& pair, std::span<const MethodAnswer
   return std::nullopt;
 }
 
-// A common point found from a guess. It is the guess rounded to a's centre plus a double, which is short, and
-// good enough for all but the closest calls. Or it is the guess moved exactly into the lines and planes of
-// the flat solids.
-struct CommonPoint {
-  Rational3 point;
-  ExactVector written;
-};
-
-std::optional<CommonPoint> common_point(const Pair& pair, const Rational3& guess) {
-  const Rational3 a = exact(pair.a.center);
-  const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
-  const double tail[3] = {mpq_class(guess.x - a.x).get_d(), mpq_class(guess.y - a.y).get_d(),
-                          mpq_class(guess.z - a.z).get_d()};
-  if (finite(tail)) {
-    const Rational3 rounded = sum(head, tail);
-    if (in_both_exact(pair, rounded)) return CommonPoint{rounded, exact_vector(head, tail)};
-  }
-  const auto moved = project_to_hulls(pair, guess);
-  if (moved && in_both_exact(pair, *moved)) return CommonPoint{*moved, exact_vector(*moved)};
-  return std::nullopt;
-}
-
 Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
   const PrecisionScope precision(bits);
   const Found<MpFloat> found = search(multiprecision_pair(pair), bits);
@@ -169,6 +148,11 @@ std::optional<Truth> prove_by_filter(const Pair& pair, const Filter& filter,
       t->witnessed = true;
       return t;
     }
+  if (has_box(pair)) {
+    if (certificates == Certificates::written) return prove_box_in_double(pair, filter);
+    const auto verdict = box_verdict_in_double(pair, filter);
+    return verdict ? std::optional(verdict_alone(*verdict)) : std::nullopt;
+  }
   if (is_rounded(pair)) return prove_rounded_in_double(pair, filter, guess);
   guess.found = search(double_pair(pair, guess.exponent), 53);
   guess.on_a = guess.on_b = guess.found.point;
@@ -329,6 +313,7 @@ Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered) {
 Truth prove_in_long_double(const Pair& pair) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   if (has_half_space(pair)) return judge_half_space(pair);
+  if (has_box(pair)) return prove_in_double(pair);
   Guess guess;
   prove_by_filter(pair, Filter(pair), {}, Certificates::left_out, guess);
   return prove_by_long_filter(pair, guess).value_or(Truth{});
@@ -338,6 +323,7 @@ Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered, int
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   if (has_half_space(pair)) return judge_half_space(pair);
   if (auto t = check_offers(pair, offered)) return std::move(*t);
+  if (has_box(pair)) return judge_box_exactly(pair, bits_cap);
   return is_rounded(pair) ? search_rounded(pair, bits_cap) : search_exactly(pair, bits_cap);
 }
 
@@ -355,6 +341,7 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_by_filter(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
+  if (has_box(pair)) return box_verdict_exactly(pair);
   if (guess.found.has_point &&
       filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);

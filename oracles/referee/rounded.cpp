@@ -41,6 +41,15 @@ mpq_class root_above(const mpq_class& square, int digits) {
 Rational3 pulled_in(const Solid& c, const Rational3& found, int digits) {
   const Rational3 center = exact(c.center), w = exact(c.axis), x = project_to_hull(c, found) - center;
   const mpq_class share = 1 - times_power(1, -digits), ww = dot(w, w);
+  if (is_box(c)) {
+    const auto edges = edge_directions<mpq_class>(c.quaternion);
+    Rational3 in = center;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const mpq_class most = share * mpq_class(c.edges[i]) / 2, along = dot(x, edges[i]);
+      in = in + mpq_class(along > most ? most : along < -most ? mpq_class(-most) : along) * edges[i];
+    }
+    return in;
+  }
   mpq_class along = dot(x, w) / ww;
   Rational3 across = x - along * w;
   const auto part = [&](const mpq_class& square, const mpq_class& most) {
@@ -59,21 +68,6 @@ std::optional<ExactVector> written_short(const Solid& c, const Rational3& point)
   const double tail[3] = {from_center.x.get_d(), from_center.y.get_d(), from_center.z.get_d()};
   if (!finite(tail)) return {};
   return exact_vector(head, tail);
-}
-
-std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits) {
-  const auto shown = [&](const Rational3& x, const Rational3& y) {
-    return in_each_exact(pair, x, y) && compare_with_room(pair, x, y) < 0;
-  };
-  constexpr int double_digits = 50;  // moves a point farther than rounding to double does
-  const auto short_a = written_short(pair.a, pulled_in(pair.a, on_a, double_digits));
-  const auto short_b = written_short(pair.b, pulled_in(pair.b, on_b, double_digits));
-  if (short_a && short_b && shown(exact(*short_a), exact(*short_b)))
-    return met_at(*short_a, *short_b, Stage::exact, bits);
-  const int digits = bits - bits / 8;
-  const Rational3 x = pulled_in(pair.a, on_a, digits), y = pulled_in(pair.b, on_b, digits);
-  if (shown(x, y)) return met_at(exact_vector(x), exact_vector(y), Stage::exact, bits);
-  return {};
 }
 
 /// The point of a's core that lies farthest along the direction, in multiprecision, from a's centre.
@@ -264,6 +258,21 @@ std::pair<Rational3, Rational3> points_of(const Pair& pair, const MethodAnswer& 
 
 }  // namespace
 
+std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits) {
+  const auto shown = [&](const Rational3& x, const Rational3& y) {
+    return in_each_exact(pair, x, y) && compare_with_room(pair, x, y) < 0;
+  };
+  constexpr int double_digits = 50;  // moves a point farther than rounding to double does
+  const auto short_a = written_short(pair.a, pulled_in(pair.a, on_a, double_digits));
+  const auto short_b = written_short(pair.b, pulled_in(pair.b, on_b, double_digits));
+  if (short_a && short_b && shown(exact(*short_a), exact(*short_b)))
+    return met_at(*short_a, *short_b, Stage::exact, bits);
+  const int digits = bits - bits / 8;
+  const Rational3 x = pulled_in(pair.a, on_a, digits), y = pulled_in(pair.b, on_b, digits);
+  if (shown(x, y)) return met_at(exact_vector(x), exact_vector(y), Stage::exact, bits);
+  return {};
+}
+
 std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAnswer& answer) {
   const Certificate said = answer.certificate();
   if (said.hulls != Certificate{}.hulls || !filter.come_near(said.vector, said.second, said.hulls)) return {};
@@ -280,6 +289,25 @@ std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& 
   const auto [on_a, on_b] = points_of(pair, answer);
   if (!in_each_exact(pair, on_a, on_b) || compare_with_room(pair, on_a, on_b) >= 0) return {};
   return met_at(exact_vector(on_a), exact_vector(on_b), Stage::exact, first_multiprecision_bits);
+}
+
+std::optional<Truth> meet_by_filter(const Pair& pair, const Filter& filter, const Vec3<double>& from_a,
+                                    const Vec3<double>& from_b, int exponent) {
+  constexpr double inward = 1 - 0x1p-45;  // moves a point farther in than rounding carries it out
+  const auto point = [&](const Solid& c, const Vec3<double>& from_center) {
+    const auto in_scene = [&](double x) { return std::ldexp(inward * x, exponent); };
+    return ExactVector{{c.center.x(), c.center.y(), c.center.z()},
+                       {in_scene(from_center.x), in_scene(from_center.y), in_scene(from_center.z)},
+                       {}};
+  };
+  const ExactVector on_a = point(pair.a, from_a), on_b = point(pair.b, from_b);
+  if (!filter.come_near(on_a, on_b, {})) return {};
+  // For flat solids, the points meant are the nearest ones of their planes and lines.
+  const auto written = [](const Solid& c, const ExactVector& v) {
+    if (!is_flat(c)) return exact_vector(v.head.data(), v.tail.data());
+    return exact_vector(project_to_hull(c, exact(v)));
+  };
+  return met_at(written(pair.a, on_a), written(pair.b, on_b), Stage::filter, 53);
 }
 
 std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter, Guess& guess) {
@@ -305,21 +333,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   const double direction[3] = {between.x, between.y, between.z};
   if (filter.separates(direction))
     return proved(Verdict::disjoint, exact_vector(direction, no_tail), Stage::filter, 53);
-  constexpr double inward = 1 - 0x1p-45;  // moves a point farther in than rounding carries it out
-  const auto point = [&](const Solid& c, const Vec3<double>& from_center) {
-    const auto in_scene = [&](double x) { return std::ldexp(inward * x, exponent); };
-    return ExactVector{{c.center.x(), c.center.y(), c.center.z()},
-                       {in_scene(from_center.x), in_scene(from_center.y), in_scene(from_center.z)},
-                       {}};
-  };
-  const ExactVector on_a = point(pair.a, found.on_a), on_b = point(pair.b, found.on_b - p.delta);
-  if (!filter.come_near(on_a, on_b, {})) return {};
-  // For flat solids, the points meant are the nearest ones of their planes and lines.
-  const auto written = [](const Solid& c, const ExactVector& v) {
-    if (c.radius > 0 && c.height > 0) return exact_vector(v.head.data(), v.tail.data());
-    return exact_vector(project_to_hull(c, exact(v)));
-  };
-  return met_at(written(pair.a, on_a), written(pair.b, on_b), Stage::filter, 53);
+  return meet_by_filter(pair, filter, found.on_a, found.on_b - p.delta, exponent);
 }
 
 std::optional<Truth> prove_rounded_at_once(const Pair& pair) {

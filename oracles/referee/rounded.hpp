@@ -18,6 +18,13 @@ std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& 
 /// The same if they may only touch.
 bool points_show_contact(const Pair& pair, const MethodAnswer& answer);
 
+/// Proves that the solids overlap, by a point near each given one. They are relative to the centres of their
+/// solids, in a unit of 2^exponent.
+std::optional<Truth> meet_by_filter(const Pair& pair, const Filter& filter, const Vec3<double>& from_a,
+                                    const Vec3<double>& from_b, int exponent);
+/// The same with many bits, in the scene's frame.
+std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits);
+
 /// Leaves its result in `guess`.
 std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter, Guess& guess);
 

@@ -137,12 +137,25 @@ std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, 
 }
 
 RootSum exact_core_support(const Solid& c, const Rational3& d) {
+  if (is_box(c)) {
+    mpq_class sum = 0;
+    const auto edges = edge_directions<mpq_class>(c.quaternion);
+    for (std::size_t i = 0; i < 3; ++i) sum += mpq_class(c.edges[i]) / 2 * abs(dot(d, edges[i]));
+    return sum;
+  }
   const Rational3 w = exact(c.axis), side = cross(d, w);
   const mpq_class ww = dot(w, w), dw = dot(d, w);
   return RootSum::root(c.radius, dot(side, side) / ww) + RootSum::root(mpq_class(c.height) / 2, dw * dw / ww);
 }
 
 std::optional<Rational3> farthest_point(const Solid& c, const Rational3& direction) {
+  if (is_box(c)) {
+    Rational3 x = exact(c.center);
+    const auto edges = edge_directions<mpq_class>(c.quaternion);
+    for (std::size_t i = 0; i < 3; ++i)
+      x = x + mpq_class(sgn(dot(direction, edges[i])) * mpq_class(c.edges[i]) / 2) * edges[i];
+    return x;
+  }
   const auto offset = rational(face(c, direction).center);
   if (!offset) return std::nullopt;
   return exact(c.center) + *offset;

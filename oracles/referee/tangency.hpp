@@ -17,14 +17,15 @@ struct Tangency {
       meet;  ///< f(D) = 0, and the solids share a point of that plane, so they touch. Else they are disjoint.
 };
 
-/// Looks for D among the rational directions that the pair and the guessed points of a's and of b's core
-/// suggest. Nothing found proves nothing: D may be irrational (a rim against a wall or a rim, in general
-/// position).
+/// Takes no boxes. Looks for D among the rational directions that the pair and the guessed points of a's and
+/// of b's core suggest. Nothing found proves nothing: D may be irrational (a rim against a wall or a rim, in
+/// general position).
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
                                        const Rational3& near_other, const Rational3& near_direction);
 
-/// A point of a's core and one of b's at which solids touch whose tangency has this direction, if it is
-/// rational. If they touch at many points it is one far from the ends of what the faces share.
+/// Takes no boxes. A point of a's core and one of b's at which solids touch whose tangency has this
+/// direction, if it is rational. If they touch at many points it is one far from the ends of what the faces
+/// share.
 std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, const Rational3& direction);
 
 /// The middle of the face of the core that is farthest along the direction, if it is rational.

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/box.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box_search.hpp"
+#include "oracles/referee/box_sign.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/proofs.hpp"
+#include "oracles/referee/rounded.hpp"
+#include "oracles/referee/tangency.hpp"
+
+namespace cyl {
+namespace {
+
+/// Makes the cores smaller by a share, so that points of theirs are inside in spite of rounding.
+template <class R>
+TermsPair<R> shrunk(TermsPair<R> p, int bits) {
+  const R share = R(1.0) - with_fewer_bits(R(1.0), bits);
+  for (Terms<R>* s : {&p.a, &p.b}) {
+    s->radius = share * s->radius;
+    s->half = share * s->half;
+    for (R& half : s->halves) half = share * half;
+  }
+  return p;
+}
+
+/// What the search in double found.
+struct Offer {
+  explicit Offer(const Pair& pair)
+      : p(shrunk(double_terms(pair, exponent), 42)), found(search_box(p, 53, true)) {}
+  int exponent = 0;
+  TermsPair<double> p;
+  Simplex<double> found;
+
+  std::array<double, 3> direction() const { return {found.nearest.x, found.nearest.y, found.nearest.z}; }
+  std::array<double, 3> point() const {
+    const Vec3<double> x = found.on_a();
+    return {std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)};
+  }
+};
+
+std::array<double, 3> center_of(const Solid& c) { return {c.center.x(), c.center.y(), c.center.z()}; }
+
+Truth of(Verdict verdict, CertificateKind kind, ExactVector vector, int bits) {
+  Truth t = proved(verdict, std::move(vector), Stage::exact, bits);
+  t.certificate.kind = kind;
+  return t;
+}
+
+bool at_contact_distance(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
+  const Rational3 between = on_b - on_a;
+  const mpq_class contact = contact_distance_of(pair);
+  return in_each_exact(pair, on_a, on_b) && dot(between, between) == contact * contact;
+}
+
+Truth touching_truth(const Pair& pair, const BoxRelation& r) {
+  if (is_rounded(pair)) {
+    const bool exactly = at_contact_distance(pair, r.on_a, r.on_b);
+    Truth t = of(Verdict::touching, exactly ? CertificateKind::points : CertificateKind::near_points,
+                 exact_vector(r.on_a), near_bits);
+    (exactly ? t.certificate.second : t.certificate.third) = exact_vector(r.on_b);
+    if (!exactly) t.certificate.second = exact_vector(r.direction);
+    return t;
+  }
+  for (const int digits : short_digits)
+    if (const Rational3 simple = short_near(pair, r.on_a, digits); in_both_exact(pair, simple))
+      return of(Verdict::touching, CertificateKind::point, exact_vector(simple), near_bits);
+  if (const auto common = common_point(pair, r.on_a))
+    return of(Verdict::touching, CertificateKind::point, common->written, near_bits);
+  Truth t = of(Verdict::touching, CertificateKind::near, exact_vector(r.on_a), near_bits);
+  t.certificate.second = exact_vector(r.direction);
+  return t;
+}
+
+Truth disjoint_truth(const Pair& pair, Rational3 direction, int bits_cap) {
+  for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
+    if (bits > near_bits) direction = box_relation(pair, bits).direction;
+    if (auto t = prove_disjoint(pair, direction, bits)) return *t;
+    if (support_gap_sign(pair, direction) < 0)
+      return proved(Verdict::disjoint, exact_vector(direction), Stage::exact, bits);
+  }
+  Truth t;
+  t.verdict = Verdict::disjoint;
+  return t;
+}
+
+Truth overlap_truth(const Pair& pair, BoxRelation r, int bits_cap) {
+  for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
+    if (is_rounded(pair)) {
+      if (bits > near_bits) r = box_relation(pair, bits);
+      if (auto t = meet_at(pair, r.on_a, r.on_b, bits)) return *t;
+      continue;
+    }
+    const PrecisionScope precision(bits);
+    const Simplex<MpFloat> found = search_box(shrunk(terms_of_pair<MpFloat>(pair), bits / 2), bits, true);
+    if (const auto common = common_point(pair, exact(pair.a.center) + rational(found.on_a())))
+      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
+    // A point of two polytopes that is exact, if the depth is tiny.
+    if (const auto common = common_point(pair, r.on_a))
+      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
+  }
+  Truth t;
+  t.verdict = Verdict::intersecting;
+  return t;
+}
+
+}  // namespace
+
+std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter) {
+  const Offer offer(pair);
+  if (const auto d = offer.direction(); filter.separates(d.data()))
+    return proved(Verdict::disjoint, exact_vector(d.data(), no_tail), Stage::filter, 53);
+  const auto head = center_of(pair.a), tail = offer.point();
+  if (filter.in_both(head.data(), tail.data()))
+    return proved(Verdict::intersecting, exact_vector(head.data(), tail.data()), Stage::filter, 53);
+  if (is_rounded(pair))
+    return meet_by_filter(pair, filter, offer.found.on_a(), offer.found.on_b() - offer.p.delta,
+                          offer.exponent);
+  if (!filter.overlap_at(head.data(), tail.data(), {})) return {};
+  const auto moved = project_to_hulls(pair, sum(head.data(), tail.data()));
+  if (!moved) return {};  // not covered: the filter saw the hulls meet
+  return proved(Verdict::intersecting, exact_vector(*moved), Stage::filter, 53);
+}
+
+std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& filter) {
+  const Offer offer(pair);
+  if (filter.separates(offer.direction().data())) return Verdict::disjoint;
+  const auto head = center_of(pair.a), tail = offer.point();
+  if (is_rounded(pair)) {
+    const auto t =
+        meet_by_filter(pair, filter, offer.found.on_a(), offer.found.on_b() - offer.p.delta, offer.exponent);
+    return t ? std::optional(t->verdict) : std::nullopt;
+  }
+  if (filter.overlap_at(head.data(), tail.data(), {})) return Verdict::intersecting;
+  return {};
+}
+
+Truth judge_box_exactly(const Pair& pair, int bits_cap) {
+  if (!has_box_relation(pair)) return {};
+  const BoxRelation r = box_relation(pair, near_bits);
+  if (r.sign < 0) return disjoint_truth(pair, r.direction, bits_cap);
+  return r.sign == 0 ? touching_truth(pair, r) : overlap_truth(pair, r, bits_cap);
+}
+
+Truth box_verdict_exactly(const Pair& pair) {
+  if (!has_box_relation(pair)) return judge_box_exactly(pair, precision_cap);
+  const int sign = box_sign(pair);
+  Truth t;
+  t.verdict = sign < 0 ? Verdict::disjoint : sign > 0 ? Verdict::intersecting : Verdict::touching;
+  t.stage = Stage::exact;
+  t.bits = first_multiprecision_bits;
+  return t;
+}
+
+}  // namespace cyl

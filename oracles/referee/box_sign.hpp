@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The exact relation of two solids of which one is a box: whether they overlap, touch or are apart, and
+// where. Neither is a half-space. It is always found, but for a box and a rounded cylinder (radius and one of
+// the roundings > 0), whose nearest points may be no numbers with one root.
+#pragma once
+
+#include <optional>
+
+#include "oracles/referee/certificate_check.hpp"
+
+namespace cyl {
+
+struct BoxRelation {
+  int sign = 0;          ///< 1 overlapping, 0 touching, -1 disjoint
+  Rational3 on_a, on_b;  ///< unless disjoint: in both cores, at most the contact distance apart
+  Rational3 direction;   ///< unless overlapping: f is <= 0 there, and < 0 if they are disjoint
+};
+
+/// Returns whether box_relation() takes the pair.
+bool has_box_relation(const Pair& pair);
+
+/// The points and the direction are exact if they are rational. Else they are rounded, by at most 2^-bits of
+/// the size and of the direction's length. Cost: 10 us to 2 ms.
+BoxRelation box_relation(const Pair& pair, int bits);
+
+/// The sign alone.
+int box_sign(const Pair& pair);
+
+}  // namespace cyl
