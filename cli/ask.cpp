@@ -31,7 +31,9 @@ constexpr std::uint64_t shown_pairs = 1024;
 
 int write_questions(const AskOptions& options) {
   const std::string folder = options.cases ? *options.cases : in_source_tree("corpus/cases");
-  const auto of_cylinders = [](const Pair& pair) { return !is_rounded(pair) && !has_half_space(pair); };
+  const auto of_cylinders = [](const Pair& pair) {
+    return !is_rounded(pair) && !has_half_space(pair) && !has_box(pair);
+  };
   const std::vector<Case> cases = cases_in(folder, of_cylinders);
   const std::vector<Family> families = families_named(options.families, of_cylinders);
   const Workload workload{{}, families, cases, {}};

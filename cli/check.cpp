@@ -110,7 +110,8 @@ Enclosure shifted(const Enclosure& d, const Interval& length) {
 bool is_within_rounding(const Pair& pair, const std::function<Enclosure(double)>& distance) {
   double error = 0;
   for (const Solid* c : {&pair.a, &pair.b})
-    for (const double x : {c->center.x(), c->center.y(), c->center.z(), c->radius, c->height, c->rounding})
+    for (const double x :
+         {c->center.x(), c->center.y(), c->center.z(), c->radius, c->height, c->rounding, edges_of(*c)})
       error += decimal_rounding_error * std::abs(x);
   for (const double width : decisive_widths) {
     const Enclosure d = distance(width);

@@ -7,14 +7,15 @@
 
 A cylinder is solid and closed. It has center, axis (of any length), radius, full height, and rounding. It is all
 points within the rounding of the cylinder proper, its core. A sphere and a capsule are rounded points and segments. A
-half-space has a point of its plane and the outward normal. Floats are taken exactly. A coordinate of a certificate may
-also be a list of floats (their exact sum) or a string "n/d".
+half-space has a point of its plane and the outward normal. A box has center, edges (three full lengths), a quaternion
+(of any length) and rounding. Floats are taken exactly. A coordinate of a certificate may also be a list of floats
+(their exact sum) or a string "n/d".
 
 A direction proves that two solids are apart if planes square to it show a gap. A point proves that they meet if it lies
 in both cores. Two `points` prove it if one lies in each core, no farther apart than both roundings together. A point
-with `hulls` stands for the point nearest to it in the hulls of both solids, which are subspaces. They touch if they
-meet there and a plane through the point has one solid on each side: the solids have opposite normals there. `near`
-proves touching to within 2^-200 of the size.
+with `hulls` stands for the point nearest to it in the hulls of both solids, which are subspaces. A flat box always has
+the hull of its edges that are not 0. They touch if they meet there and a plane through the point has one solid on each
+side: the solids have opposite normals there. `near` proves touching to within 2^-200 of the size.
 
 A `clearance` is added to the rounding of a. If it is negative, a direction proves that the overlap is not deeper than
 tolerated. A deeper overlap has no certificate: only the sign of the interval is checked, and the last line counts such
@@ -77,10 +78,13 @@ def root(square, bits, above):
 
 
 def plain(solid):
-    """The solid with the fields of a cylinder: of a half-space the point is the center, and the normal the axis."""
+    """A box with all its fields, another solid with the fields of a cylinder. The point of a half-space becomes its
+    center, and the normal its axis."""
     if not isinstance(solid, dict):
         return solid
     shape, solid = solid.get('shape', 'cylinder'), dict(solid)
+    if shape == 'box':
+        return {'quaternion': [1, 0, 0, 0], **solid}
     if 'quaternion' in solid and 'axis' not in solid:
         w, x, y, z = map(float, solid.pop('quaternion'))
         solid['axis'] = [2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z]
@@ -94,7 +98,27 @@ def plain(solid):
 
 
 def is_half_space(solid):
-    return 'shape' in solid
+    return solid.get('shape') == 'half_space'
+
+
+def is_box(solid):
+    return solid.get('shape') == 'box'
+
+
+def edges(solid):
+    """The unit vector along each edge of a box, and half its length. The quaternion (w, v) turns e to
+    e + 2 (w (v x e) + v x (v x e)) / (w^2 + v.v), which is rational."""
+    w, *v = map(exact, solid['quaternion'])
+    for i, length in enumerate(solid['edges']):
+        e = [Fraction(i == j) for j in range(3)]
+        once, share = cross(v, e), 2 / (w * w + dot(v, v))
+        yield [c + share * (w * x + y) for c, x, y in zip(e, once, cross(v, once))], exact(length) / 2
+
+
+def size(pair):
+    """The sum of all radii, heights, roundings and edges."""
+    return sum(exact(x) for k in 'ab' for x in (*(pair[k].get(key, 0) for key in ('radius', 'height', 'rounding')),
+                                                *pair[k].get('edges', ())))
 
 
 def beyond(plane, x):
@@ -104,6 +128,17 @@ def beyond(plane, x):
 
 def contact_distance(pair):
     return sum(exact(pair[k].get('rounding', 0)) for k in 'ab')
+
+
+def reach(solid, d, bits, above):
+    """How far the core extends along d from its centre, times |d|: of a box exactly, else a bound. The core of a
+    half-space is taken as the point."""
+    if is_box(solid):
+        return sum(half * abs(dot(d, e)) for e, half in edges(solid))
+    w = vector(solid['axis'])
+    across = cross(d, w)
+    return (exact(solid['radius']) * root(dot(across, across) / dot(w, w), bits, above)
+            + exact(solid['height']) / 2 * root(dot(d, w)**2 / dot(w, w), bits, above))
 
 
 def gap(pair, direction, bits, above=False):
@@ -117,11 +152,7 @@ def gap(pair, direction, bits, above=False):
     if any(any(cross(d, n)) or sign * dot(d, n) < 0 for sign, n in planes):
         return Fraction(-1)  # a half-space ends in one direction only
     width = width if planes else abs(width)
-    for solid in (pair['a'], pair['b']):
-        w = vector(solid['axis'])
-        across = cross(d, w)
-        width -= exact(solid['radius']) * root(dot(across, across) / dot(w, w), bits, not above)
-        width -= exact(solid['height']) / 2 * root(dot(d, w)**2 / dot(w, w), bits, not above)
+    width -= reach(pair['a'], d, bits, not above) + reach(pair['b'], d, bits, not above)
     width -= contact_distance(pair) * root(dot(d, d), bits, not above)
     return width / root(dot(d, d), bits, above == (width < 0))
 
@@ -131,10 +162,14 @@ def separates(pair, direction, clearance=0):
 
 
 def equations(solid, hull):
-    """The equations n.x = k of the points of a hull, as rows (n, k)."""
-    w, c = vector(solid['axis']), vector(solid['center'])
+    """The equations n.x = k of the points of a hull, as rows (n, k). A box always has its own hull."""
+    c = vector(solid['center'])
+    if is_box(solid):
+        return [(e, dot(e, c)) for e, half in edges(solid) if half == 0]
     if hull == 'space' or is_half_space(solid):
         return []
+    w = vector(solid['axis'])
+    w = vector(solid['axis'])
     if hull == 'plane':
         return [(w, dot(w, c))]
     units = [[Fraction(i == j) for j in range(3)] for i in range(3)]
@@ -163,8 +198,10 @@ def in_core(solid, x):
     """Decided exactly: squares instead of square roots."""
     if is_half_space(solid):
         return beyond(solid, x) <= 0
-    w = vector(solid['axis'])
     from_center = minus(x, vector(solid['center']))
+    if is_box(solid):
+        return all(abs(dot(from_center, e)) <= half for e, half in edges(solid))
+    w = vector(solid['axis'])
     across = cross(from_center, w)
     return (dot(from_center, w)**2 <= (exact(solid['height']) / 2)**2 * dot(w, w)
             and dot(across, across) <= exact(solid['radius'])**2 * dot(w, w))
@@ -184,22 +221,27 @@ def come_near(pair, points, hulls=SPACE, extra=0):
 
 
 def normals(solid, x):
-    """Vectors that span the cone of the outward normals of the core at its point x, and the normal of their plane, or
-    None. Inner points have none."""
+    """Vectors that span the cone of the outward normals of the core at its point x, and the normals of the planes of
+    the cone's faces. Inner points have none."""
     if is_half_space(solid):
-        return [vector(solid['axis'])] if beyond(solid, x) == 0 else [], None
-    w, out = vector(solid['axis']), minus(x, vector(solid['center']))
+        return [vector(solid['axis'])] if beyond(solid, x) == 0 else [], []
+    out = minus(x, vector(solid['center']))
+    if is_box(solid):
+        all_edges = list(edges(solid))
+        ends = [[[sign * c for c in e] for sign in (1, -1) if sign * dot(out, e) == half] for e, half in all_edges]
+        return sum(ends, []), [e for i, (e, _) in enumerate(all_edges) if ends[i - 1] and ends[i - 2]]
+    w = vector(solid['axis'])
     along, height, radius = dot(out, w), exact(solid['height']), exact(solid['radius'])
     across = minus(out, [along / dot(w, w) * c for c in w])
     on_cap, on_wall = along**2 == (height / 2)**2 * dot(w, w), dot(across, across) == radius**2
     ends = [[sign * c for c in w] for sign in (1, -1) if height == 0 or sign * along > 0] if on_cap else []
     if not on_wall:
-        return ends, None
+        return ends, []
     if radius > 0:
-        return [*ends, across], cross(w, across) if ends else None
+        return [*ends, across], [cross(w, across)] if ends else []
     units = ([Fraction(i == j) for j in range(3)] for i in range(3))
     sides = [n for n in (cross(w, unit) for unit in units) if any(n)]
-    return [*ends, *sides, *([-c for c in n] for n in sides)], w
+    return [*ends, *sides, *([-c for c in n] for n in sides)], [w]
 
 
 def supports(solid, x, n):
@@ -207,7 +249,10 @@ def supports(solid, x, n):
     if is_half_space(solid):
         w = vector(solid['axis'])
         return beyond(solid, x) == 0 and not any(cross(n, w)) and dot(n, w) > 0
-    w, out = vector(solid['axis']), minus(x, vector(solid['center']))
+    out = minus(x, vector(solid['center']))
+    if is_box(solid):
+        return dot(n, out) == reach(solid, n, 0, False)
+    w = vector(solid['axis'])
     across = minus(n, [dot(n, w) / dot(w, w) * c for c in w])
     along, beside = dot(n, w) * dot(out, w), dot(across, out)
     return (along >= 0 and along**2 == dot(n, w)**2 * (exact(solid['height']) / 2)**2 * dot(w, w)
@@ -221,11 +266,17 @@ def touch_at(pair, x, y):
     if any(between) or contact_distance(pair) > 0:
         return (dot(between, between) == contact_distance(pair)**2 and supports(pair['a'], x, between)
                 and supports(pair['b'], y, minus(x, y)))
-    (spans_a, plane_a), (spans_b, plane_b) = normals(pair['a'], x), normals(pair['b'], x)
+    (spans_a, planes_a), (spans_b, planes_b) = normals(pair['a'], x), normals(pair['b'], x)
     tried = spans_a + [[-c for c in n] for n in spans_b]
-    if plane_a and plane_b:
-        tried += [cross(plane_a, plane_b), cross(plane_b, plane_a)]
+    tried += [n for p in planes_a for q in planes_b for n in (cross(p, q), cross(q, p))]
     return any(any(n) and supports(pair['a'], x, n) and supports(pair['b'], x, [-c for c in n]) for n in tried)
+
+
+def fields(solid):
+    """The lists of a solid, with how many numbers each has, and its lengths."""
+    if is_box(solid):
+        return {'center': 3, 'edges': 3, 'quaternion': 4}, ('rounding',)
+    return {'center': 3, 'axis': 3}, ('radius', 'height', 'rounding')
 
 
 def defect(pair):
@@ -236,14 +287,16 @@ def defect(pair):
         solid = pair.get(side)
         if not isinstance(solid, dict):
             return f'{side} is missing'
-        for key in ('center', 'axis'):
+        lists, lengths = fields(solid)
+        for key, count in lists.items():
             value = solid.get(key)
-            if not isinstance(value, (list, tuple)) or len(value) != 3 or not all(map(is_number, value)):
-                return f'{side}.{key} is not three numbers'
-        if not any(solid['axis']):
-            return f'{side}.axis is zero'
-        for key in ('radius', 'height', 'rounding'):
-            value = solid.get(key, 0 if key == 'rounding' else None)
+            if not isinstance(value, (list, tuple)) or len(value) != count or not all(map(is_number, value)):
+                return f'{side}.{key} is not {count} numbers'
+        turn = 'quaternion' if is_box(solid) else 'axis'
+        if not any(solid[turn]):
+            return f'{side}.{turn} is zero'
+        given = [(key, solid.get(key, 0 if key == 'rounding' else None)) for key in lengths]
+        for key, value in given + [('edges', x) for x in (solid['edges'] if is_box(solid) else ())]:
             if not is_number(value) or value < 0:
                 return f'{side}.{key} is not a length'
     return 'both are half-spaces' if is_half_space(pair['a']) and is_half_space(pair['b']) else None
@@ -258,14 +311,15 @@ def is_number(value):
 
 
 def nearly_touch(pair, near):
-    lengths = sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height'))
-    slack = (lengths + contact_distance(pair)) / 2**200
+    slack = size(pair) / 2**200
 
     def grown(solid, by):
         if is_half_space(solid):  # the plane moves by a little more
             n = vector(solid['axis'])
             share = by / root(dot(n, n), DIGITS[0], False)
             return dict(solid, center=[x + share * y for x, y in zip(vector(solid['center']), n)])
+        if is_box(solid):
+            return dict(solid, edges=[max(Fraction(0), exact(x) + 2 * by) for x in solid['edges']])
         return dict(solid, radius=max(Fraction(0), exact(solid['radius']) + by),
                     height=max(Fraction(0), exact(solid['height']) + 2 * by))
 
@@ -292,8 +346,7 @@ def fault(pair, answer):
         pair = {key: plain(value) if key in ('a', 'b') else value for key, value in pair.items()}
     verdict, why = answer.get('verdict'), defect(pair)
     if verdict == 'invalid':
-        known = {'center', 'axis', 'radius', 'height', 'rounding', 'shape'}
-        if not why and all(set(pair[side]) <= known for side in 'ab'):
+        if not why and all(set(pair[k]) <= {'shape'}.union(*fields(pair[k])) for k in 'ab'):
             return 'the pair is valid'
         return None if answer.get('error') else 'invalid without an error'
     if why:

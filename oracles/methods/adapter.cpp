@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/methods/adapter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
 
 namespace cyl {
 
@@ -19,9 +21,15 @@ std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
 }
 
 Solid with_rounded_rims(Solid c, double rounding) noexcept {
-  if (c.rounding > 0 || !(rounding > 0 && rounding <= c.radius && 2 * rounding <= c.height)) return c;
-  c.radius -= rounding;
-  c.height -= 2 * rounding;
+  if (c.rounding > 0 || !(rounding > 0)) return c;
+  if (is_box(c)) {
+    if (2 * rounding > *std::ranges::min_element(c.edges)) return c;
+    for (double& edge : c.edges) edge -= 2 * rounding;
+  } else {
+    if (rounding > c.radius || 2 * rounding > c.height) return c;
+    c.radius -= rounding;
+    c.height -= 2 * rounding;
+  }
   c.rounding = rounding;
   return c;
 }
@@ -45,6 +53,17 @@ Eigen::Matrix3d rotation_to(const Vector3& u) noexcept {
   m.col(0) << 1 + sign * u.x() * u.x() * a, sign * b, -sign * u.x();
   m.col(1) << b, sign + u.y() * u.y() * a, -u.y();
   m.col(2) = u;
+  return m;
+}
+
+Eigen::Matrix3d rotation_of(const Solid& c) noexcept {
+  if (!is_box(c)) return rotation_to(unit_axis(c.axis));
+  Eigen::Matrix3d m;
+  const auto edges = edge_directions<double>(c.quaternion);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<double>& e = edges[static_cast<std::size_t>(i)];
+    m.col(i) << e.x, e.y, e.z;
+  }
   return m;
 }
 

@@ -33,8 +33,8 @@ std::shared_ptr<const std::vector<std::pair<Guest, Guest>>> shared_solids_of(std
   return std::make_shared<const std::vector<std::pair<Guest, Guest>>>(solids_of<Guest>(pairs));
 }
 
-/// Returns the cylinder with its rims rounded inwards by `rounding`. Returns it unchanged if it is too thin
-/// for that, or rounded already.
+/// Returns the cylinder or box with its edges rounded inwards by `rounding`. Returns it unchanged if it is
+/// too thin for that, or rounded already.
 Solid with_rounded_rims(Solid c, double rounding) noexcept;
 
 /// Returns axis/|axis| for any finite axis but 0. Each coordinate is right within 2^-51.
@@ -43,5 +43,9 @@ Vector3 unit_axis(const Vector3& axis) noexcept;
 /// Returns a rotation that takes z to the unit vector u. It is orthonormal to a few roundings. Its third
 /// column is u exactly.
 Eigen::Matrix3d rotation_to(const Vector3& u) noexcept;
+
+/// Returns the rotation of a valid solid as it lies in a library's own frame: a box along the axes, all
+/// others along z. Of a box, each element is right within 2^-50.
+Eigen::Matrix3d rotation_of(const Solid& c) noexcept;
 
 }  // namespace cyl

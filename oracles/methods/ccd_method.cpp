@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/methods/other_sums.hpp"
@@ -36,6 +37,7 @@ void support_of_other_sums(const void* object, const ccd_vec3_t* direction, ccd_
   CcdSolid turned = *static_cast<const CcdSolid*>(object);
   std::rotate(turned.center, turned.center + 1, turned.center + 3);
   std::rotate(turned.axis, turned.axis + 1, turned.axis + 3);
+  for (auto& edge : turned.edges) std::rotate(edge, edge + 1, edge + 3);
   ccd_vec3_t d = *direction;
   std::rotate(d.v, d.v + 1, d.v + 3);
   support(&turned, &d, point);
@@ -43,12 +45,12 @@ void support_of_other_sums(const void* object, const ccd_vec3_t* direction, ccd_
 }
 
 CcdSolid solid_of(const Solid& c) {
-  const Vector3 axis = unit_axis(c.axis);
-  return {{c.center.x(), c.center.y(), c.center.z()},
-          {axis.x(), axis.y(), axis.z()},
-          c.radius,
-          c.height / 2,
-          c.rounding};
+  CcdSolid s{{c.center.x(), c.center.y(), c.center.z()}, {}, c.radius, c.height / 2, c.rounding, {}, {}};
+  const Eigen::Matrix3d rotation = rotation_of(c);
+  std::copy_n(rotation.data(), is_box(c) ? 9 : 0, s.edges[0]);  // its columns
+  std::copy_n(rotation.data() + 6, is_box(c) ? 0 : 3, s.axis);
+  for (std::size_t k = 0; k < 3; ++k) s.halves[k] = c.edges[k] / 2;
+  return s;
 }
 
 void direction_of_centers(const void* a, const void* b, ccd_vec3_t* direction) {
@@ -68,7 +70,7 @@ class Ccd final : public Method {
   Ccd(MethodName name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
       : Method(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
   Claim claim() const override { return claim_; }
 
   MethodAnswer answer(const Pair& pair) override {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fcl/config.h>
+#include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
@@ -38,8 +39,11 @@ std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Solid& c) {
       return std::make_unique<fcl::Capsuled>(c.rounding, c.height);
     case SolidKind::half_space:
       return std::make_unique<fcl::Halfspaced>(Vector3::UnitZ(), 0);
+    case SolidKind::box:
+      return std::make_unique<fcl::Boxd>(c.edges[0], c.edges[1], c.edges[2]);
     case SolidKind::cylinder:
     case SolidKind::rounded:
+    case SolidKind::rounded_box:
       break;
   }
   return std::make_unique<fcl::Cylinderd>(c.radius, c.height);
@@ -48,7 +52,7 @@ std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Solid& c) {
 /// A solid as FCL keeps it. FCL selects a formula or GJK by the kinds of both solids.
 struct FclSolid {
   explicit FclSolid(const Solid& c) : shape(shape_of(c)) {
-    pose.linear() = rotation_to(unit_axis(c.axis));
+    pose.linear() = rotation_of(c);
     pose.translation() = c.center;
   }
 
@@ -65,7 +69,9 @@ class Collide final : public Method {
   }
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
-  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override {
+    return kind != SolidKind::rounded && kind != SolidKind::rounded_box;
+  }
   Claim claim() const override { return {.absolute = request_.gjk_tolerance, .source = collide_source}; }
 
   MethodAnswer answer(const Pair& pair) override {
@@ -103,7 +109,7 @@ class Distance final : public Method {
   std::string_view version() const override { return FCL_VERSION; }
   bool recovers() const override { return true; }  // shapes, requests and results are made for each call
   // FCL has no distance to a half-space: its support function is missing.
-  bool supports(SolidKind kind) const override { return kind < SolidKind::rounded; }
+  bool supports(SolidKind kind) const override { return kind < SolidKind::rounded || kind == SolidKind::box; }
   Claim claim() const override {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }

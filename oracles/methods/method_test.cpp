@@ -67,5 +67,27 @@ TEST(Adapter, RotationTakesZToTheAxis) {
   }
 }
 
+// By hand: the rotation of (1, 2, 3, 4), whose square is 30.
+TEST(Adapter, RotationOfABoxIsThatOfItsQuaternion) {
+  Eigen::Matrix3d by_hand;
+  by_hand << -10, 2, 11, 10, -5, 10, 5, 14, 2;
+  by_hand /= 15;
+  for (const double length : {1e-200, 1.0, 1e200}) {
+    const Solid box{.shape = Shape::box, .quaternion = {length, 2 * length, 3 * length, 4 * length}};
+    EXPECT_LE((rotation_of(box) - by_hand).cwiseAbs().maxCoeff(), 0x1p-50) << length;
+  }
+  const Solid rod{.axis = {0, 3, 4}};
+  EXPECT_EQ(rotation_of(rod), rotation_to(unit_axis(rod.axis)));
+}
+
+TEST(Adapter, EdgesAreRoundedInwards) {
+  const Solid box{.shape = Shape::box, .edges = {1, 2, 3}};
+  const Solid rounded = with_rounded_rims(box, 0.25);
+  EXPECT_EQ(rounded.edges, (std::array{0.5, 1.5, 2.5}));
+  EXPECT_EQ(rounded.rounding, 0.25);
+  EXPECT_EQ(with_rounded_rims(box, 0.75).edges, box.edges) << "too thin";
+  EXPECT_EQ(with_rounded_rims(rounded, 0.125).rounding, 0.25) << "rounded already";
+}
+
 }  // namespace
 }  // namespace cyl

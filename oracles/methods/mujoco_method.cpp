@@ -60,7 +60,7 @@ std::unique_ptr<mjModel, DeleteModel> make_model() {
 /// A solid as MuJoCo keeps it.
 class MujocoSolid {
  public:
-  explicit MujocoSolid(const Solid& c) : position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {
+  explicit MujocoSolid(const Solid& c) : position_(c.center), rotation_(rotation_of(c)) {
     switch (kind_of(c)) {
       case SolidKind::sphere:
         type_ = mjGEOM_SPHERE;
@@ -74,8 +74,13 @@ class MujocoSolid {
         type_ = mjGEOM_PLANE;
         size_ = {0, 0, 0};  // infinite
         return;
+      case SolidKind::box:
+        type_ = mjGEOM_BOX;
+        size_ = {c.edges[0] / 2, c.edges[1] / 2, c.edges[2] / 2};
+        return;
       case SolidKind::cylinder:
       case SolidKind::rounded:
+      case SolidKind::rounded_box:
         type_ = mjGEOM_CYLINDER;
         size_ = {c.radius, c.height / 2, 0};
     }
@@ -131,7 +136,9 @@ class Mujoco final : public Method {
   Mujoco(MethodName name, double tolerance, int iterations)
       : Method(std::move(name)), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view version() const override { return mj_versionString(); }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override {
+    return kind != SolidKind::rounded && kind != SolidKind::rounded_box;
+  }
   Claim claim() const override {
     return {.absolute = tolerance_, .source = "mujoco/mjmodel.h: mpr_tolerance, MPR solver tolerance"};
   }
@@ -140,8 +147,10 @@ class Mujoco final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     for (const Solid* c : {&pair.a, &pair.b}) {
-      if (is_half_space(*c) || c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0)) continue;
-      answer.set_reason("radius or height 0: MuJoCo's model compiler says that sizes must be positive");
+      const bool positive = is_box(*c) ? *std::ranges::min_element(c->edges) / 2 > 0
+                                       : c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0);
+      if (is_half_space(*c) || positive) continue;
+      answer.set_reason("a length is 0: MuJoCo's model compiler says that sizes must be positive");
       return answer;
     }
     answer.status = Status::answered;

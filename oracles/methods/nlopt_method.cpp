@@ -60,13 +60,16 @@ struct Problem {
 Problem scale(const Pair& pair) {
   const Vector3 half_delta = 0.5 * pair.b.center - 0.5 * pair.a.center;
   double largest = half_delta.cwiseAbs().maxCoeff();
-  for (const Solid* c : {&pair.a, &pair.b}) largest = std::max({largest, c->radius, c->height, c->rounding});
+  for (const Solid* c : {&pair.a, &pair.b})
+    largest = std::max({largest, c->radius, c->height, c->rounding, std::ranges::max(c->edges)});
 
   Problem p;
   p.exponent = largest > 0 ? std::ilogb(largest) : 0;
   const auto scaled = [&](double x) { return std::scalbn(x, -p.exponent); };
-  const auto terms = [&](const Solid& c) {
-    return terms_of<double>({c.center, c.axis, scaled(c.radius), scaled(c.height), scaled(c.rounding)});
+  const auto terms = [&](Solid c) {
+    for (double* x : {&c.radius, &c.height, &c.rounding, &c.edges[0], &c.edges[1], &c.edges[2]})
+      *x = scaled(*x);
+    return terms_of<double>(c);
   };
   p.a = terms(pair.a);
   p.b = terms(pair.b);
@@ -189,7 +192,7 @@ class Nlopt final : public Method {
         .assumed = true};
   }
   unsigned share() const override { return setting_.share; }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;

@@ -39,8 +39,11 @@ dGeomID geom_of(const Solid& c) {
       return dCreateSphere(nullptr, c.rounding);
     case SolidKind::capsule:
       return dCreateCapsule(nullptr, c.rounding, c.height);
+    case SolidKind::box:
+      return dCreateBox(nullptr, c.edges[0], c.edges[1], c.edges[2]);
     case SolidKind::cylinder:
     case SolidKind::rounded:
+    case SolidKind::rounded_box:
       break;
   }
   return dCreateCylinder(nullptr, c.radius, c.height);
@@ -51,7 +54,7 @@ class OdeSolid {
  public:
   explicit OdeSolid(const Solid& c) : geom_(geom_of(c)) {
     if (is_half_space(c)) return;
-    const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
+    const Eigen::Matrix3d m = rotation_of(c);
     const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
                                m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
     dGeomSetRotation(geom_, rotation);
@@ -78,13 +81,15 @@ class Ode final : public Method {
   }
   std::string_view version() const override { return dODE_VERSION; }
   bool recovers() const override { return true; }  // solids are made for each call, in no space
-  bool supports(SolidKind kind) const override { return kind < SolidKind::box && kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override {
+    return kind != SolidKind::rounded && kind != SolidKind::rounded_box;
+  }
   Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source, .assumed = true}; }
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
-    const auto flat = [](const Solid& c) { return c.rounding == 0 && c.height == 0 && !is_half_space(c); };
+    const auto flat = [](const Solid& c) { return kind_of(c) == SolidKind::cylinder && c.height == 0; };
     if (flat(pair.a) || flat(pair.b)) {
       answer.set_reason("height 0: ODE calls it an invalid cylinder and aborts");
       return answer;

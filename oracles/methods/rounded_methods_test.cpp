@@ -19,12 +19,13 @@ namespace cyl {
 namespace {
 
 using Kinds = std::set<SolidKind>;
-const Kinds cylinders_alone{SolidKind::cylinder},
-    without_rounded{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder},
-    with_half_space{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::half_space},
-    bounded{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded},
-    all{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded,
-        SolidKind::half_space};
+using enum SolidKind;
+const Kinds cylinders_alone{cylinder}, boxes_alone{box}, sharp{cylinder, box},
+    without_rounded{sphere, capsule, cylinder, box},
+    with_half_space{sphere, capsule, cylinder, half_space, box},
+    of_the_solver{sphere, capsule, cylinder, rounded},
+    bounded{sphere, capsule, cylinder, rounded, box, rounded_box},
+    all{sphere, capsule, cylinder, rounded, half_space, box, rounded_box};
 
 Kinds kinds_of(const Method& method) {
   Kinds kinds;
@@ -34,18 +35,14 @@ Kinds kinds_of(const Method& method) {
 }
 
 TEST(RoundedMethods, HaveTheShapesOfTheirLibraries) {
-  std::map<std::string, Kinds> expected{{"intersect", bounded},
-                                        {"exact", all},
-                                        {"fcl-libccd", with_half_space},
-                                        {"fcl-distance-libccd", without_rounded},
-                                        {"bullet-cylinder", all},
-                                        {"bullet-gjkepa2", cylinders_alone},
-                                        {"bullet-hull-16", cylinders_alone},
-                                        {"libccd-gjk", bounded},
-                                        {"nlopt-direct-600", bounded},
-                                        {"ode", with_half_space},
-                                        {"mujoco", with_half_space},
-                                        {"seedbook", cylinders_alone}};
+  std::map<std::string, Kinds> expected{
+      {"intersect", of_the_solver},    {"exact", all},
+      {"fcl-libccd", with_half_space}, {"fcl-distance-libccd", without_rounded},
+      {"bullet-cylinder", all},        {"bullet-gjkepa2", sharp},
+      {"bullet-hull-16", sharp},       {"bullet-box", boxes_alone},
+      {"libccd-gjk", bounded},         {"nlopt-direct-600", bounded},
+      {"ode", with_half_space},        {"mujoco", with_half_space},
+      {"seedbook", cylinders_alone}};
   for (const auto& method : all_methods()) {
     const auto found = expected.find(std::string(method->name()));
     if (found == expected.end()) continue;

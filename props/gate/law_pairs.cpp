@@ -82,7 +82,9 @@ Kind close_kind(RandomStream& s) {
   return s.below(4) == 0 ? family(close_families(), s, turns) : close_cell(s);
 }
 
-Kind rounded_kind(RandomStream& s) { return family(rounded_families(), s, turns); }
+Kind rounded_kind(RandomStream& s) {
+  return family(campaign_families().subspan(families().size()), s, turns);
+}
 
 SampleRound draw_round(Kind (*draw_kind)(RandomStream&), std::uint64_t seed, std::uint64_t round) {
   SampleRound drawn;

@@ -18,7 +18,7 @@ inline constexpr std::uint64_t draws_per_round = 4, pairs_per_draw = 16;
 SampleRound draw_law_pairs(std::uint64_t seed, std::uint64_t round);
 /// The cells of close contacts, and their families.
 SampleRound draw_close_law_pairs(std::uint64_t seed, std::uint64_t round);
-/// The families of rounded solids.
+/// The families of other solids than cylinders.
 SampleRound draw_rounded_law_pairs(std::uint64_t seed, std::uint64_t round);
 
 }  // namespace cyl

@@ -141,7 +141,8 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
   }
   if (solids.rounded > 0) {
     // Only the drawn pairs that a method supports are asked.
-    const std::uint64_t all = pairs_per_kinds * rounded_families().size() + close_round;
+    const std::uint64_t all =
+        pairs_per_kinds * (campaign_families().size() - families().size()) + close_round;
     amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
     amount.rounded_rounds = rounds(sampled, solids.rounded);
   }

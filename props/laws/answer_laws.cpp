@@ -9,6 +9,7 @@
 #include <initializer_list>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/finding_text.hpp"
@@ -104,9 +105,8 @@ constexpr std::uint64_t thread_share = 16;
 
 std::vector<LawQuery> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
   std::uint64_t digits = 0;
-  for (const Solid* c : {&pair.a, &pair.b})
-    for (const double x : {c->center.x(), c->axis.x(), c->radius, c->height, c->rounding})
-      digits = (digits ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
+  for (const double x : numbers_of(pair))
+    digits = (digits ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
   if ((digits >> 32) % thread_share != 0) return {};
   return {{pair, CallMode::other_thread}};
 }

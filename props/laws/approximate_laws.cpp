@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Laws 20 to 29 hold within a proved allowance. The signed distance is -min f over unit directions D, with
-//   f(D) = sum of r |D x w| + h/2 |D.w| + rounding over both solids, less |D.Delta|.
-// So it changes by no more than f does at any D. |D x w| and |D.w| change by at most the change of w. Hence
-//   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + |rounding' - rounding|
-//               + (r + h/2) |w' - w|.
+//   f(D) = sum of r |D x w| + h/2 |D.w| + sum of e/2 |D.u| + rounding over both solids, less |D.Delta|.
+// So it changes by no more than f does at any D. |D x w|, |D.w| and |D.u| change by at most the change of the
+// axis w or of the direction u of an edge e. Hence
+//   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + |e' - e| / 2 + |rounding' - rounding|
+//               + (r + h/2) |w' - w| + e/2 |u' - u|.
+// |u' - u| is at most 2 |q' - q| for the unit quaternions. A half-space is asked at its normal alone, which
+// turns the plane about its point. So it has |Delta| and the extent of the other solid for its own extent.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -49,16 +55,28 @@ std::optional<Violation> break_change(const LawCase& c, std::size_t i, double ch
 /// The relative error of change_between(), which takes some 20 roundings.
 constexpr double sum_error = 0x1p-48;
 
+Eigen::Vector4d unit_quaternion(const Solid& box) {
+  return Eigen::Vector4d::Map(box.quaternion.data()).stableNormalized();
+}
+
 /// Returns the bound above for the numbers of two pairs, rounded up.
 double change_between(const Pair& x, const Pair& y) {
   const Vector3 from = x.b.center - x.a.center, to = y.b.center - y.a.center;
   double change = (to - from).norm(), lost = unit_roundoff_error * (from.norm() + to.norm());
   for (const auto& [p, q] : {std::pair{&x.a, &y.a}, std::pair{&x.b, &y.b}}) {
-    const double extent = p->radius + p->height / 2;
+    const double extent = is_half_space(*p)
+                              ? std::max(from.norm(), to.norm()) + core_extent(x.a) + core_extent(x.b)
+                              : core_extent(*p);
     change += std::fabs(q->radius - p->radius) + std::fabs(q->height - p->height) / 2 +
-              std::fabs(q->rounding - p->rounding) +
-              extent * (prepare(*q).unit_axis - prepare(*p).unit_axis).norm();
-    if (q->axis != p->axis) lost += 2 * unit_axis_error * extent;
+              std::fabs(q->rounding - p->rounding);
+    for (std::size_t i = 0; i < 3; ++i) change += std::fabs(q->edges[i] - p->edges[i]) / 2;
+    if (is_box(*p)) {
+      change += 2 * extent * (unit_quaternion(*q) - unit_quaternion(*p)).norm();
+      if (q->quaternion != p->quaternion) lost += 4 * unit_axis_error * extent;
+    } else {
+      change += extent * (direction_of(*q) - direction_of(*p)).norm();
+      if (q->axis != p->axis) lost += 2 * unit_axis_error * extent;
+    }
   }
   return (change + lost) * (1 + sum_error);
 }
@@ -70,6 +88,7 @@ std::optional<Violation> break_changes(const LawCase& c) {
 
 // The rotation of a quaternion of integers. Its matrix times the sum of their squares has integers only.
 struct Rotation {
+  Eigen::Quaterniond by;
   Eigen::Matrix3d times_square;
   double square;
 };
@@ -79,7 +98,7 @@ Rotation rotation(double w, double x, double y, double z) {
   m << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
       2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
       2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
-  return {m, w * w + x * x + y * y + z * z};
+  return {{w, x, y, z}, m, w * w + x * x + y * y + z * z};
 }
 
 /// About a coordinate axis and about other axes, by small and by large angles.
@@ -87,24 +106,34 @@ const std::array rotations{rotation(2, 1, 0, 0), rotation(7, 0, 1, -1), rotation
 
 // A centre takes three products, two sums and a quotient: 4 u |c| in each coordinate, as the rows are of
 // unit length. So it takes 7 u |c| in all. An axis takes 4 u of unit_axis, and 5.2 u of |w| by products and
-// sums. Both stay below this bound, times |c| and times the extent.
-constexpr double rotation_error = 16 * unit_roundoff_error;
+// sums. A coordinate of a quaternion takes 4 u of |q|, so a direction 16 u. A normal is also multiplied by
+// the distance of the centres. All stay below this bound, times |c| and times the extent.
+constexpr double rotation_error = 18 * unit_roundoff_error;
 
 double rotation_change(const Pair& pair) {
   double lengths = 0;
-  for (const Solid* c : {&pair.a, &pair.b})
-    lengths += c->center.norm() + c->radius + c->height / 2 + c->rounding;
+  for (const Solid* c : {&pair.a, &pair.b}) lengths += c->center.norm() + core_extent(*c) + c->rounding;
   return rotation_error * lengths;
+}
+
+// In numbers of order 1, as the quaternion may have any length.
+void turn(Solid& box, const Eigen::Quaterniond& by) {
+  const Eigen::Vector4d q = unit_quaternion(box);
+  const Eigen::Quaterniond turned = by * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  box.quaternion = {turned.w(), turned.x(), turned.y(), turned.z()};
 }
 
 std::vector<LawQuery> rotated(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_usable(pair)) return {};
   std::vector<LawQuery> asked;
-  for (const Rotation& turn : rotations) {
+  for (const Rotation& rotation : rotations) {
     asked.push_back({pair});
     for (Solid* c : {&asked.back().pair.a, &asked.back().pair.b}) {
-      c->center = turn.times_square * c->center / turn.square;
-      c->axis = turn.times_square * prepare(*c).unit_axis;
+      c->center = rotation.times_square * c->center / rotation.square;
+      if (is_box(*c))
+        turn(*c, rotation.by);
+      else
+        c->axis = rotation.times_square * direction_of(*c);
     }
   }
   return asked;
@@ -142,11 +171,18 @@ std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer
       asked.push_back({pair});
       return asked.back().pair.*solid;
     };
-    push().radius += length;
-    push().height += 2 * length;
     push().center += length * Vector3(2, -1, 2) / 3;
+    if (is_box(pair.*solid)) {
+      for (std::size_t i = 0; i < 3; ++i) push().edges[i] += 2 * length;
+      turn(push(), {1, by * 2 / 3, -by / 3, by * 2 / 3});
+      continue;
+    }
+    if (!is_half_space(pair.*solid)) {
+      push().radius += length;
+      push().height += 2 * length;
+    }
     Solid& turned = push();
-    const Vector3 w = prepare(turned).unit_axis;
+    const Vector3 w = direction_of(turned);
     Eigen::Index least;
     w.cwiseAbs().minCoeff(&least);
     turned.axis = w + by * w.cross(Vector3::Unit(least));
@@ -174,34 +210,49 @@ std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& 
     for (const double depth : depths)
       slide(offered ? offered_direction(pair, first) : delta, -first.distance - depth * size_of(pair));
   } else {
-    const Vector3 w0 = prepare(pair.a).unit_axis, w1 = prepare(pair.b).unit_axis;
+    const Vector3 w0 = direction_of(pair.a), w1 = direction_of(pair.b);
     for (const Vector3& way : {w0, w1, Vector3(w0.cross(w1)), delta}) slide(way, -first.distance);
   }
   return asked;
 }
 
-/// The solids c of the triangle. One lies beyond b. A small one lies in the middle, so the inequality is
-/// nearly tight.
-std::array<Solid, 2> third_solids(const Pair& pair) {
-  const Vector3 delta = pair.b.center - pair.a.center;
-  constexpr double small = 0x1p-10;
-  return {Solid{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height, pair.b.rounding},
-          Solid{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height,
-                small * pair.b.rounding}};
+/// The solids c of the triangle. One lies beyond b. Small ones lie in the middle, so the inequality is nearly
+/// tight. They are like b, or a if b is a half-space, then capsules and boxes.
+std::array<Solid, 4> third_solids(const Pair& pair) {
+  const Vector3 delta = pair.b.center - pair.a.center, middle = pair.a.center + delta / 2;
+  const Solid& like = is_half_space(pair.b) ? pair.a : pair.b;
+  const double small = 0x1p-10 * core_extent(like);
+  Solid beyond = like, tiny = like;
+  beyond.center = pair.b.center + delta;
+  tiny.center = middle;
+  for (double* x :
+       {&tiny.radius, &tiny.height, &tiny.rounding, &tiny.edges[0], &tiny.edges[1], &tiny.edges[2]})
+    *x *= 0x1p-10;
+  if (!is_box(beyond)) beyond.axis = pair.a.axis;
+  return {beyond, tiny, Solid{.center = middle, .axis = {1, 2, 2}, .height = small, .rounding = small / 2},
+          Solid{.center = middle,
+                .shape = Shape::box,
+                .edges = {small, small / 2, small / 4},
+                .quaternion = {1, 2, 3, 4}}};
 }
 
-std::vector<LawQuery> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {
+std::vector<LawQuery> with_a_third(const Method& method, const Pair& pair, const MethodAnswer& first) {
   if (!first.has_distance || !is_usable(pair)) return {};
   std::vector<LawQuery> asked;
   for (const Solid& c : third_solids(pair)) {
+    if (!method.supports(kind_of(c))) continue;
     asked.push_back({{pair.b, c}});
     asked.push_back({{pair.a, c}});
   }
   return asked;
 }
 
+/// A half-space in the middle makes a gap of any length.
 double diameter(const Solid& c) {
-  return (std::hypot(2 * c.radius, c.height) + 2 * c.rounding) * (1 + sum_error);
+  if (is_half_space(c)) return std::numeric_limits<double>::infinity();
+  const double core =
+      is_box(c) ? std::hypot(c.edges[0], c.edges[1], c.edges[2]) : std::hypot(2 * c.radius, c.height);
+  return (core + 2 * c.rounding) * (1 + sum_error);
 }
 
 // The path leads from the nearest point of one solid to that of another, through the middle solid. Its two
@@ -262,6 +313,38 @@ std::optional<Violation> break_widening(const LawCase& c) {
   });
 }
 
+/// How far a solid slides along the plane, in units of the size.
+constexpr double slides[] = {0x1p-3, 3, 0x1p10};
+
+// The way is exactly square to the normal. So only the rounding of centres brings solids nearer.
+std::vector<LawQuery> along_the_plane(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!has_half_space(pair) || !is_usable(pair)) return {};
+  const bool plane_is_b = is_half_space(pair.b);
+  const Vector3& n = (plane_is_b ? pair.b : pair.a).axis;
+  Eigen::Index least;
+  n.cwiseAbs().minCoeff(&least);
+  const Eigen::Index i = (least + 1) % 3, j = (least + 2) % 3;
+  Vector3 way = Vector3::Zero();
+  const double largest = n.cwiseAbs().maxCoeff();
+  way[i] = std::scalbn(n[j], -std::ilogb(largest));
+  way[j] = -std::scalbn(n[i], -std::ilogb(largest));
+  std::vector<LawQuery> asked;
+  for (const double slide : slides)
+    for (const auto solid : {&Pair::a, &Pair::b}) {
+      asked.push_back({pair});
+      (asked.back().pair.*solid).center += std::exp2(std::ilogb(slide * size_of(pair))) * way;
+    }
+  return asked;
+}
+
+// Each moved centre is rounded in two coordinates.
+std::optional<Violation> break_sliding(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) {
+    const Pair& moved = c.asked[i].pair;
+    return break_change(c, i, 2 * unit_roundoff_error * (moved.a.center.norm() + moved.b.center.norm()));
+  });
+}
+
 }  // namespace
 
 std::vector<Law> approximate_laws() {
@@ -276,12 +359,14 @@ std::vector<Law> approximate_laws() {
        "2^200",
        translated, break_changes},
       {22, LawKind::approximate, "Lipschitz",
-       "the distance changes by at most the change of a radius, half height or centre, or of an axis times "
-       "radius and half height; the verdict stays if the distance is larger",
+       "the distance changes by at most the change of a radius, half height, half edge or centre, or of a "
+       "direction times these; the verdict stays if the distance is larger",
        "lengths from 2^-200 to 2^200", nearby, break_changes},
       {23, LawKind::approximate, "triangle",
        "of three solids no gap is larger than the sum of the other two and the diameter of the middle solid",
-       "for methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
+       "for methods with distances, also with a third solid that is a capsule or a box if they support it; "
+       "lengths from 2^-200 to 2^200",
+       with_a_third, break_triangle},
       {24, LawKind::approximate, "slide",
        "b moved by t changes the distance by no more than t, so no depth exceeds the way back to touching",
        "for methods with distances; lengths from 2^-200 to 2^200", slid, break_changes},
@@ -289,6 +374,12 @@ std::vector<Law> approximate_laws() {
        "a rounding that grows shortens a gap by as much, and no distance grows",
        "for rounded solids and methods with distances; lengths from 2^-200 to 2^200", widened,
        break_widening},
+      {26, LawKind::approximate, "along the plane",
+       "a solid or the plane's point moved along the plane of a half-space keeps the verdict and distance",
+       "for half-spaces; verdicts only if the distance exceeds the rounding error of the centres; lengths "
+       "from "
+       "2^-200 to 2^200",
+       along_the_plane, break_sliding},
   };
 }
 

@@ -84,8 +84,8 @@ std::vector<LawQuery> swapped(const Method&, const Pair& pair, const MethodAnswe
 /// The least size and distance of the centres. A little below it, decide() looks for points that lose no
 /// bits. If these overflow, it looks for points that do not.
 constexpr double least_scaled_length = 0x1p-890;
-/// The least radius, height or rounding that is not 0. In a thinner solid few points have coordinates that
-/// are doubles.
+/// The least radius, height, rounding or edge that is not 0. In a thinner solid few points have coordinates
+/// that are doubles.
 constexpr double least_scaled_side = 0x1p-960;
 
 double extent(const Pair& pair) {
@@ -99,7 +99,7 @@ std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
   const auto pair = scaled_exactly(whole, k);
   if (!pair) return {};
   for (const Solid* c : {&pair->a, &pair->b})
-    for (const double side : {c->radius, c->height, c->rounding})
+    for (const double side : {c->radius, c->height, c->rounding, c->edges[0], c->edges[1], c->edges[2]})
       if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
   const double before = extent(whole), after = extent(*pair);
   if (std::min(before, after) < least_scaled_length) return {};
@@ -130,9 +130,17 @@ std::optional<Violation> break_scaling(const LawCase& c) {
 }
 
 // 0 - x makes no -0, unlike -x. A -0 would show the direction of an axis that lacks this coordinate.
+// The negated normal of a half-space would be another solid.
 std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
-  const auto negated = [](Solid c) { return c.axis = -c.axis, c; };
-  const auto taken_from_0 = [](Solid c) { return c.axis = Vector3::Zero() - c.axis, c; };
+  const auto changed = [](Solid c, auto change) {
+    if (is_box(c))
+      std::ranges::for_each(c.quaternion, change);
+    else if (!is_half_space(c))
+      std::ranges::for_each(c.axis, change);
+    return c;
+  };
+  const auto negated = [&](const Solid& c) { return changed(c, [](double& x) { x = -x; }); };
+  const auto taken_from_0 = [&](const Solid& c) { return changed(c, [](double& x) { x = 0 - x; }); };
   return {{{negated(pair.a), pair.b}},
           {{pair.a, negated(pair.b)}},
           {{taken_from_0(pair.a), pair.b}},
@@ -140,38 +148,61 @@ std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnsw
           {{negated(pair.a), taken_from_0(pair.b)}}};
 }
 
-/// Returns the axis times 2^k, or nothing if that is not exact.
-std::optional<Vector3> scaled_axis(const Vector3& axis, int k) {
-  Vector3 other;
-  for (int i = 0; i < 3; ++i) {
-    other[i] = std::ldexp(axis[i], k);
-    if (!std::isfinite(other[i]) || std::ldexp(other[i], -k) != axis[i]) return {};
-  }
-  return other;
+/// Returns the solid with its axis or quaternion times 2^k, or nothing if that is not exact.
+std::optional<Solid> with_longer_axis(Solid c, int k) {
+  bool exact = true;
+  const auto lengthen = [&](double& x) {
+    const double y = std::ldexp(x, k);
+    exact = exact && std::isfinite(y) && std::ldexp(y, -k) == x;
+    x = y;
+  };
+  if (is_box(c))
+    std::ranges::for_each(c.quaternion, lengthen);
+  else
+    std::ranges::for_each(c.axis, lengthen);
+  if (!exact) return {};
+  return c;
 }
 
 std::vector<LawQuery> with_longer_axes(const Method&, const Pair& pair, const MethodAnswer&) {
   std::vector<LawQuery> asked;
   for (const int k : scales) {
-    const auto a = scaled_axis(pair.a.axis, k), b = scaled_axis(pair.b.axis, -k);
+    const auto a = with_longer_axis(pair.a, k), b = with_longer_axis(pair.b, -k);
     if (!a || !b) continue;
-    asked.push_back({pair});
-    asked.back().pair.a.axis = *a;
-    asked.push_back({pair});
-    asked.back().pair.b.axis = *b;
+    asked.push_back({{*a, pair.b}});
+    asked.push_back({{pair.a, *b}});
   }
   return asked;
 }
 
-/// The signs of the coordinates in mirror image k, 1 to 7.
-Vector3 signs(int k) { return {k & 1 ? -1.0 : 1.0, k & 2 ? -1.0 : 1.0, k & 4 ? -1.0 : 1.0}; }
+/// Returns the image of a solid under the matrix M that takes the coordinates in this order and then changes
+/// signs. The image of a box's rotation R is M R M'. It turns about the image of R's axis, by the same angle,
+/// in the other sense if M is a mirror.
+Solid image(const Solid& c, const Eigen::Vector3i& order, const Vector3& signs) {
+  const bool even = order == Eigen::Vector3i(0, 1, 2) || order == Eigen::Vector3i(1, 2, 0) ||
+                    order == Eigen::Vector3i(2, 0, 1);
+  const double determinant = signs.prod() * (even ? 1 : -1);
+  Solid other = c;
+  other.center = Vector3(c.center(order)).cwiseProduct(signs);
+  if (!is_box(c)) {
+    other.axis = Vector3(c.axis(order)).cwiseProduct(signs);
+    return other;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto to = static_cast<Eigen::Index>(i);
+    const auto from = static_cast<std::size_t>(order[to]);
+    other.edges[i] = c.edges[from];
+    other.quaternion[i + 1] = determinant * signs[to] * c.quaternion[from + 1];
+  }
+  return other;
+}
 
 std::vector<LawQuery> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {
-  std::vector<LawQuery> asked(7, LawQuery{pair});
+  const Eigen::Vector3i order(0, 1, 2);
+  std::vector<LawQuery> asked;
   for (int k = 1; k <= 7; ++k) {
-    Pair& image = asked[static_cast<std::size_t>(k) - 1].pair;
-    for (Vector3* v : {&image.a.center, &image.a.axis, &image.b.center, &image.b.axis})
-      *v = v->cwiseProduct(signs(k));
+    const Vector3 signs(k & 1 ? -1.0 : 1.0, k & 2 ? -1.0 : 1.0, k & 4 ? -1.0 : 1.0);
+    asked.push_back({{image(pair.a, order, signs), image(pair.b, order, signs)}});
   }
   return asked;
 }
@@ -179,12 +210,48 @@ std::vector<LawQuery> mirrored(const Method&, const Pair& pair, const MethodAnsw
 std::vector<LawQuery> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
   std::vector<LawQuery> asked;
   Eigen::Vector3i order(0, 1, 2);
-  while (std::next_permutation(order.begin(), order.end())) {
-    asked.push_back({pair});
-    Pair& other = asked.back().pair;
-    for (Vector3* v : {&other.a.center, &other.a.axis, &other.b.center, &other.b.axis})
-      *v = Vector3((*v)(order));
-  }
+  while (std::next_permutation(order.begin(), order.end()))
+    asked.push_back({{image(pair.a, order, Vector3::Ones()), image(pair.b, order, Vector3::Ones())}});
+  return asked;
+}
+
+/// The bits of a quaternion's coordinates, relative to the largest, so that sums of two are exact.
+constexpr int relabelled_bits = 40;
+
+Solid with_short_quaternion(Solid c) {
+  double largest = 0;
+  for (const double x : c.quaternion) largest = std::max(largest, std::fabs(x));
+  const int exponent = std::ilogb(largest);
+  for (double& x : c.quaternion) x = std::nearbyint(std::scalbn(std::scalbn(x, -exponent), relabelled_bits));
+  return c;
+}
+
+/// Returns the same box with its axes named anew: its rotation follows a turn of 90 degrees about coordinate
+/// axis k, and the two other edges are exchanged. The turn has the quaternion 1 + e_k.
+Solid relabelled(const Solid& c, std::size_t k) {
+  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  const auto& q = c.quaternion;
+  Solid other = c;
+  std::swap(other.edges[i], other.edges[j]);
+  other.quaternion[0] = q[0] - q[k + 1];
+  other.quaternion[k + 1] = q[k + 1] + q[0];
+  other.quaternion[i + 1] = q[i + 1] + q[j + 1];
+  other.quaternion[j + 1] = q[j + 1] - q[i + 1];
+  return other;
+}
+
+// The first pair has the rounded quaternions, with which the others are exact.
+std::vector<LawQuery> with_other_labels(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!has_box(pair)) return {};
+  Pair base = pair;
+  for (Solid* c : {&base.a, &base.b})
+    if (is_box(*c)) *c = with_short_quaternion(*c);
+  std::vector<LawQuery> asked{{base}};
+  for (const auto solid : {&Pair::a, &Pair::b})
+    for (std::size_t k = 0; is_box(base.*solid) && k < 3; ++k) {
+      asked.push_back({base});
+      asked.back().pair.*solid = relabelled(base.*solid, k);
+    }
   return asked;
 }
 
@@ -207,15 +274,18 @@ std::vector<Law> exact_laws() {
       "always; bit for bit for intersect, decide, distance and seed2017, the verdict for other methods";
   return {
       {1, LawKind::exact, "swap",
-       "swapped cylinders keep the verdict, distance and point, and the direction is negated", bits, swapped,
+       "swapped solids keep the verdict, distance and point, and the direction is negated", bits, swapped,
        [](const LawCase& c) { return all_as_expected(c, {.direction = -1, .swapped = true}); }},
       {2, LawKind::exact, "scaling",
        "lengths times 2^k keep the verdict and direction, and scale distance and point by 2^k",
        "if no length overflows or underflows; bit for bit as in law 1", at_other_scales, break_scaling},
-      {3, LawKind::exact, "reversal", "a reversed axis keeps the verdict, distance, direction and point",
+      {3, LawKind::exact, "reversal",
+       "a reversed axis of a cylinder, or a negated quaternion, keeps the verdict, distance, direction and "
+       "point",
        bits, reversed, [](const LawCase& c) { return all_as_expected(c); }},
-      {4, LawKind::exact, "axis length", "an axis times 2^k keeps the verdict, distance, direction and point",
-       "if no coordinate of an axis overflows or underflows; bit for bit as in law 1", with_longer_axes,
+      {4, LawKind::exact, "axis length",
+       "an axis, normal or quaternion times 2^k keeps the verdict, distance, direction and point",
+       "if no coordinate of it overflows or underflows; bit for bit as in law 1", with_longer_axes,
        [](const LawCase& c) { return all_as_expected(c); }},
       {5, LawKind::exact, "mirror", "flipped signs of coordinates, in all 7 ways, keep the verdict",
        "if both answers are decided; for intersect without rounding always, for others if they claim to be "
@@ -227,6 +297,16 @@ std::vector<Law> exact_laws() {
       {6, LawKind::exact, "permutation", "permuted coordinates, in all 5 ways, keep the verdict",
        "if both answers are decided and the method claims to be right, because sums change their order",
        permuted, [](const LawCase& c) { return turned_verdict(c, false); }},
+      {7, LawKind::exact, "relabelling",
+       "a box turned by 90 degrees about an axis of its own, with two edges exchanged, keeps the verdict",
+       "for boxes, with quaternions of 40 bits; if both answers are decided and the method claims to be "
+       "right",
+       with_other_labels,
+       [](const LawCase& c) {
+         return turned_verdict(
+             {c.method, c.asked[0].pair, c.answers[0], c.asked.subspan(1), c.answers.subspan(1), c.proofs},
+             false);
+       }},
   };
 }
 

@@ -48,11 +48,17 @@ double distance_allowance(const LawCase& c, const Pair& pair, double said);
 /// The unit direction of the witness, from a to b. It is 0 or not finite if the witness has no direction.
 Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer);
 /// Returns -f(u), rounded down. For any unit vector u from a to b or back, the signed distance is at least
-/// this. The pair is in range.
+/// this. The pair is in range. A half-space is asked at its normal, whatever u is.
 double shown_by(const Pair& pair, const Vector3& u);
 
+/// At least the support of the core in each unit direction, relative to its centre. Of a half-space 0.
+double core_extent(const Solid& c);
+/// The unit direction of the axis, of the outward normal, or of a box's longest edge.
+Vector3 direction_of(const Solid& c);
+
 /// The capsule around a valid solid: the same axis and radius, rounded ends in addition. So capsules apart
-/// prove the solids disjoint.
+/// prove the solids disjoint. A box has a cylinder around it, along its longest edge, and one inside it,
+/// which stand for it. A half-space stands for itself.
 Solid capsule_around(const Solid& c);
 /// A capsule inside it, as wide or as high as the solid. So capsules that meet prove that the solids
 /// intersect. If rounding leaves nothing (a segment, a disk, far from the origin), its rounding is < 0: there

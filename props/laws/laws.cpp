@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
@@ -78,17 +79,37 @@ Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
 double shown_by(const Pair& pair, const Vector3& u) {
   const Vector3 delta = pair.b.center - pair.a.center;
   double lengths = delta.norm();
-  for (const Solid* c : {&pair.a, &pair.b}) lengths += c->radius + c->height / 2 + c->rounding;
+  for (const Solid* c : {&pair.a, &pair.b}) lengths += core_extent(*c) + c->rounding;
   // |u| is 1 within 4 roundings, which half of the second bound covers.
+  const double lost = 2 * separation_error * lengths;
+  if (has_half_space(pair)) {
+    const bool first = is_half_space(pair.a);
+    const Vector3 n = direction_of(first ? pair.a : pair.b);
+    return (first ? n : Vector3(-n)).dot(delta) -
+           support(terms_of<double>(first ? pair.b : pair.a), lifted<double>(n)) - lost;
+  }
   return -support_gap(terms_of<double>(pair.a), terms_of<double>(pair.b), lifted<double>(delta),
                       lifted<double>(u)) -
-         2 * separation_error * lengths;
+         lost;
+}
+
+double core_extent(const Solid& c) { return c.radius + c.height / 2 + edges_of(c) / 2; }
+
+Vector3 direction_of(const Solid& c) {
+  if (is_box(c)) {
+    const auto longest = std::ranges::max_element(c.edges) - c.edges.begin();
+    const Vec3<double> d = edge_directions<double>(c.quaternion)[static_cast<std::size_t>(longest)];
+    return {d.x, d.y, d.z};
+  }
+  const Vector3 w = prepare({.axis = c.axis}).unit_axis;  // of either sign
+  return is_half_space(c) && w.dot(c.axis) < 0 ? Vector3(-w) : w;
 }
 
 bool is_in_range(const Pair& pair) {
   double largest = 0;
   for (const Solid* c : {&pair.a, &pair.b})
-    largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height, c->rounding});
+    largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height, c->rounding,
+                        std::ranges::max(c->edges)});
   return largest >= 0x1p-200 && largest <= 0x1p200;
 }
 

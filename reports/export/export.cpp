@@ -18,38 +18,17 @@
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/solid_kind.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/depends_on_last_bit.hpp"
 #include "oracles/trial/finding_text.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_program.hpp"
+#include "reports/export/pair_in_words.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string triple(const Vector3& v) {
-  return fmt::format("({}, {}, {})", format_double(v[0]), format_double(v[1]), format_double(v[2]));
-}
-
-std::string row(const char* name, const Solid& c, bool rounded) {
-  const bool plane = is_half_space(c);
-  return fmt::format("| {} | {} | {} | {} | {} |{}\n", name, triple(c.center), triple(c.axis),
-                     plane ? "half-space" : format_double(c.radius), plane ? "" : format_double(c.height),
-                     rounded ? fmt::format(" {} |", format_double(c.rounding)) : "");
-}
-
-/// Returns "two spheres", "a capsule and a rounded cylinder".
-std::string solids_in_words(const Pair& pair) {
-  const auto word = [](const Solid& c) {
-    if (is_half_space(c)) return std::string("half-space");
-    return std::string(to_string(kind_of(c))) + (kind_of(c) == SolidKind::rounded ? " cylinder" : "");
-  };
-  const std::string a = word(pair.a), b = word(pair.b);
-  return a == b ? "two " + a + 's' : "a " + a + " and a " + b;
-}
 
 bool within_claim(const Trial& p) { return p.finding()->severity == Severity::resolution; }
 
@@ -159,9 +138,10 @@ std::string truth_in_words(const Trial& p) {
 /// Reports if prisms replace the cylinders in the question.
 std::string hull_in_words(const LibraryCall& call, const Trial& p) {
   if (call.settings.find("btConvexHullShape") == std::string_view::npos) return {};
+  if (is_box(p.pair.a) && is_box(p.pair.b)) return {};
   if (p.answer().verdict == Verdict::disjoint)
-    return "\nThe hulls are prisms around the cylinders. If the cylinders meet, so do the hulls.\n";
-  return "\nThe hulls are prisms inside the cylinders. If the cylinders are disjoint, so are the hulls.\n";
+    return "\nThe hull of a cylinder is a prism around it. If the solids meet, so do the hulls.\n";
+  return "\nThe hull of a cylinder is a prism inside it. If the solids are disjoint, so are the hulls.\n";
 }
 
 /// Answers the first question of a reader: is this not within the tolerance?
@@ -204,13 +184,6 @@ std::string depth_note(const Trial& p, const Claim& claim) {
   return {};
 }
 
-std::string table_of(const Pair& pair) {
-  const bool rounded = is_rounded(pair);
-  return std::string("| | centre | axis | radius | height |") +
-         (rounded ? " rounding |\n|---|---|---|---|---|---|\n" : "\n|---|---|---|---|---|\n") +
-         row("a", pair.a, rounded) + row("b", pair.b, rounded);
-}
-
 /// Returns the system that gave the answer: "Linux x86_64".
 std::string system_in_words() {
   utsname system;
@@ -226,15 +199,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
         "The claim quoted below allows this answer, because the solids are so close to touching. It may "
         "still "
         "be of interest.\n\n";
-  text += fmt::format(
-      "### Question\n\nDo these solids, {}, meet? Heights are full heights. {}All numbers are exact "
-      "doubles.\n\n",
-      solids_in_words(p.pair),
-      std::string(is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "") +
-          (has_half_space(p.pair) ? "The centre of a half-space is a point of its plane, and its axis the "
-                                    "outward normal. "
-                                  : ""));
-  text += table_of(p.pair);
+  text += "### Question\n\n" + question_of(p.pair);
   text += fmt::format("\n### Actual result\n\n{}\n", returned_text(p, method));
   text += fmt::format("\n### Expected result\n\n{}\n", truth_in_words(p));
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);

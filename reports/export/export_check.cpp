@@ -7,7 +7,10 @@
 #include <stdexcept>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/methods/adapter.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "reports/export/export_program.hpp"
@@ -47,12 +50,37 @@ std::string answer_of(const Pair& pair, Truth truth) {
   return format_truth(truth);
 }
 
+/// A library gets the rotation of a box as rounded elements. Each point of a solid moves by less than this
+/// times the size.
+constexpr double rotation_error = 0x1p-49;
+
+bool is_rotation_exact(const Solid& c) {
+  const auto edges = edge_directions<mpq_class>(c.quaternion);
+  const Eigen::Matrix3d given = rotation_of(c);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<mpq_class>& e = edges[static_cast<std::size_t>(i)];
+    if (e.x != given(0, i) || e.y != given(1, i) || e.z != given(2, i)) return false;
+  }
+  return true;
+}
+
+/// Throws std::runtime_error if a rounded rotation may change the truth. No quaternion states that rotation.
+void check_rotations(const Trial& asked) {
+  const auto rounded = [](const Solid& c) { return is_box(c) && !is_rotation_exact(c); };
+  if (!rounded(asked.pair.a) && !rounded(asked.pair.b)) return;
+  const double lost = rotation_error * size_of(asked.pair);
+  if (!(asked.distance.lo > lost || asked.distance.hi < -lost))
+    throw std::runtime_error(
+        "the library gets a rounded rotation of a box, and the solids are too near touching to blame it");
+}
+
 std::string claims(const Trial& asked, AxesGiven axes) {
   const auto line = [](const char* name, const Pair& pair, const Truth& truth) {
     return fmt::format("    {{\"name\":\"{}\",\"pair\":{},\n     \"answer\":{}}},\n", name, format_pair(pair),
                        answer_of(pair, truth));
   };
   const std::string text = line("as asked", asked.pair, asked.truth);
+  if (axes == AxesGiven::of_unit_length) check_rotations(asked);
   const Pair given = axes == AxesGiven::of_unit_length ? as_given(asked.pair) : asked.pair;
   if (given.a.axis == asked.pair.a.axis && given.b.axis == asked.pair.b.axis) return text;
   const Truth truth = judge(given);

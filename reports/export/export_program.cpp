@@ -56,6 +56,8 @@ std::string in_fcl(const std::string& name, const Solid& c) {
       return fmt::format("fcl::Sphered {}({})", name, literal(c.rounding));
     case SolidKind::capsule:
       return fmt::format("fcl::Capsuled {}({}, {})", name, literal(c.rounding), literal(c.height));
+    case SolidKind::box:
+      return fmt::format("fcl::Boxd {}({})", name, listed(c.edges.data(), 3));
     default:
       return fmt::format("fcl::Cylinderd {}({}, {})", name, literal(c.radius), literal(c.height));
   }
@@ -69,9 +71,33 @@ std::string in_ode(const Solid& c) {
       return fmt::format("dCreateSphere(nullptr, {})", literal(c.rounding));
     case SolidKind::capsule:
       return fmt::format("dCreateCapsule(nullptr, {}, {})", literal(c.rounding), literal(c.height));
+    case SolidKind::box:
+      return fmt::format("dCreateBox(nullptr, {})", listed(c.edges.data(), 3));
     default:
       return fmt::format("dCreateCylinder(nullptr, {}, {})", literal(c.radius), literal(c.height));
   }
+}
+std::string half_edges(const Solid& c) {
+  return listed(Vector3(c.edges[0] / 2, c.edges[1] / 2, c.edges[2] / 2).data(), 3);
+}
+std::string in_bullet(const std::string& name, const Solid& c) {
+  const std::string radius = literal(c.radius), half = literal(c.height / 2);
+  return is_box(c) ? fmt::format("btBoxShape {}(btVector3({}));", name, half_edges(c))
+                   : fmt::format("btCylinderShapeZ {0}(btVector3({1}, {1}, {2}));", name, radius, half);
+}
+std::string hull_in_bullet(const std::string& name, const Solid& c) {
+  return is_box(c) ? fmt::format("fill_box({}, {});", name, half_edges(c))
+                   : fmt::format("fill({}, {}, {});", name, literal(c.radius), literal(c.height / 2));
+}
+std::string in_ccd(const Solid& c) {
+  const Eigen::Matrix3d columns = rotation_of(c);
+  const auto column = [&](int i) { return listed(columns.col(i).data(), 3); };
+  if (is_box(c))
+    return fmt::format("{{{}}}, {{}}, 0, 0, {}, {{{{{}}}, {{{}}}, {{{}}}}}, {{{}}}",
+                       listed(c.center.data(), 3), literal(c.rounding), column(0), column(1), column(2),
+                       half_edges(c));
+  return fmt::format("{{{}}}, {{{}}}, {}, {}, {}, {{}}, {{}}", listed(c.center.data(), 3), column(2),
+                     literal(c.radius), literal(c.height / 2), literal(c.rounding));
 }
 struct MujocoGeom {
   int order;  ///< the table of colliders has the lesser type first
@@ -87,23 +113,23 @@ MujocoGeom in_mujoco(const Solid& c) {
       return {2, "mjGEOM_SPHERE", literal(c.rounding) + ", 0, 0"};
     case SolidKind::capsule:
       return {3, "mjGEOM_CAPSULE", literal(c.rounding) + ", " + half + ", 0"};
+    case SolidKind::box:
+      return {6, "mjGEOM_BOX", half_edges(c)};
     default:
       return {5, "mjGEOM_CYLINDER", literal(c.radius) + ", " + half + ", 0"};
   }
 }
 
-/// Adds @a.radius@, @a.rotation@ and the other words of one solid.
+/// Adds @a.center@, @a.rotation@ and the other words of one solid.
 void add_solid(Words& words, const std::string& name, const Solid& c) {
-  const Vector3 axis = unit_axis(c.axis);
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = rotation_to(axis);
-  words[name + ".radius"] = literal(c.radius);
-  words[name + ".height"] = literal(c.height);
-  words[name + ".half"] = literal(c.height / 2);
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = rotation_of(c);
   words[name + ".center"] = listed(c.center.data(), 3);
-  words[name + ".axis"] = listed(axis.data(), 3);
   words[name + ".rotation"] = listed(rows.data(), 9);
   words[name + ".rotation4"] = listed(rows.data(), 3) + ", 0, " + listed(rows.data() + 3, 3) + ", 0, " +
                                listed(rows.data() + 6, 3) + ", 0";
+  words[name + ".bullet"] = in_bullet(name, c);
+  words[name + ".bullet_hull"] = hull_in_bullet(name, c);
+  words[name + ".ccd"] = in_ccd(c);
   words[name + ".fcl"] = in_fcl(name, c);
   words[name + ".ode"] = in_ode(c);
   words[name + ".ode_pose"] =
@@ -273,9 +299,10 @@ bool program_shows(FindingKind kind) {
 }
 
 bool program_takes(std::string_view library, const Pair& pair) {
-  const bool all = library == "FCL" || library == "ODE" || library == "MuJoCo";
   return std::ranges::all_of(std::array{kind_of(pair.a), kind_of(pair.b)}, [&](SolidKind kind) {
-    return kind == SolidKind::cylinder || (all && kind != SolidKind::rounded);
+    if (library == "Bullet") return kind == SolidKind::cylinder || kind == SolidKind::box;
+    if (library == "libccd") return kind != SolidKind::half_space;
+    return kind != SolidKind::rounded && kind != SolidKind::rounded_box;
   });
 }
 

@@ -19,6 +19,7 @@ except ImportError:
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+BOX = {'shape': 'box', 'center': [0, 0, 0], 'edges': [1, 2, 0], 'quaternion': [2, 0, 0, 1], 'rounding': 0.5}
 PAIR = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
         '"b":{"center":[%s,0,0],"axis":[0,1,0],"radius":1,"height":2}}')
 
@@ -72,6 +73,8 @@ def main():
         asked = '\n'.join(PAIR % x for x in ('2.5', '1', '2', '1e-300', '1e300', '"no"')) + '\n{"a":1}\n'
         cases = [line for file in sorted((ROOT / 'corpus/cases').glob('*.jsonl')) for line in lines(file.read_text())]
         hold('case.json', cases, ('more', 'kind'))
+        boxes = [{'a': BOX, 'b': {key: BOX[key] for key in ('shape', 'center', 'edges')}}]
+        hold('case.json', boxes + [{'a': BOX, 'b': {'shape': 'half_space', 'point': [0, 0, -1], 'normal': [0, 0, 2]}}])
         pairs = '\n'.join(json.dumps({'a': case['a'], 'b': case['b']}) for case in cases)
         said = [run('check', '--distance', given=asked, codes=(65,)), run('check', '--distance', given=pairs)]
         said += [run('check', '--method', name, given=pairs, codes=(0, 2, 3, 65)) for name in methods.split(',')]

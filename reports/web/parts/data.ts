@@ -20,8 +20,17 @@ export interface HalfSpace {
   point: Vec;
   normal: Vec;
 }
-export type Solid = Cylinder | HalfSpace;
-export const isHalfSpace = (s: Solid): s is HalfSpace => "shape" in s;
+/** The quaternion [w, x, y, z] turns it. It has any length, and is 1, 0, 0, 0 by default. */
+export interface Box {
+  shape: "box";
+  center: Vec;
+  edges: Vec; // full lengths
+  quaternion?: [number, number, number, number];
+  rounding?: number;
+}
+export type Solid = Cylinder | HalfSpace | Box;
+export const isHalfSpace = (s: Solid): s is HalfSpace => "shape" in s && s.shape === "half_space";
+export const isBox = (s: Solid): s is Box => "shape" in s && s.shape === "box";
 /** At most one is a half-space. */
 export interface Pair {
   a: Solid;

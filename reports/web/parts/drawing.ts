@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The drawing of a case, in a frame of its own. The origin is the middle of the centres. The larger of the pair's
 // extent and the way between its centres is about 1. It uses doubles, for a drawing proves nothing.
-import { isHalfSpace, type Coordinate, type Cylinder, type Shown, type Solid as Given, type Vec } from "./data.ts";
-import { add, dot, scale, sub, unit, type Solid } from "./geometry.ts";
+import {
+  isBox, isHalfSpace, type Box, type Coordinate, type Cylinder, type Shown, type Solid as Given, type Vec,
+} from "./data.ts";
+import { add, coreReach, dot, scale, sub, turnedAxes, unit, type Solid } from "./geometry.ts";
 
 export interface Drawing {
   a: Solid;
@@ -31,22 +33,27 @@ function coordinateValue(x: Coordinate): number {
 /** The extent of a solid along n. */
 export const reach = (s: Solid, n: Vec) => {
   const along = Math.min(1, Math.abs(dot(s.axis, n)));
-  return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + s.rounding;
+  const ofEdges = s.edges.reduce((sum, e) => sum + Math.abs(dot(e, n)), 0);
+  return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + ofEdges + s.rounding;
 };
 
+type Bounded = Cylinder | Box;
+/** Halves of its lengths, without the rounding. */
+const halvesOf = (s: Bounded): number[] => (isBox(s) ? s.edges.map((e) => e / 2) : [s.radius, s.height / 2]);
+
 /** A half-space is drawn as a disk of its plane, below the other solid. */
-function drawable(s: Given, other: Given): Cylinder {
+function drawable(s: Given, other: Given): Bounded {
   if (!isHalfSpace(s)) return s;
   const of = isHalfSpace(other) ? { center: s.point, axis: s.normal, radius: 1, height: 0 } : other,
     n = unit(s.normal),
     above = dot(n, sub(of.center, s.point));
-  const radius = 1.6 * (Math.hypot(of.radius, of.height / 2) + (of.rounding ?? 0));
+  const radius = 1.6 * (Math.hypot(...halvesOf(of)) + (of.rounding ?? 0));
   return { center: sub(of.center, scale(n, above)), axis: n, radius, height: 0 };
 }
 
-function unitOf(pair: { a: Cylinder; b: Cylinder }): number {
+function unitOf(pair: { a: Bounded; b: Bounded }): number {
   const apart = sub(scale(pair.b.center, 0.5), scale(pair.a.center, 0.5));
-  const lengths = [pair.a, pair.b].flatMap((c) => [c.radius, c.height / 2, c.rounding ?? 0]);
+  const lengths = [pair.a, pair.b].flatMap((c) => [...halvesOf(c), c.rounding ?? 0]);
   const longest = Math.max(...lengths, ...apart.map(Math.abs));
   return longest > 0 && Number.isFinite(longest) ? longest : 1;
 }
@@ -57,8 +64,10 @@ function support(s: Solid, n: Vec): Vec {
   const radial = sub(n, scale(s.axis, along)),
     length = Math.sqrt(dot(radial, radial));
   const rim = length > 1e-9 ? scale(radial, s.radius / length) : ([0, 0, 0] as Vec);
-  const core = add(add(s.center, scale(s.axis, Math.abs(along) > 1e-9 ? Math.sign(along) * s.half : 0)), rim);
-  return add(core, scale(n, s.rounding));
+  const end = (v: Vec, part: number) => scale(v, Math.abs(part) > 1e-9 ? Math.sign(part) : 0);
+  const core = add(add(s.center, scale(end(s.axis, along), s.half)), rim);
+  const corner = s.edges.reduce((at, e) => add(at, end(e, dot(e, n))), core);
+  return add(corner, scale(n, s.rounding));
 }
 
 const finite = (x: Vec | null) => (x?.every(Number.isFinite) ? x : null);
@@ -73,9 +82,10 @@ export function drawingOf(c: Shown): Drawing {
   const way = exactWay.every(Number.isFinite) ? exactWay : halfWay;
   const solid = (s: typeof a, center: Vec): Solid => ({
     center,
-    axis: unit(s.axis),
-    radius: s.radius / u,
-    half: s.height / 2 / u,
+    axis: isBox(s) ? [0, 0, 1] : unit(s.axis),
+    radius: isBox(s) ? 0 : s.radius / u,
+    half: isBox(s) ? 0 : s.height / 2 / u,
+    edges: isBox(s) ? turnedAxes(s.quaternion ?? [1, 0, 0, 0]).map((e, i) => scale(e, s.edges[i]! / 2 / u)) : [],
     rounding: (s.rounding ?? 0) / u,
   });
   const drawnA = solid(a, scale(way, -1)),
@@ -115,7 +125,7 @@ export function drawingOf(c: Shown): Drawing {
   }
   const distance = c.truth.distance;
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
-  const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half) + s.rounding;
+  const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + coreReach(s) + s.rounding;
   return {
     a: drawnA,
     b: drawnB,

@@ -29,10 +29,26 @@ export function squareTo(n: Vec): [Vec, Vec] {
   return [u, cross(n, u)];
 }
 
+/** The unit vectors along the edges of a box. */
+export function turnedAxes(quaternion: readonly number[]): Vec[] {
+  const largest = Math.max(...quaternion.map(Math.abs)),
+    [w, x, y, z] = quaternion.map((c) => c / largest) as [number, number, number, number],
+    v: Vec = [x, y, z],
+    share = 2 / (w * w + dot(v, v));
+  return [0, 1, 2].map((i) => {
+    const e = [0, 1, 2].map((j) => Number(i === j)) as Vec,
+      once = cross(v, e);
+    return add(e, scale(add(scale(once, w), cross(v, once)), share));
+  });
+}
+
 export interface Solid {
   center: Vec;
   axis: Vec;
   radius: number;
   half: number;
+  edges: Vec[]; // of a box: half of each
   rounding: number;
 }
+/** The length of the longest way from the centre within the core. */
+export const coreReach = (s: Solid) => Math.hypot(s.radius, s.half, ...s.edges.flat());

@@ -57,13 +57,24 @@ const swollen = (points: Flat[], by: number): Flat[] =>
     }),
   );
 
+/** Four faces of a box, which have all of its edges. */
+function facesOf({ center, edges: [u, v, w] }: Solid): Vec[][] {
+  const face = (out: Vec, along: Vec, up: Vec) =>
+    ([[1, 1], [-1, 1], [-1, -1], [1, -1]] as const).map(([i, j]) =>
+      add(add(center, out), add(scale(along, i), scale(up, j))),
+    );
+  return [face(u!, v!, w!), face(scale(u!, -1), v!, w!), face(v!, u!, w!), face(scale(v!, -1), u!, w!)];
+}
+
 function outline(of: Solid, flat: Flatten, view: View, name: string) {
-  const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat)),
-    around = polygonHull(swollen(ends.flat(), of.rounding / view.radius)) ?? [];
+  const isBox = of.edges.length > 0,
+    faces = (isBox ? facesOf(of) : [rim(of, 1), rim(of, -1)]).map((points) => points.map(flat)),
+    around = polygonHull(swollen(faces.flat(), of.rounding / view.radius)) ?? [];
+  const lines = of.rounding > 0 || (!isBox && of.radius === 0) ? [around, ...(isBox ? faces : [])] : faces;
   return (
     <g class={name}>
       <path class="body" d={path(around)} />
-      {(of.rounding > 0 || of.radius === 0 ? [around] : ends).map((points, i) => (
+      {lines.map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
       ))}
     </g>

@@ -212,3 +212,66 @@ test("a half-space: its normal separates, and points lie behind its plane", () =
   assert.equal(holds({ a: plane, b: rod }, { verdict: "touching", point: [0, 0, 0] }), false, "they overlap there");
   assert.equal(holds({ a: plane, b: rod }, { verdict: "intersecting", point: [0, 0, 0] }), true);
 });
+
+const box = (center, edges, quaternion, rounding = 0) => ({ shape: "box", center, edges, quaternion, rounding });
+const die = box([0, 0, 0], [6, 6, 8]);
+
+test("a box: its edges have rational directions, whatever the length of its quaternion", () => {
+  for (const k of [1, -3, 2 ** -1070, 2 ** 1000]) {
+    const turned = box([18, 34, 8], [50, 50, 50], [4 * k, 2 * k, 2 * k, k]); // two edges cross at (3, 3, 0)
+    assert.equal(holds({ a: die, b: turned }, { verdict: "touching", point: [3, 3, 0] }), true);
+    assert.equal(holds({ a: die, b: turned }, direction(3, 5, 0)), false, "touching");
+    const apart = { ...turned, center: [18, 34 + 2 ** -40, 8] };
+    assert.equal(holds({ a: die, b: apart }, direction(3, 5, 0)), true);
+    assert.equal(holds({ a: die, b: apart }, direction(3, 4, 0)), false);
+    const deep = { a: die, b: { ...turned, center: [18, 34 - 2 ** -40, 8] } };
+    assert.equal(holds(deep, { verdict: "intersecting", point: [3, 3, 0] }), true);
+    assert.equal(holds(deep, { verdict: "touching", point: [3, 3, 0] }), false);
+    assert.equal(holds(deep, { verdict: "intersecting", point: [3, 3 - 2 ** -39, 0] }), false);
+  }
+});
+
+test("a box touches other solids", () => {
+  const up = cylinder([0, 0, 0], [0, 0, 2], 3, 8),
+    sheet = box([0, 0, 4], [2, 2, 0]);
+  for (const [a, at] of [
+    [{ ...up, center: [6, 0, 0] }, [3, 0, 1]],
+    [{ ...up, center: [0, 0, 8] }, [1, 1, 4]],
+    [cylinder([24, 31, 5], [-12, -16, 15], 25, 50), [3, 3, 0]], // a rim on an edge
+    [cylinder([3, 3, 0], [1, -1, 0], 0, 8), [3, 3, 0]],
+    [sheet, [0, 1, 4]],
+    [{ shape: "half_space", point: [3, 3, -4], normal: [-1, -1, 3] }, [3, 3, -4]],
+  ]) {
+    const touch = (b, ...point) => holds({ a, b }, { verdict: "touching", point });
+    assert.equal(touch(die, ...at), true, JSON.stringify(a));
+    assert.equal(touch({ ...die, rounding: 2 ** -40 }, ...at), false, "a point of rounded solids");
+    assert.equal(touch({ ...die, edges: die.edges.map((e) => e + 2 ** -40) }, ...at), false, "deeper");
+    assert.equal(touch(die, 5, 5, 5), false);
+  }
+  assert.equal(holds({ a: sheet, b: up }, { verdict: "touching", point: [0, 0, 4] }), true);
+  const beside = { ...sheet, center: [1, 1, 4] };
+  assert.equal(holds({ a: sheet, b: beside }, { verdict: "touching", point: [1, 1, 4] }), true);
+});
+
+test("a rounded box, a flat box, and what is no box", () => {
+  const rod = capsule([6, 7, 0], [0, 0, 1], 2, 3),
+    meet = (verdict, rounding) => holds({ a: { ...die, rounding }, b: rod }, points(verdict, [3, 3, 1], [6, 7, 1]));
+  assert.deepEqual([2, 2 + 2 ** -40, 2 - 2 ** -40].map((r) => meet("touching", r)), [true, false, false]);
+  assert.deepEqual([2, 2 + 2 ** -40, 2 - 2 ** -40].map((r) => meet("intersecting", r)), [true, true, false]);
+  assert.equal(holds({ a: { ...die, rounding: 1.75 }, b: rod }, direction(3, 4, 0)), true);
+  const beside = points("touching", [0, 3, 0], [3, 7, 0]);
+  assert.equal(holds({ a: die, b: ball([3, 7, 0], 5) }, beside), false, "they overlap elsewhere");
+  const near = (x, at = 3) => {
+    const b = cylinder([x, 0, 0], [0, 0, 1], 3, 8);
+    return holds({ a: die, b }, { verdict: "touching", near: { point: [at, 0, 0], direction: [1, 0, 0] } });
+  };
+  assert.deepEqual([near(6), near(6, [3, 2 ** -210])], [true, true]);
+  assert.deepEqual([near(6 + 2 ** -40), near(6 - 2 ** -40)], [false, false]);
+  const leaning = { a: box([0.1, 0.2, 0.3], [2, 2, 0], [1, 2, 3, 4]), b: cylinder([0, 0, 0], [0, 0, 1], 3, 8) };
+  for (const hulls of [undefined, ["plane", "space"]]) {
+    assert.equal(holds(leaning, { ...point(0.1, 0.2, 0.300000001), hulls }), true, "the point meant is in its plane");
+    assert.equal(holds(leaning, { ...point(1.7, 0.2, 0.3), hulls }), false);
+  }
+  for (const change of [{ edges: [1, 1] }, { edges: [1, 1, -1] }, { quaternion: [0, 0, 0, 0] }, { quaternion: [1] }])
+    assert.equal(holds({ a: { ...die, ...change }, b: rod }, direction(3, 4, 0)), false, JSON.stringify(change));
+});

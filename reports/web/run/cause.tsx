@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
-import { isHalfSpace, type Pair, type Solid } from "../parts/data.ts";
+import { isBox, isHalfSpace, type Pair, type Solid } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
@@ -30,7 +30,6 @@ const Runs = ({ b }: { b: Cause }) => (
 
 /** `export` writes a program for one of these libraries, or a case for a guest. */
 const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
-  ofCylindersAlone = ["bullet", "libccd"],
   manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
   ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
 function refusal({ methods }: Report, { method, kind, pair }: { method: string; kind: string; pair: Pair }): string {
@@ -39,8 +38,11 @@ function refusal({ methods }: Report, { method, kind, pair }: { method: string; 
   if (own || isText(library) || library === "nlopt") return `it does not know the library of ${method}`;
   if (manyCalls.includes(kind) || (isPackaged && ofGuests.includes(kind)))
     return `one call cannot show a finding of the kind "${kindLabel(kind)}"`;
-  const takes = (s: Solid) =>
-    !isHalfSpace(s) && !s.rounding ? true : !ofCylindersAlone.includes(library) && (isHalfSpace(s) || s.radius === 0);
+  const takes = (s: Solid) => {
+    if (library === "libccd") return !isHalfSpace(s);
+    if (isHalfSpace(s)) return library !== "bullet";
+    return !s.rounding || (library !== "bullet" && !isBox(s) && s.radius === 0);
+  };
   return isPackaged && !(takes(pair.a) && takes(pair.b)) ? `no program of ${library} has these solids` : "";
 }
 /** Why `export` refuses every pair of the cause, or "" if it does not. */

@@ -95,7 +95,7 @@ const lead = (report: Report) =>
   `${grouped(report.findings_total)} in all. For each method, kind, severity and family, the run keeps the first ten ` +
   `findings, and each later one whose margin reaches a higher power of two. The margin of a wrong distance is its ` +
   `error over the size. The margin of any other finding is the signed distance between the solids over the size. ` +
-  `Margins are lower bounds. The size is the sum of both radii, heights and roundings. The worst finding comes ` +
+  `Margins are lower bounds. The size is the sum of all radii, heights, edges and roundings. The worst finding comes ` +
   `first. The printed summary of the run names the same one.`;
 
 const rowsAtFirst = 100;

@@ -52,7 +52,7 @@ export const glossary: Record<string, string> = {
   severity: "Whether the answer is wrong by more than the method's own claim allows.",
   "signed distance": "The gap between the solids, or minus the depth of their overlap.",
   "since earlier runs": "The comparison of the cause with earlier runs: new, known, back, gone or rare.",
-  size: "The sum of both radii, both heights and both roundings.",
+  size: "The sum of the radii, heights, edges and roundings of both solids.",
   stated: "The library itself states the claim, and the page names the line.",
   steps: "The number of pairs on the path.",
   touching: "The solids have a common point, and their signed distance is exactly 0.",

@@ -2,6 +2,7 @@
 // Both solids, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
 import { useMemo, useState } from "preact/hooks";
 import { drawingOf, exaggerated, exaggeration } from "../parts/drawing.ts";
+import { coreReach } from "../parts/geometry.ts";
 import { Projection } from "../parts/projection.tsx";
 import { short } from "../parts/words.ts";
 import type { Case } from "./data.ts";
@@ -30,7 +31,7 @@ export function PairView({ shown }: { shown: Case }) {
   const [close, zoom] = useState(false);
   const [wide, widen] = useState(factor > widenedAtOnce);
   const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
-  const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half)),
+  const sizes = [trueDrawing.a, trueDrawing.b].map(coreReach),
     ratio = Math.max(...sizes) / Math.min(...sizes);
 
   const gap = trueDrawing.gap ?? 0,

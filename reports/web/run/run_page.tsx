@@ -21,7 +21,7 @@ const sections = [
 const Header = ({ report: { run } }: { report: Report }) => (
   <header>
     <h1>
-      <a href="#/new">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
+      <a href="#/new">daylight</a> <span class="soft">answers about two solids, checked against proofs</span>
     </h1>
     <nav aria-label="Sections">
       {sections.map(([key, title]) => (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names of a run as people read them, and a cause in one plain sentence.
-import { isHalfSpace, type Coordinate, type Pair } from "../parts/data.ts";
+import type { Coordinate, Pair } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
 import type { Cause, Claim } from "./data.ts";
 
@@ -29,7 +29,7 @@ export function formatCoordinate(x: Coordinate): string {
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
-const areCylinders = ({ a, b }: Pair) => ![a, b].some((s) => isHalfSpace(s) || s.rounding);
+const areCylinders = ({ a, b }: Pair) => ![a, b].some((s) => "shape" in s || s.rounding);
 
 /** Whether it is new, but no earlier run tested its method on its families. It may then be old. */
 export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_before === false;
