@@ -19,7 +19,7 @@ if(sources_without)
 endif()
 foreach(part base/json base/spelling base/process/child base/process/confine base/process/exception_text
              base/process/line_program base/process/supervised_process base/process/process corpus/pairs/method_answer corpus/pairs/pair_io
-             corpus/pairs/size_range corpus/pairs/truth_io
+             corpus/pairs/size_range corpus/pairs/touch_plane corpus/pairs/truth_io
              fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
   list(APPEND checking ${top}/${part}.cpp)
 endforeach()
