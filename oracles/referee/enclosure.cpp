@@ -10,6 +10,7 @@
 #include <span>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box_distance.hpp"
 #include "oracles/referee/cosine_boxes.hpp"
 #include "oracles/referee/direction_bounds.hpp"
 #include "oracles/referee/half_space.hpp"
@@ -265,6 +266,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   // not covered: a family's pairs are valid
   if (truth.verdict == Verdict::invalid) return {};
   if (has_half_space(pair)) return attain_half_space(pair);
+  if (has_box(pair)) return attain_box(pair, truth.verdict, relative_width);
   if (is_rounded(pair)) return shrunk_by_roundings(pair, truth, relative_width);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
@@ -287,7 +289,8 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // not covered: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
-  if (is_rounded(pair) || has_half_space(pair)) return attain_distance(pair, truth, relative_width).distance;
+  if (is_rounded(pair) || has_half_space(pair) || has_box(pair))
+    return attain_distance(pair, truth, relative_width).distance;
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
@@ -297,6 +300,7 @@ MeasuredDistance approximate_distance(const Pair& pair) {
   constexpr std::size_t measured_cell_cap = 64;
   if (!is_legal(pair)) return {};
   if (has_half_space(pair)) return measure_half_space(pair);
+  if (has_box(pair)) return measure_box(pair, false);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const DirectionBounds bounds(p);
@@ -313,6 +317,7 @@ MeasuredDistance approximate_distance(const Pair& pair) {
 }
 
 MeasuredDistance measure_with_points(const Pair& pair) {
+  if (is_legal(pair) && has_box(pair) && !has_half_space(pair)) return measure_box(pair, true);
   MeasuredDistance measured = approximate_distance(pair);
   if (measured.direction.isZero(0) || has_half_space(pair)) return measured;
   int exponent = 0;

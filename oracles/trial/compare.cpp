@@ -154,7 +154,10 @@ bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& ans
 }
 
 /// The largest distance of two points of a solid.
-double diameter_of(const Solid& c) { return std::hypot(2 * c.radius, c.height) + 2 * c.rounding; }
+double diameter_of(const Solid& c) {
+  const auto& [x, y, z] = c.edges;
+  return (is_box(c) ? std::hypot(x, y, z) : std::hypot(2 * c.radius, c.height)) + 2 * c.rounding;
+}
 
 // The claim of a length t may explain a witness that proves nothing.
 //

@@ -6,15 +6,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/half_space.hpp"
 
 namespace cyl {
 namespace {
 
+/// A side or an edge, a rim or a vertex, a cap, a facet or a plane.
 enum class Part : unsigned char { side, rim, cap };
+
+std::string_view word_of(const Solid& c, Part part) {
+  constexpr std::array<std::string_view, 3> of_cylinder{"side", "rim", "cap"},
+      of_box{"edge", "vertex", "facet"};
+  return (is_box(c) ? of_box : of_cylinder)[static_cast<std::size_t>(part)];
+}
 
 /// Scales the largest coordinate to between 1 and 2. This is exact except for subnormal numbers.
 Vector3 scaled(const Vector3& v) {
@@ -23,6 +33,8 @@ Vector3 scaled(const Vector3& v) {
   const int e = -std::ilogb(most);
   return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
 }
+
+Vector3 plain(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
 struct Angle {
   double sine, cosine;  // >= 0
@@ -36,6 +48,13 @@ Angle angle_between(const Vector3& a, const Vector3& b) {
 
 Part part_along(const Solid& c, const Vector3& direction) {
   if (is_half_space(c)) return Part::cap;
+  if (is_box(c)) {
+    int square = 0;  // edges that lie in the farthest face
+    const auto edges = edge_directions<double>(c.quaternion);
+    for (std::size_t i = 0; i < 3; ++i)
+      square += c.edges[i] > 0 && angle_between(plain(edges[i]), direction).cosine <= flat_tol;
+    return square == 0 ? Part::rim : square == 1 ? Part::side : Part::cap;
+  }
   const Angle angle = angle_between(c.axis, direction);
   if (angle.sine <= flat_tol && c.radius > 0) return Part::cap;
   if (angle.cosine <= flat_tol && c.height > 0) return Part::side;
@@ -63,6 +82,36 @@ ContactFeature feature_along(const Pair& pair, const Vector3& direction) {
   return ContactFeature::rim_rim;
 }
 
+namespace {
+
+/// Rounding of a place in the outer solid, relative to its size and the way between the centres.
+constexpr double place_error = 16 * 0x1p-53;
+
+/// A box holds what does not reach beyond its facets. Another solid holds the corners of a box.
+bool contains_with_box(const Solid& outer, const Solid& inner) {
+  const Vec3<double> d = lifted<double>(Vector3(inner.center - outer.center));
+  const Terms<double> of_outer = terms_of<double>(outer), of_inner = terms_of<double>(inner);
+  const double rounding = place_error * (outer.radius + outer.height + edges_of(outer) + norm(d));
+  if (of_outer.box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double reach = std::fabs(dot(d, of_outer.edges[i])) + core_support(of_inner, of_outer.edges[i]);
+      if (reach + inner.rounding > of_outer.halves[i] + outer.rounding + rounding) return false;
+    }
+    return true;
+  }
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Vec3<double> x = d;
+    for (std::size_t i = 0; i < 3; ++i)
+      x = x + (corner >> i & 1U ? 1 : -1) * of_inner.halves[i] * of_inner.edges[i];
+    const auto [caps, wall] = beyond(of_outer, x);
+    const double out = std::hypot(std::max(0.0, caps), std::max(0.0, wall));
+    if (out + inner.rounding > outer.rounding + rounding) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 // Along outer's axis, the inner reaches |d.w| + h/2 |cos| + r sin. In the plane perpendicular to w, with x
 // along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r. Their
 // farthest point lies in the quarter away from outer's axis. A coarse search, then thirds, find its t, the
@@ -75,11 +124,12 @@ bool contains(const Solid& outer, const Solid& inner) {
     return half_space_sign({beyond, inner}) <= 0;
   }
   if (is_half_space(inner)) return false;
+  if (is_box(outer) || is_box(inner)) return contains_with_box(outer, inner);
   const Vector3 d = inner.center - outer.center;
   const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
   const double cosine = std::fabs(w.dot(v)), sine = w.cross(v).norm();
   const double r = inner.radius, half = inner.height / 2, height = d.dot(w);
-  const double rounding = 16 * 0x1p-53 * (outer.radius + outer.height + d.norm());
+  const double rounding = place_error * (outer.radius + outer.height + d.norm());
   if (std::fabs(height) + half * cosine + r * sine > outer.height / 2 + rounding) return false;
   const Vector3 across = d - height * w, flat = v - v.dot(w) * w;
   const Vector3 e = sine > 0 ? flat.stableNormalized() : across.stableNormalized();
@@ -108,25 +158,79 @@ ContactFeature feature_at(const Pair& pair, bool overlap, const Vector3& directi
   return inside ? ContactFeature::containment : feature_along(pair, direction);
 }
 
-std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
+namespace {
+
+/// The direction in which the signed distance is attained, if there is one.
+std::optional<Vector3> contact_direction(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::invalid || truth.verdict == Verdict::undecided) return {};
   const std::array<double, 3> found = attain_distance(pair, truth, direction_width_tol).direction;
-  return feature_at(pair, truth.verdict == Verdict::intersecting, Vector3(found[0], found[1], found[2]));
+  return Vector3(found[0], found[1], found[2]);
+}
+
+}  // namespace
+
+std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
+  const auto direction = contact_direction(pair, truth);
+  if (!direction) return {};
+  return feature_at(pair, truth.verdict == Verdict::intersecting, *direction);
+}
+
+std::string contact_in_words(const Pair& pair, const Truth& truth) {
+  const auto direction = contact_direction(pair, truth);
+  if (!direction) return "unknown";
+  const ContactFeature feature = feature_at(pair, truth.verdict == Verdict::intersecting, *direction);
+  if (!has_box(pair) || feature == ContactFeature::containment) return to_string(feature);
+  const auto part = [&](const Solid& c) {
+    const Part p = part_along(c, *direction);
+    constexpr std::array<int, 3> places{1, 2, 0};  // "cap-side", "cap-rim", "side-rim"
+    return std::pair(places[static_cast<std::size_t>(p)], word_of(c, p));
+  };
+  const auto [first, second] = std::minmax({part(pair.a), part(pair.b)});
+  return std::string(first.second) + '-' + std::string(second.second);
 }
 
 std::optional<ContactFeature> contact_feature(const Pair& pair) { return contact_feature(pair, judge(pair)); }
 
-AxesAngle axes_angle(const Pair& pair) {
-  const Angle angle = angle_between(pair.a.axis, pair.b.axis);
+namespace {
+
+/// Greater sines and cosines are not 0. It allows for twenty roundings per coordinate, and the lengths.
+constexpr double zero_error = 1e-14;
+
+AxesAngle exact_angle(const Angle& angle, const auto& exact_lines) {
   AxesAngle exactly{angle.sine, angle.cosine, false, false};
-  /// Greater sines and cosines are not 0. It allows for three roundings per coordinate, and the lengths.
-  constexpr double zero_error = 1e-15;
-  if (angle.sine <= zero_error) {
-    const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));
-    exactly.parallel = c.x == 0 && c.y == 0 && c.z == 0;
-  }
-  if (angle.cosine <= zero_error) exactly.right = dot(exact(pair.a.axis), exact(pair.b.axis)) == 0;
+  if (std::min(angle.sine, angle.cosine) > zero_error) return exactly;
+  const auto [u, v] = exact_lines();
+  const Rational3 c = cross(u, v);
+  exactly.parallel = c.x == 0 && c.y == 0 && c.z == 0;
+  exactly.right = dot(u, v) == 0;
   return exactly;
+}
+
+/// The directions of the edges, or the axis.
+std::vector<Vector3> lines_of(const Solid& c) {
+  if (!is_box(c)) return {c.axis};
+  const auto edges = edge_directions<double>(c.quaternion);
+  return {plain(edges[0]), plain(edges[1]), plain(edges[2])};
+}
+Rational3 exact_line(const Solid& c, std::size_t line) {
+  return is_box(c) ? edge_directions<mpq_class>(c.quaternion)[line] : exact(c.axis);
+}
+
+}  // namespace
+
+AxesAngle axes_angle(const Pair& pair) {
+  AxesAngle least;
+  least.sine = 2;
+  const std::vector<Vector3> of_a = lines_of(pair.a), of_b = lines_of(pair.b);
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    for (std::size_t j = 0; j < of_b.size(); ++j) {
+      const AxesAngle found = exact_angle(angle_between(of_a[i], of_b[j]), [&] {
+        return std::pair(exact_line(pair.a, i), exact_line(pair.b, j));
+      });
+      if (found.parallel) return found;
+      if (found.sine < least.sine) least = found;
+    }
+  return least;
 }
 
 AngleClass angle_class(const Pair& pair) { return angle_class(axes_angle(pair)); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
@@ -17,7 +18,8 @@ inline constexpr double flat_tol = 1e-7;
 
 /// Returns the features that meet in a direction from a to b, which may have any length. Along the axis it is
 /// a cap, perpendicular to the axis a side, else a rim. A disk (height 0) has no side and a segment (radius
-/// 0) no cap: the rim takes their place. Never returns `containment`.
+/// 0) no cap: the rim takes their place. Of a box, a facet counts as a cap, an edge as a side and a vertex as
+/// a rim. Never returns `containment`.
 ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 
 /// Returns whether no point of `inner` is outside `outer`, up to rounding.
@@ -32,8 +34,11 @@ ContactFeature feature_at(const Pair& pair, bool overlap, const Vector3& directi
 /// enclosure of the distance.
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth);
 std::optional<ContactFeature> contact_feature(const Pair& pair);  ///< proves the truth first
+/// Returns the feature in words, "unknown" if there is none. Pairs with a box have words of their own, such
+/// as "facet-rim" and "edge-vertex".
+std::string contact_in_words(const Pair& pair, const Truth& truth);
 
-/// The angle between the lines of the axes.
+/// The angle between the lines of the axes. The edges of a box are three lines: of all angles, the smallest.
 struct AxesAngle {
   double sine = 0, cosine = 0;           ///< >= 0, right within 1e-15
   bool parallel = false, right = false;  ///< exactly, decided in rational arithmetic

@@ -41,6 +41,12 @@ std::optional<Solid> core(Solid c, double least) {
   }
   least -= c.rounding;
   c.rounding = 0;
+  if (is_box(c)) {
+    for (double& edge : c.edges) edge = edge <= least ? 0 : edge - 2 * least;
+    const auto [shortest, longest] = std::ranges::minmax(c.edges);
+    if (shortest < 0 || longest == 0) return {};
+    return c;
+  }
   c.radius = 2 * c.radius <= least ? 0 : c.radius - least;
   c.height = c.height <= least ? 0 : c.height - 2 * least;
   if (c.radius < 0 || c.height < 0 || (c.radius == 0 && c.height == 0)) return {};
@@ -49,7 +55,9 @@ std::optional<Solid> core(Solid c, double least) {
 
 std::optional<Pair> cores(const Pair& pair, double least) {
   const auto flat = [&](const Solid& solid) {
-    return solid.rounding + std::min(2 * solid.radius, solid.height) / 2 <= least / 2;
+    const double thickness =
+        is_box(solid) ? std::ranges::min(solid.edges) : std::min(2 * solid.radius, solid.height);
+    return solid.rounding + thickness / 2 <= least / 2;
   };
   const auto a = core(pair.a, least), b = core(pair.b, least);
   if (!a || !b || (flat(pair.a) && flat(pair.b)) || !(size_of(pair) < std::numeric_limits<double>::max()))

@@ -45,10 +45,10 @@ Coordinate coordinate_of(const Pair& p, double margin) {
   return margin < small_margin ? Coordinate::margin : Coordinate::plain;
 }
 
-std::string failure_key(std::string_view method, std::string_view failure,
-                        std::optional<ContactFeature> feature, Coordinate coordinate) {
+std::string failure_key(std::string_view method, std::string_view failure, std::string_view feature,
+                        Coordinate coordinate) {
   std::string key(method);
-  key.append("/").append(failure).append("/").append(feature ? to_string(*feature) : "unknown");
+  key.append("/").append(failure).append("/").append(feature);
   return key.append("/").append(to_string(coordinate));
 }
 
@@ -56,7 +56,7 @@ std::string failure_key_of(std::string_view method, std::string_view failure, co
   Trial trial(pair);
   const double size = size_of(pair);
   const double margin = trial.decided() && size > 0 ? magnitude_against(0, trial).hi / size : 0;
-  return failure_key(method, failure, contact_feature(pair, trial.truth), coordinate_of(pair, margin));
+  return failure_key(method, failure, contact_in_words(pair, trial.truth), coordinate_of(pair, margin));
 }
 
 std::string letter_hash(std::string_view key) {

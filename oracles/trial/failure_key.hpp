@@ -4,12 +4,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/enum_words.hpp"
-#include "corpus/pairs/stratum.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -36,10 +34,10 @@ inline constexpr double offset_size_margin = 100;
 /// Returns the coordinate of a legal pair. `margin` is |signed distance| / size, or an upper bound.
 Coordinate coordinate_of(const Pair& simplified, double margin);
 
-/// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure` is a finding's kind or a law's name. Without
-/// a feature, "unknown" takes its place.
-std::string failure_key(std::string_view method, std::string_view failure,
-                        std::optional<ContactFeature> feature, Coordinate coordinate);
+/// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure` is a finding's kind or a law's name.
+/// `feature` is in the words of contact_in_words().
+std::string failure_key(std::string_view method, std::string_view failure, std::string_view feature,
+                        Coordinate coordinate);
 
 /// Returns the key of a pair. It finds the contact feature and the coordinate itself. Cost: that of an
 /// enclosure of the distance.

@@ -281,7 +281,7 @@ std::string_view in_words(Mechanism m) noexcept {
       "rounding of its numbers: right at no size that was tried between 2^-64 and 2^64",
       "its setting: right with another",
       "no probe changed the answer",
-      "its model: right about cylinders with the rounded edges that it gives them"};
+      "its model: right about solids with the rounded edges that it gives them"};
   static_assert(words.size() == words_of(Mechanism{}).size());
   return words[static_cast<std::size_t>(m)];
 }

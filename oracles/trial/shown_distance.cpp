@@ -10,12 +10,18 @@
 namespace cyl {
 namespace {
 
-/// The error of some forty operations in long double, relative to the lengths in them.
-constexpr long double wide_error = 0x1p-57L;
+/// The error of some eighty operations in long double, relative to the lengths in them.
+constexpr long double wide_error = 0x1p-56L;
 using Wide = Vec3<long double>;
 
 /// Returns how far an offset from the solid's centre is outside.
 long double outside(const Terms<long double>& s, const Wide& x) {
+  if (s.box) {
+    Wide out{};
+    for (std::size_t i = 0; i < 3; ++i)
+      out = out + std::max(0.0L, std::abs(dot(x, s.edges[i])) - s.halves[i]) * s.edges[i];
+    return std::max(0.0L, norm(out) - s.rounding);
+  }
   const auto [caps, wall] = beyond(s, x);
   return std::max(0.0L, std::hypot(std::max(0.0L, caps), std::max(0.0L, wall)) - s.rounding);
 }
@@ -27,8 +33,10 @@ Enclosure shown_distance(const Pair& pair, const MeasuredDistance& measured) {
   const Wide delta = lifted<long double>(pair.b.center) - lifted<long double>(pair.a.center),
              u = lifted<long double>(measured.direction), x = lifted<long double>(measured.on_a),
              y = lifted<long double>(measured.on_b);
-  const long double slack =
-      wide_error * (a.radius + a.half + a.rounding + b.radius + b.half + b.rounding + norm(delta));
+  long double lengths = norm(delta);
+  for (const auto* s : {&a, &b})
+    lengths += s->radius + s->half + s->rounding + s->halves[0] + s->halves[1] + s->halves[2];
+  const long double slack = wide_error * lengths;
   const long double least = (dot(u, delta) - support(a, u) - support(b, u)) / norm(u) - slack;
   const long double most =
       measured.value > 0 ? norm(delta + y - x) + outside(a, x) + outside(b, y) + slack : 0;

@@ -158,7 +158,7 @@ class Gate {
     std::string kind = violation_kind(law, violation);
     const std::string& name = report_.methods[found.method].name;
     const bool contract = violation.severity == Severity::contract;
-    std::string cause = stratum ? failure_key(name, kind, stratum->feature,
+    std::string cause = stratum ? failure_key(name, kind, to_string(stratum->feature),
                                               coordinate_of(pair, std::pow(10.0, -stratum->decade - 0.5)))
                                 : failure_key_of(name, kind, pair);
     const auto [at, is_new] =
