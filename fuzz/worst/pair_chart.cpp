@@ -42,23 +42,12 @@ constexpr int walk_cap = 250;
 /// Changes in a coordinate below which a walk is over.
 constexpr double walk_step_tol = 1e-5;
 
-/// Of a box, two edges. The third changes with the whole.
-std::array<double*, 4> lengths_of(Pair& p) {
-  const auto of = [](Solid& c) {
-    return is_box(c) ? std::array{&c.edges[0], &c.edges[1]} : std::array{&c.radius, &c.height};
-  };
-  return {of(p.a)[0], of(p.a)[1], of(p.b)[0], of(p.b)[1]};
-}
+std::array<double*, 4> lengths_of(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
 
 void scale_lengths(Pair& p, double factor) {
-  for_each_length(p, [&](double& x) { x *= factor; });
-}
-
-/// Turns a box's quaternion, which is first brought to order 1.
-void turn(Solid& box, const Eigen::Quaterniond& by) {
-  const Eigen::Vector4d q = Eigen::Vector4d::Map(box.quaternion.data()).stableNormalized();
-  const Eigen::Quaterniond turned = by * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-  box.quaternion = {turned.w(), turned.x(), turned.y(), turned.z()};
+  for (double* x : lengths_of(p)) *x *= factor;
+  p.a.center *= factor;
+  p.b.center *= factor;
 }
 
 /// Maps a point of `from`, an offset from its centre, to `to`. The axis is that of `from`.
@@ -83,9 +72,8 @@ std::optional<Pair> bring_into(const Domain& domain, const Pair& pair) {
   if (size < domain.least_size) scale_lengths(p, std::exp2(std::ceil(std::log2(domain.least_size / size))));
   if (size > domain.most_size) scale_lengths(p, std::exp2(std::floor(std::log2(domain.most_size / size))));
   const double now = size_of(p);
-  for (Solid* c : {&p.a, &p.b})
-    for (double* x : {&c->radius, &c->height, &c->rounding, &c->edges[0], &c->edges[1], &c->edges[2]})
-      if (*x > 0) *x = std::max(*x, domain.least_part * now);
+  for (double* x : lengths_of(p))
+    if (*x > 0) *x = std::max(*x, domain.least_part * now);
   if (farthest(p) > domain.most_offset * now) {
     p.b.center -= p.a.center;
     p.a.center.setZero();
@@ -131,12 +119,8 @@ PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, c
     set(margin, -margin_reach, margin_reach, 0.5);
   else
     low_[margin] = high_[margin] = 0, step_[margin] = 1;  // without room it is left out by NLopt
-  if (has_box(start)) {                                   // it has no axis
-    low_[angle] = high_[angle] = low_[azimuth] = high_[azimuth] = 0, step_[angle] = step_[azimuth] = 1;
-  } else {
-    set(angle, -most_decades - decades_, most_decades - decades_, 0.5);
-    set(azimuth, -pi, pi, 0.25);
-  }
+  set(angle, -most_decades - decades_, most_decades - decades_, 0.5);
+  set(azimuth, -pi, pi, 0.25);
 }
 
 // The angle between the axes is 45 degrees times 10^decades from parallel if decades < 0. Otherwise it is 45
@@ -161,7 +145,7 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
     std::size_t i = lengths;
     for (double* length : lengths_of(p))
       *length *= domain_.fine && x[i] == low_[i] ? 0 : std::pow(10, x[i]), ++i;
-    if (!(size_of(p) > 0)) *lengths_of(p)[0] = size_;
+    if (!(size_of(p) > 0)) p.a.radius = size_;
     const double size = size_of(p);
     for (double* length : lengths_of(p))
       if (*length > 0) *length = std::max(*length, domain_.least_part * size);
@@ -178,15 +162,11 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
   }
   if (x[move] != 0 || x[move + 1] != 0 || x[move + 2] != 0)
     p.b.center += size_of(p) * (x[move] * a_ + x[move + 1] * aside_ + x[move + 2] * a_.cross(aside_));
-  const Vector3 vector(x[rotation], x[rotation + 1], x[rotation + 2]);
-  if (const double by = vector.norm(); by > 0) {
-    const Eigen::AngleAxisd turned(by, vector / by);
-    const Eigen::Matrix3d m = turned.toRotationMatrix();
+  const Vector3 turn(x[rotation], x[rotation + 1], x[rotation + 2]);
+  if (const double by = turn.norm(); by > 0) {
+    const Eigen::Matrix3d m = Eigen::AngleAxisd(by, turn / by).toRotationMatrix();
     for (Solid* c : {&p.a, &p.b}) {
-      if (is_box(*c))
-        turn(*c, Eigen::Quaterniond(turned));
-      else
-        c->axis = m * c->axis;
+      c->axis = m * c->axis;
       c->center = m * c->center;
     }
   }
