@@ -19,7 +19,7 @@ namespace cyl {
 /// any margin. Without the domain a search would find only that.
 struct Domain {
   double least_size = 1e-3, most_size = 1e3;  ///< size_of a pair, in the scene's unit
-  double least_part = 1e-6;  ///< of its size that a radius, height, rounding or edge may be, if it is not 0
+  double least_part = 1e-6;  ///< of its size that a radius or a height may be, if it is not 0
   double most_offset = 100;  ///< of a centre from the origin, in sizes
   bool fine = false;         ///< lengths may become 0, and the distance changes by decades as well
 };
