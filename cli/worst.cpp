@@ -152,6 +152,8 @@ int search_all(const WorstArguments& arguments) {
       if (arguments.from.empty()) {
         const std::vector<Pair> drawn = drawn_starts(feature, arguments.seed, options.objective);
         starts.insert(starts.end(), drawn.begin(), drawn.end());
+        const std::vector<Pair> boxes = drawn_box_starts(*method, arguments.seed);
+        starts.insert(starts.end(), boxes.begin(), boxes.end());
       }
       options.budget = std::max(milliseconds(0), (budget - elapsed()) / static_cast<int>(all - ended));
       const std::string name = fmt::format("{} {}", method->name(), to_string(feature));

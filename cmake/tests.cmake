@@ -57,7 +57,7 @@ daylight_tests(props props/laws props/gate props/shrink)
 daylight_tests(bench bench reports/run)
 daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
-daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
+daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst props/shrink)
 daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene scenes/read)
 
 # daylight_deep(FOLDER FILTER AMOUNT..): the same tests with more of what they draw: ctest -L deep.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The core target: our solver, its laws and the referee on one pair, and no foreign code but the exact
-// arithmetic.
+// arithmetic. Of a pair that the solver does not take, the referee alone.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -41,7 +41,7 @@ class Core {
   }
 
   void run(const Pair& pair) {
-    if (has_half_space(pair)) return;  // the solver takes none
+    if (has_half_space(pair) || has_box(pair)) return judge_by_stages(pair);  // the solver takes none
     const Distance measured = distance(pair.a, pair.b);
     bool promised = false;  // a verdict by a method that promises to be right everywhere is looked into
     for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -70,11 +70,21 @@ class Core {
 
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
   void judge_unaided(const FuzzJudge& fuzz_judge) {
-    const Verdict aided = fuzz_judge.truth().verdict, unaided = prove_in_double(fuzz_judge.pair()).verdict;
-    if (aided == unaided || aided == Verdict::undecided || unaided == Verdict::undecided) return;
-    if (aided != Verdict::disjoint && unaided != Verdict::disjoint) return;
-    sink_.add_broken(fuzz_judge.pair(), "referee", "contradiction",
-                     std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
+    check_agree(fuzz_judge.pair(), fuzz_judge.truth().verdict, prove_in_double(fuzz_judge.pair()).verdict);
+  }
+
+  // Two proofs of one pair by the referee, in double and exactly.
+  void judge_by_stages(const Pair& pair) {
+    FuzzJudge fuzz_judge(pair, {}, false, sink_);
+    if (fuzz_judge.drawn(wide_share))
+      check_agree(pair, fuzz_judge.truth().verdict, prove_exactly(pair, {}, wide_bits_cap).verdict);
+  }
+
+  void check_agree(const Pair& pair, Verdict one, Verdict other) {
+    if (one == other || one == Verdict::undecided || other == Verdict::undecided) return;
+    if (one != Verdict::disjoint && other != Verdict::disjoint) return;
+    sink_.add_broken(pair, "referee", "contradiction",
+                     std::string("proves ") + to_string(one) + " and " + to_string(other));
   }
 
   void check_law(FuzzJudge& fuzz_judge, const std::vector<const Law*>& laws) {

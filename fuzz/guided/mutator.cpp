@@ -6,9 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/stratum.hpp"
+#include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/referee/referee.hpp"
 
@@ -22,25 +25,50 @@ double tenth(RandomStream& s) {
 }
 
 Solid& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
+/// A box if there is one.
+Solid& either_box(Pair& p, RandomStream& s) { return is_box(p.a) && (s.coin() || !is_box(p.b)) ? p.a : p.b; }
 Solid& other(Pair& p, const Solid& c) { return &c == &p.a ? p.b : p.a; }
 
 double step(double x, RandomStream& s) {
   return std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
 }
 
+Vector3 direction_of(const Solid& c, RandomStream& s) {
+  return is_box(c) ? edge_direction(c, s.below(3)) : unit_axis(c.axis);
+}
+
+/// How far the core extends from its centre.
+double half_along(const Solid& c, const Vector3& direction) {
+  return core_support(terms_of<double>(c), lifted<double>(direction));
+}
+
+/// Makes the solid exactly parallel to the other, if both have an axis or both are boxes.
+void copy_direction(Solid& c, const Solid& from, const Vector3& along, RandomStream& s) {
+  const double sign = s.sign();
+  if (is_box(c) && is_box(from))
+    for (std::size_t i = 0; i < 4; ++i) c.quaternion[i] = sign * from.quaternion[i];
+  else if (is_box(c) || is_box(from))
+    lay_along(c, along, s);
+  else
+    c.axis = sign * from.axis;
+}
+
 // Turned axes are of unit length; their lengths are for scale_field.
 void turn_to_parallel(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
+  const Vector3 w = direction_of(other(p, c), s), aside = s.perpendicular(w);
   const double sign = s.sign(), tilt = tenth(s);
-  c.axis = s.coin() ? Vector3(sign * (w + tilt * aside)) : Vector3(sign * other(p, c).axis);
+  if (s.coin())
+    lay_along(c, sign * (w + tilt * aside), s);
+  else
+    copy_direction(c, other(p, c), w, s);
 }
 
 void turn_to_perpendicular(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
+  const Vector3 w = direction_of(other(p, c), s), aside = s.perpendicular(w);
   const double tilt = tenth(s);
-  c.axis = s.coin() ? Vector3(aside + tilt * w) : aside;
+  lay_along(c, s.coin() ? Vector3(aside + tilt * w) : aside, s);
 }
 
 // The distance is that of a plane if the solids are apart, and a bound if they overlap. So one slide may not
@@ -78,8 +106,9 @@ void slide_along_contact(Pair& p, RandomStream& s) {
 }
 
 void slide_ends_level(Pair& p, RandomStream& s) {
-  const Vector3 w = unit_axis(p.a.axis);
-  const double ends = (p.a.height + s.sign() * p.b.height) / 2,
+  const Vector3 w = direction_of(p.a, s);
+  const double of_b = is_box(p.b) ? half_along(p.b, w) : p.b.height / 2,
+               ends = (is_box(p.a) ? half_along(p.a, w) : p.a.height / 2) + s.sign() * of_b,
                along = inner_product(w, p.b.center - p.a.center);
   p.b.center += (s.sign() * ends - along) * w;
 }
@@ -98,12 +127,18 @@ void scale_field(Pair& p, RandomStream& s) {
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
+/// The lengths of the shape, roundings too.
+std::vector<double*> lengths_of(Solid& c) {
+  if (is_box(c)) return {&c.rounding, &c.edges[0], &c.edges[1], &c.edges[2]};
+  return {&c.radius, &c.height, &c.rounding};
+}
+
 // One length becomes a moderate multiple of any: a fault may need several ratios at once.
 void relate_lengths(Pair& p, RandomStream& s) {
-  double* const lengths[] = {&p.a.radius, &p.a.height, &p.a.rounding,
-                             &p.b.radius, &p.b.height, &p.b.rounding};
-  const double other = *lengths[s.below(6)], part = s.between(0.5, 1);
-  *lengths[s.below(6)] = std::ldexp(other * part, s.integer(-3, 4));
+  std::vector<double*> lengths = lengths_of(p.a);
+  for (double* x : lengths_of(p.b)) lengths.push_back(x);
+  const double other = *lengths[s.below(lengths.size())], part = s.between(0.5, 1);
+  *lengths[s.below(lengths.size())] = std::ldexp(other * part, s.integer(-3, 4));
 }
 
 void change_field(Pair& p, RandomStream& s) {
@@ -120,9 +155,9 @@ void snap_to_grid(Pair& p, RandomStream& s) {
 void make_coaxial(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
   const Solid& o = other(p, c);
-  const Vector3 w = unit_axis(o.axis);
-  c.axis = s.sign() * o.axis;
-  const double ends = (o.height + c.height) / 2, off = 1 + tenth(s);
+  const Vector3 w = direction_of(o, s);
+  copy_direction(c, o, w, s);
+  const double ends = half_along(o, w) + half_along(c, w), off = 1 + tenth(s);
   c.center = o.center + (s.sign() * (s.coin() ? ends : ends * off)) * w;
 }
 
@@ -136,35 +171,110 @@ void make_contained(Pair& p, RandomStream& s) {
   const Solid& o = other(p, c);
   const double share = std::fabs(tenth(s));
   c.center = o.center;
-  c.radius = o.radius * share;
-  c.height = o.height * share;
-  c.rounding = o.rounding * share;
-  // Against the wall, or the end, from inside.
-  if (s.coin()) c.center += (o.radius - c.radius) * s.perpendicular(unit_axis(o.axis));
-  if (s.coin()) c.center += ((o.height - c.height) / 2) * unit_axis(o.axis);
+  if (is_box(c) != is_box(o)) {  // as large as that part of the other, in its own shape
+    const double by = share * size_of({o, Solid{}}) / size_of({c, Solid{}});
+    for (double* x : lengths_of(c)) *x *= by;
+  } else {
+    c.radius = o.radius * share;
+    c.height = o.height * share;
+    c.rounding = o.rounding * share;
+    for (std::size_t i = 0; i < 3; ++i) c.edges[i] = o.edges[i] * share;
+  }
+  // Against the wall, a facet or the end, from inside.
+  for (int i = 0; i < 2; ++i) {
+    if (s.coin()) continue;
+    const Vector3 w = direction_of(o, s),
+                  out = i == 0 && !is_box(o) && !is_half_space(o) ? s.perpendicular(w) : w;
+    c.center += (half_along(o, out) - half_along(c, out)) * out;
+  }
+}
+
+/// Makes it 0 or a small part of the other.
+void diminish(double& length, double other, RandomStream& s) {
+  length = s.coin() ? 0 : other * std::fabs(tenth(s));
 }
 
 void flatten(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  c.height = s.coin() ? 0 : c.radius * std::fabs(tenth(s));
+  if (is_box(c)) {
+    const std::size_t i = s.below(3);
+    diminish(c.edges[i], c.edges[(i + 1) % 3], s);
+  } else {
+    diminish(c.height, c.radius, s);
+  }
 }
 
+/// Leaves one long edge of a box.
 void thin(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  c.radius = s.coin() ? 0 : c.height * std::fabs(tenth(s));
+  if (is_box(c)) {
+    const std::size_t i = s.below(3);
+    for (const std::size_t k : {i + 1, i + 2}) diminish(c.edges[k % 3], c.edges[i], s);
+  } else {
+    diminish(c.radius, c.height, s);
+  }
+}
+
+void equal_edges(Pair& p, RandomStream& s) {
+  Solid& c = either_box(p, s);
+  if (!is_box(c)) return;
+  const std::size_t i = s.below(3), other = (i + 1 + s.below(2)) % 3;
+  c.edges[other] = c.edges[i];
+  if (s.coin()) c.edges.fill(c.edges[i]);
 }
 
 void round_edges(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
-  c.rounding = s.coin() ? 0 : (c.radius + c.height + c.rounding) * std::fabs(tenth(s));
+  diminish(c.rounding, size_of({c, Solid{}}), s);
 }
 
-/// Makes a capsule or a sphere.
+/// Makes a capsule or a sphere. A box becomes the capsule in its middle.
 void round_off(Pair& p, RandomStream& s) {
   Solid& c = either(p, s);
+  if (is_box(c)) {
+    const std::size_t i = s.below(3);
+    c = {.center = c.center,
+         .axis = edge_direction(c, i),
+         .radius = c.edges[(i + 1) % 3] / 2,
+         .height = c.edges[i],
+         .rounding = c.rounding};
+  }
   c.rounding += c.radius;
   c.radius = 0;
   if (s.coin()) c.height = 0;
+}
+
+/// Makes the box around a cylinder. A half-space becomes a box with a facet at its point.
+void make_box(Pair& p, RandomStream& s) {
+  Solid& c = either(p, s);
+  if (is_box(c)) return;
+  Solid box{.center = c.center, .rounding = c.rounding, .shape = Shape::box};
+  const Vector3 w = unit_axis(c.axis), u = s.perpendicular(w);
+  box.quaternion = quaternion_of({u, w.cross(u), w});
+  box.edges = {2 * c.radius, 2 * c.radius, c.height};
+  if (is_half_space(c)) {
+    box.edges.fill(size_of(p));
+    box.center -= size_of(p) / 2 * w;
+  }
+  c = box;
+}
+
+/// Turns a box to the coordinate axes, exactly or nearly.
+void quarter_turn(Pair& p, RandomStream& s) {
+  Solid& c = either_box(p, s);
+  if (!is_box(c)) return;
+  constexpr std::array<std::array<double, 4>, 6> quarters{
+      {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 1, 0}}};
+  c.quaternion = quarters[s.below(quarters.size())];
+  if (s.coin()) c.quaternion[s.below(4)] += tenth(s);
+}
+
+/// Negates a quaternion, or multiplies it.
+void scale_quaternion(Pair& p, RandomStream& s) {
+  Solid& c = either_box(p, s);
+  if (!is_box(c)) return;
+  const double by = s.coin() ? -1 : s.coin() ? std::ldexp(1, s.integer(-400, 400)) : s.between(0.5, 2);
+  for (double& x : c.quaternion) x *= by;
 }
 
 void make_half_space(Pair& p, RandomStream& s) {
@@ -196,7 +306,11 @@ void step_field(Pair& p, RandomStream& s) {
   x = step(x, s);
 }
 
-void zero_coordinate(Pair& p, RandomStream& s) { *numbers_of(either(p, s))[s.below(6)] = 0; }
+void zero_coordinate(Pair& p, RandomStream& s) {
+  Solid& c = either(p, s);
+  const std::size_t i = s.below(is_box(c) ? 7 : 6);
+  *numbers_of(c)[is_box(c) && i > 2 ? i + 9 : i] = 0;
+}
 
 constexpr Move all_moves[] = {
     {"turn_to_parallel", turn_to_parallel},
@@ -218,6 +332,10 @@ constexpr Move all_moves[] = {
     {"round_edges", round_edges},
     {"round_off", round_off},
     {"make_half_space", make_half_space},
+    {"make_box", make_box},
+    {"quarter_turn", quarter_turn},
+    {"scale_quaternion", scale_quaternion},
+    {"equal_edges", equal_edges},
     {"move_far", move_far},
     {"move_to_origin", move_to_origin},
     {"copy_field", copy_field},

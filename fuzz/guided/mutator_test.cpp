@@ -12,6 +12,7 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "oracles/methods/adapter.hpp"
 
@@ -24,11 +25,11 @@ const Move& move_named(std::string_view name) {
   return *std::find_if(moves().begin(), moves().end(), [&](const Move& m) { return m.name == name; });
 }
 
-/// Applies the move to many random pairs.
+/// Applies the move to many pairs of a family.
 template <class Accept>
-void look_at(std::string_view name, Accept look) {
+void look_at(std::string_view name, Accept look, std::string_view family = "random") {
   for (std::uint64_t i = 0; i < 200; ++i) {
-    Pair pair = find_family("random")->generate(1, i);
+    Pair pair = find_family(family)->generate(1, i);
     RandomStream stream("mutator_test", 1, i);
     move_named(name).apply(pair, stream);
     look(pair);
@@ -93,13 +94,75 @@ TEST(Mutator, MakesWhatTheNamesSay) {
     EXPECT_LE(unit_axis(p.a.axis).cross(apart).norm(), 1e-13 * (p.a.center.norm() + apart.norm()));
   });
   std::map<SolidKind, int> kinds;
-  for (const char* name : {"round_edges", "round_off", "make_half_space"})
-    look_at(name, [&](const Pair& p) { ++kinds[kind_of(p.a)], ++kinds[kind_of(p.b)]; });
+  const auto count = [&](const Pair& p) { ++kinds[kind_of(p.a)], ++kinds[kind_of(p.b)]; };
+  for (const char* name : {"round_edges", "round_off", "make_half_space", "make_box"}) look_at(name, count);
+  look_at("round_edges", count, "box_box");
   for (const SolidKind kind : enum_values<SolidKind>) EXPECT_GT(kinds[kind], 20) << to_string(kind);
   look_at("move_to_origin", [](const Pair& p) { EXPECT_TRUE(p.a.center.isZero(0)); });
   look_at("snap_to_grid", [](const Pair& p) {
     EXPECT_EQ(std::ldexp(p.a.radius, 10), std::nearbyint(std::ldexp(p.a.radius, 10)));
   });
+}
+
+/// The greatest cosine of the angles between edges of a and b.
+double greatest_cosine(const Pair& p) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      most = std::max(most, std::fabs(inner_product(edge_direction(p.a, i), edge_direction(p.b, j))));
+  return most;
+}
+
+TEST(Mutator, MakesWhatTheNamesSayOfBoxes) {
+  look_at("make_box", [](const Pair& p) {
+    const Solid& box = is_box(p.a) ? p.a : p.b;
+    EXPECT_EQ(box.edges[0], box.edges[1]);
+    EXPECT_GT(box.edges[2], 0);
+  });
+  int zeros = 0, rods = 0, cubes = 0, integers = 0, parallel = 0;
+  for (const char* name : {"flatten", "thin"})
+    look_at(
+        name,
+        [&](const Pair& p) {
+          for (const Solid& c : {p.a, p.b}) {
+            zeros += std::ranges::count(c.edges, 0.0) == 1;
+            rods += std::ranges::count(c.edges, 0.0) == 2;
+          }
+        },
+        "box_box");
+  look_at(
+      "equal_edges",
+      [&](const Pair& p) {
+        for (const Solid& c : {p.a, p.b}) cubes += c.edges[0] == c.edges[1] && c.edges[1] == c.edges[2];
+      },
+      "box_box");
+  const auto is_integer = [](double x) { return x == std::round(x) && std::fabs(x) <= 2; };
+  look_at(
+      "quarter_turn",
+      [&](const Pair& p) {
+        integers += std::ranges::all_of(p.a.quaternion, is_integer);
+        integers += std::ranges::all_of(p.b.quaternion, is_integer);
+      },
+      "box_edges");
+  for (const char* name : {"turn_to_parallel", "make_coaxial"})
+    look_at(
+        name, [&](const Pair& p) { parallel += greatest_cosine(p) > 1 - 1e-15; }, "box_box");
+  EXPECT_GT(zeros, 80);
+  EXPECT_GT(rods, 30);
+  EXPECT_GT(cubes, 80);
+  EXPECT_GT(integers, 80);
+  EXPECT_GT(parallel, 250);
+  look_at(
+      "make_contained",
+      [](const Pair& p) {
+        const Solid &outer = size_of({p.a, Solid{}}) > size_of({p.b, Solid{}}) ? p.a : p.b,
+                    &inner = &outer == &p.a ? p.b : p.a;
+        if (is_box(outer) && is_box(inner)) {
+          EXPECT_LE((outer.center - inner.center).norm(),
+                    Vector3(outer.edges[0], outer.edges[1], outer.edges[2]).norm());
+        }
+      },
+      "box_box");
 }
 
 TEST(CrossOver, TakesASolidOfEachParent) {

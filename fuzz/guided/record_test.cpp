@@ -26,6 +26,14 @@ TEST(Record, KeepsEveryBit) {
     EXPECT_EQ(encode_record(*decode_record(record)), record);
   }
   EXPECT_EQ(numbers_of(*decode_record(encode_record(pair))), numbers_of(pair));
+  const Solid box{.center = {1, 2, 3},
+                  .rounding = 4,
+                  .shape = Shape::box,
+                  .edges = {5, 6, 7},
+                  .quaternion = {8, 9, 10, 11}};
+  const Pair mixed{box, pair.b}, read = *decode_record(encode_record(mixed));
+  EXPECT_EQ(numbers_of(read), numbers_of(mixed));
+  EXPECT_EQ(read.a.shape, Shape::box);
 }
 
 TEST(Record, OfAnotherShapeOrSizeIsNone) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps the pairs around one pair to points of a box, for optimisers that do not know solids. Lengths have
 // logarithmic coordinates. The angle of the axes has the decades of its difference to parallel or
-// perpendicular.
+// perpendicular. An edge of a box or the normal of a facet, whichever meets the other solid, is its axis.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace cyl {
 /// any margin. Without the domain a search would find only that.
 struct Domain {
   double least_size = 1e-3, most_size = 1e3;  ///< size_of a pair, in the scene's unit
-  double least_part = 1e-6;  ///< of its size that a radius or a height may be, if it is not 0
+  double least_part = 1e-6;  ///< of its size that a radius, height, rounding or edge may be, if it is not 0
   double most_offset = 100;  ///< of a centre from the origin, in sizes
   bool fine = false;         ///< lengths may become 0, and the distance changes by decades as well
 };
@@ -51,7 +51,7 @@ std::optional<Ray> ray_of(const Pair& pair);
 
 class PairChart {
  public:
-  static constexpr std::size_t dimensions = 14;
+  static constexpr std::size_t dimensions = 17;
   using Point = std::array<double, dimensions>;
 
   /// Around a pair that is in the domain. Axes stay square to each other for `cap_side` and parallel for
@@ -77,7 +77,7 @@ class PairChart {
   std::optional<ContactFeature> feature_;
   Domain domain_;
   double size_;
-  Vector3 a_, aside_;          ///< a's axis, unit; the direction square to it towards which b's leans
+  Vector3 a_, b_, aside_;      ///< the axes, unit; the direction square to a's towards which b's leans
   Vector3 on_a_, on_b_, gap_;  ///< the points that face each other, from their centres; from a's to b's
   double sign_, decades_;      ///< of b's axis along a's; see turned_axis
   Point low_, high_, step_;

@@ -380,6 +380,15 @@ Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> star
   return WorstSearch(method, sought, options, on_worst).run(starts);
 }
 
+std::vector<Pair> drawn_box_starts(const Method& method, std::uint64_t seed) {
+  constexpr std::uint64_t of_a_family = 16;
+  std::vector<Pair> starts;
+  for (std::uint64_t index = 0; index < of_a_family; ++index)
+    for (const Family& family : box_families())
+      if (const Pair pair = family.generate(seed, index); method.supports(pair)) starts.push_back(pair);
+  return starts;
+}
+
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
                                Objective objective) {
   constexpr std::uint64_t of_a_cell = 4, of_a_family = 4;

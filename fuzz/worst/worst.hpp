@@ -103,4 +103,7 @@ Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> star
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
                                Objective objective = Objective::margin);
 
+/// Pairs with a box that the method supports, of every family.
+std::vector<Pair> drawn_box_starts(const Method& method, std::uint64_t seed);
+
 }  // namespace cyl

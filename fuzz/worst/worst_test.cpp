@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/fake_method_test.hpp"
@@ -331,6 +335,33 @@ TEST(PairChart, WhatMeetsStaysWhatMeetsAsLengthsChange) {
     EXPECT_NEAR(approximate_distance(p).value / size_of(p), before.value / size_of(*pair), 1e-12);
   }
   EXPECT_GT(apart, 100);
+}
+
+std::vector<Pair> with_boxes() {
+  std::vector<Pair> pairs;
+  for (const Family& family : box_families())
+    for (std::uint64_t i = 0; i < 20; ++i)
+      if (const auto pair = bring_into({}, family.generate(1, i))) pairs.push_back(*pair);
+  return pairs;
+}
+
+TEST(PairChart, BoxesHaveCoordinatesForEdgesAndTurns) {
+  std::array<int, PairChart::dimensions> changed{};
+  for (const Pair& start : with_boxes()) {
+    const PairChart chart(start, {}, {});
+    PairChart::Point x{};
+    EXPECT_EQ(format_pair(chart.pair(x)), format_pair(start));
+    for (std::size_t i = 0; i < PairChart::dimensions; ++i) {
+      x = {};
+      x[i] = std::clamp(0.2, chart.low()[i], chart.high()[i]);
+      const Pair p = chart.pair(x);
+      EXPECT_TRUE(is_legal(p) && is_in({}, p)) << format_pair(start);
+      changed[i] += x[i] != 0 && format_pair(p) != format_pair(start);
+    }
+  }
+  for (std::size_t i = 0; i < PairChart::dimensions; ++i)
+    EXPECT_EQ(changed[i] > 40, i != PairChart::dimensions - 3)
+        << i;  // the distance, which only fine ones have
 }
 
 TEST(PairChart, EveryPointIsLegalAndOfASizeInTheDomain) {

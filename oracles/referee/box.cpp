@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box_rounded.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/multiprecision.hpp"
@@ -96,11 +97,11 @@ Truth overlap_truth(const Pair& pair, BoxRelation r, int bits_cap) {
     }
     const PrecisionScope precision(bits);
     const Simplex<MpFloat> found = search_box(shrunk(terms_of_pair<MpFloat>(pair), bits / 2), bits, true);
-    if (const auto common = common_point(pair, exact(pair.a.center) + rational(found.on_a())))
-      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
-    // A point of two polytopes that is exact, if the depth is tiny.
-    if (const auto common = common_point(pair, r.on_a))
-      return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
+    auto common = common_point(pair, exact(pair.a.center) + rational(found.on_a()));
+    // If the depth is tiny, an exact point may still be one.
+    if (!common)
+      common = common_point(pair, are_polytopes(pair) ? common_point_of_polytopes(pair, bits) : r.on_a);
+    if (common) return of(Verdict::intersecting, CertificateKind::point, common->written, bits);
   }
   Truth t;
   t.verdict = Verdict::intersecting;
@@ -139,7 +140,7 @@ std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& fil
 }
 
 Truth judge_box_exactly(const Pair& pair, int bits_cap) {
-  if (!has_box_relation(pair)) return {};
+  if (!has_box_relation(pair)) return judge_rounded_box(pair, bits_cap);
   const BoxRelation r = box_relation(pair, near_bits);
   if (r.sign < 0) return disjoint_truth(pair, r.direction, bits_cap);
   return r.sign == 0 ? touching_truth(pair, r) : overlap_truth(pair, r, bits_cap);

@@ -169,41 +169,59 @@ Nearby find_nearby(const CorePair& pair, Real width) {
   return best;
 }
 
-/// Moves a point of the core by what shortens the way from it, along each edge or the axis and across the
-/// disk.
-void slide(const Terms<Real>& s, Vec& point, Vec& way) {
+/// The part of v that is square to the solid's axis.
+Vec across(const Terms<Real>& s, const Vec& v) { return v - dot(v, s.axis) * s.axis; }
+
+struct Moves {
+  bool across;  ///< the disk too, not only along edges and axis
+  Real times;   ///< the move that makes the way shortest
+};
+/// Moves a point of the core by what shortens the way from it.
+void slide(const Terms<Real>& s, const Moves& moves, Vec& point, Vec& way) {
   const auto move = [&](const Vec& by) {
     point = point + by;
     way = way - by;
   };
   const auto along = [&](const Vec& e, Real half) {
     const Real at = dot(point, e);
-    move((std::clamp(at + dot(way, e), -half, half) - at) * e);
+    move((std::clamp(at + moves.times * dot(way, e), -half, half) - at) * e);
   };
   for (std::size_t i = 0; s.box && i < 3; ++i) along(s.edges[i], s.halves[i]);
   if (s.box) return;
   along(s.axis, s.half);
-  const auto across = [&](const Vec& v) { return v - dot(v, s.axis) * s.axis; };
-  const Vec at = across(point), wanted = at + across(way);
+  if (!moves.across) return;
+  const Vec at = across(s, point), wanted = at + moves.times * across(s, way);
   const Real far = norm(wanted);
   move((far > s.radius ? s.radius / far : Real(1)) * wanted - at);
 }
 
 /// Moves both points in turn, as long as the way gets shorter. Among slender triangles the search above gets
-/// no farther than the root of its rounding.
-Points polished(const CorePair& pair, Points p) {
+/// no farther than the root of its rounding. Edges that are nearly parallel need many rounds, so moves are
+/// exaggerated first. Any factor below 2 shortens the way.
+Points polished(const CorePair& pair, Points p, bool across) {
   constexpr int rounds_cap = 256;
   constexpr Real gain_tol = 0x1p-20L;  // of the length, in one round
-  for (int round = 0; round < rounds_cap; ++round) {
-    const Real before = norm(p.way);
-    Vec back = Real(-1) * p.way;
-    slide(pair.b, p.on_b, back);
-    p.way = Real(-1) * back;
-    slide(pair.a, p.on_a, p.way);
-    if (!(norm(p.way) < (1 - gain_tol) * before)) break;
-  }
+  p.way = pair.delta + p.on_b - p.on_a;
+  for (const Real times : {Real(1.8), Real(1)})
+    for (int round = 0; round < rounds_cap; ++round) {
+      const Real before = norm(p.way);
+      Vec back = Real(-1) * p.way;
+      slide(pair.b, {across, times}, p.on_b, back);
+      p.way = Real(-1) * back;
+      slide(pair.a, {across, times}, p.on_a, p.way);
+      if (!(norm(p.way) < (1 - gain_tol) * before)) break;
+    }
   p.way = pair.delta + p.on_b - p.on_a;
   return p;
+}
+
+/// The point of a cylinder moves to that of the rim that is farthest along d, if one is. The gap hardly
+/// depends on the place along a rim and a line beside it, so moves in turn would not find it.
+void move_to_rim(const Terms<Real>& s, const Vec& d, Vec& point) {
+  constexpr Real cap_tol = 0x1p-20L;
+  const Vec out = across(s, d);
+  if (const Real beside = norm(out); !s.box && beside > cap_tol)
+    point = dot(point, s.axis) * s.axis + (s.radius / beside) * out;
 }
 
 /// Encloses the signed distance of the cores, up to `slack` on either side. `direction` attains the lower
@@ -218,18 +236,18 @@ Enclosed enclose_cores(const CorePair& pair, Real width, std::size_t most_cells)
   const Real slack = rounding_error * reach_of(pair);
   width = std::max(width / 4, slack);  // the bounds are searched apart
   Nearby near = find_nearby(pair, width);
-  if (near.most - near.least > width) near.take(pair, polished(pair, near.points));
-  Enclosed e{near.least, near.most, slack, near.direction, 0, near.points};
-  if (near.least > slack && near.most - near.least <= width) return e;
-  const LeastOnCircles least = least_on_circles(pair, width, most_cells);
-  e.cells = least.cells;
-  if (-least.best > e.lo) {
-    e.lo = -least.best;
-    e.direction = least.direction;
+  if (near.most - near.least > width) near.take(pair, polished(pair, near.points, true));
+  LeastOnCircles least;
+  if (!(near.least > slack && near.most - near.least <= width)) {
+    least = least_on_circles(pair, width, most_cells);
+    near.look(pair, least.direction);
+    Points rims = near.points;
+    move_to_rim(pair.a, near.direction, rims.on_a);
+    move_to_rim(pair.b, Real(-1) * near.direction, rims.on_b);
+    near.take(pair, polished(pair, rims, false));
+    if (least.best > near.most + slack) near.most = -least.floor;
   }
-  if (least.best > near.most + slack) e.hi = -least.floor;
-  e.hi = std::max(e.hi, e.lo);
-  return e;
+  return {near.least, std::max(near.most, near.least), slack, near.direction, least.cells, near.points};
 }
 
 Vector3 in_doubles(const Vec& v) {

@@ -28,6 +28,10 @@ using Surd3 = Vec3<Surd>;
 bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 Surd3 lift(const Rational3& v) { return {Surd(v.x), Surd(v.y), Surd(v.z)}; }
 
+Rational3 rational_part(const Surd3& v) {
+  return {v.x.rational_part(), v.y.rational_part(), v.z.rational_part()};
+}
+
 bool is_polytope(const Solid& c) { return is_box(c) || c.radius == 0; }
 
 /// A segment about the origin: from -half to half.
@@ -36,6 +40,23 @@ struct Bar {
   Rational3 direction;
   Surd3 half;
 };
+
+void take_denominator(mpz_class& unit, const mpq_class& x) {
+  mpz_lcm(unit.get_mpz_t(), unit.get_mpz_t(), x.get_den_mpz_t());
+}
+void take_denominators(mpz_class& unit, const Surd3& v) {
+  for (const Surd* x : {&v.x, &v.y, &v.z}) {
+    take_denominator(unit, x->rational_part());
+    take_denominator(unit, x->factor());
+  }
+}
+
+/// Makes the direction a vector of integers, which need no common divisors.
+Rational3 in_integers(const Rational3& v) {
+  mpz_class unit = 1;
+  take_denominators(unit, lift(v));
+  return mpq_class(unit) * v;
+}
 
 /// Half the length along the axis, c |w| w/(w.w). `square` is w.w, and outlives the result.
 Surd3 half_axis(const Solid& c, const mpq_class& square) {
@@ -51,9 +72,10 @@ std::vector<Bar> bars_of(const Solid& c, const mpq_class& square) {
     const auto directions = edge_directions<mpq_class>(c.quaternion);
     for (std::size_t i = 0; i < 3; ++i)
       if (c.edges[i] > 0)
-        bars.push_back({i, directions[i], lift(mpq_class(mpq_class(c.edges[i]) / 2) * directions[i])});
+        bars.push_back(
+            {i, in_integers(directions[i]), lift(mpq_class(mpq_class(c.edges[i]) / 2) * directions[i])});
   } else if (c.height > 0) {
-    bars.push_back({0, exact(c.axis), half_axis(c, square)});
+    bars.push_back({0, in_integers(exact(c.axis)), half_axis(c, square)});
   }
   return bars;
 }
@@ -79,10 +101,10 @@ Rational3 rounded(const Surd3& v, const mpq_class& square, const mpq_class& size
   return {one(v.x), one(v.y), one(v.z)};
 }
 
-SimplexLimits<Surd> exact_limits(const mpq_class& contact, bool sign_only) {
+SimplexLimits<Surd> exact_limits(const mpq_class& contact) {
   SimplexLimits<Surd> limits;
   limits.contact = Surd(contact);
-  limits.sign_only = sign_only;
+  limits.sign_only = true;
   limits.rounds_cap = std::numeric_limits<int>::max();
   return limits;
 }
@@ -120,7 +142,13 @@ class Polytopes {
         square_(axis_square(pair)),
         of_a_(bars_of(pair.a, square_)),
         of_b_(bars_of(pair.b, square_)),
-        delta_(exact(pair.b.center) - exact(pair.a.center)) {}
+        delta_(exact(pair.b.center) - exact(pair.a.center)) {
+    take_denominators(unit_, lift(delta_));
+    for (const auto* bars : {&of_a_, &of_b_})
+      for (const Bar& bar : *bars) take_denominators(unit_, bar.half);
+    for (auto* bars : {&of_a_, &of_b_})
+      for (Bar& bar : *bars) bar.half = unit() * bar.half;
+  }
 
   /// Sets the direction unless the solids overlap.
   int facet_sign(Rational3& direction) const {
@@ -143,9 +171,11 @@ class Polytopes {
     return least;
   }
 
-  /// The points of the cores that are nearest to each other, from a's centre.
-  Simplex<Surd> nearest(const mpq_class& contact, bool sign_only) const {
-    const Surd3 delta = lift(delta_);
+  /// The points of the cores that are nearest to each other, from a's centre. Or points that are nearer than
+  /// the contact distance. Or, if they are farther apart, points whose difference is a direction that shows
+  /// it. All lengths are times unit().
+  Simplex<Surd> nearest(const mpq_class& contact) const {
+    const Surd3 delta = unit() * lift(delta_);
     const auto lowest = [&](const Surd3& d) {
       Surd3 on_a{}, between = delta;
       for (const Bar& bar : of_a_) add(on_a, dot(d, lift(bar.direction)).sign(), bar.half);
@@ -154,11 +184,16 @@ class Polytopes {
     };
     Simplex<Surd> s = start(delta);
     s.reduce(Surd(), false);
-    approach(s, exact_limits(contact, sign_only), lowest);
+    approach(s, exact_limits(contact * mpq_class(unit_)), lowest);
     return s;
+  }
+  int sign_of(const Simplex<Surd>& s, const mpq_class& contact) const {
+    const Surd reach = Surd(contact) * unit();
+    return (reach * reach - s.square).sign();
   }
 
   const mpq_class& square() const { return square_; }
+  Surd unit() const { return Surd(mpq_class(unit_)); }
 
  private:
   static void add(Surd3& sum, int sign, const Surd3& half) {
@@ -190,6 +225,7 @@ class Polytopes {
   mpq_class square_;
   std::vector<Bar> of_a_, of_b_;
   Rational3 delta_;
+  mpz_class unit_ = 1;  // the common denominator of all lengths
 };
 
 /// A box and a cylinder with a radius, both without rounding. Points are relative to the cylinder's centre.
@@ -221,7 +257,7 @@ class BoxInSlab {
     };
     found_.corners[found_.count++] = lowest(lift(delta_ - mpq_class(dot(delta_, axis_) / square_) * axis_));
     found_.reduce(Surd(), false);
-    approach(found_, exact_limits(cylinder_.radius, true), lowest);
+    approach(found_, exact_limits(cylinder_.radius), lowest);
     if (const int sign = (radius * radius - found_.square).sign(); sign <= 0) return sign;
     return inside_slab() ? 1 : 0;
   }
@@ -268,8 +304,7 @@ class BoxInSlab {
   /// Whether the box has a point strictly within the slab, or, for a disk, on both sides of its plane.
   bool inside_slab() const {
     mpq_class reach = 0;
-    for (const Bar& bar : bars_)
-      reach += mpq_class(box_.edges[bar.edge]) / 2 * abs(dot(bar.direction, axis_));
+    for (const Bar& bar : bars_) reach += abs(dot(rational_part(bar.half), axis_));
     if (reach == 0 && half_.sign() == 0) return false;
     return Surd(mpq_class(abs(dot(delta_, axis_)))) < half_ + Surd(reach);
   }
@@ -277,7 +312,7 @@ class BoxInSlab {
   void cut() {
     std::vector<Rational3> corners{delta_};
     for (const Bar& bar : bars_) {
-      const Rational3 half = mpq_class(mpq_class(box_.edges[bar.edge]) / 2) * bar.direction;
+      const Rational3 half = rational_part(bar.half);
       const std::size_t count = corners.size();
       for (std::size_t i = 0; i < count; ++i) {
         corners.push_back(corners[i] + half);
@@ -320,23 +355,21 @@ class BoxInSlab {
 
 }  // namespace
 
-bool has_box_relation(const Pair& pair) {
-  return (is_polytope(pair.a) && is_polytope(pair.b)) || !is_rounded(pair);
-}
+bool has_box_relation(const Pair& pair) { return are_polytopes(pair) || !is_rounded(pair); }
 
 int box_sign(const Pair& pair) {
-  if (!is_polytope(pair.a) || !is_polytope(pair.b)) return BoxInSlab(pair).sign();
+  if (!are_polytopes(pair)) return BoxInSlab(pair).sign();
   const Polytopes p(pair);
   Rational3 direction;
   if (!is_rounded(pair)) return p.facet_sign(direction);
   const mpq_class contact = contact_distance_of(pair);
-  return (Surd(mpq_class(contact * contact)) - p.nearest(contact, true).square).sign();
+  return p.sign_of(p.nearest(contact), contact);
 }
 
 BoxRelation box_relation(const Pair& pair, int bits) {
   BoxRelation r;
   const mpq_class size = exact_size(pair);
-  if (!is_polytope(pair.a) || !is_polytope(pair.b)) {
+  if (!are_polytopes(pair)) {
     BoxInSlab slab(pair);
     r.sign = slab.sign();
     if (r.sign >= 0) {
@@ -351,17 +384,26 @@ BoxRelation box_relation(const Pair& pair, int bits) {
   }
   const Polytopes p(pair);
   const mpq_class contact = contact_distance_of(pair);
-  if (contact == 0) r.sign = p.facet_sign(r.direction);
-  if (r.sign < 0) return r;
-  const Simplex<Surd> s = p.nearest(contact, false);
-  if (contact > 0) {
-    r.sign = (Surd(mpq_class(contact * contact)) - s.square).sign();
-    r.direction = rounded(s.nearest, p.square(), contact, bits);
+  if (contact == 0) {
+    r.sign = p.facet_sign(r.direction);
+    if (r.sign == 0) r.on_a = r.on_b = common_point_of_polytopes(pair, bits);
+    return r;
   }
-  const Surd3 on_a = s.on_a(), on_b = s.on_b();
-  r.on_a = exact(pair.a.center) + rounded(on_a, p.square(), size, bits);
-  r.on_b = exact(pair.a.center) + rounded(on_b, p.square(), size, bits);
+  const Simplex<Surd> s = p.nearest(contact);
+  r.sign = p.sign_of(s, contact);
+  r.direction = rounded(s.nearest, p.square(), contact * p.unit().rational_part(), bits);
+  const Surd to_scene = Surd(1.0) / p.unit();
+  r.on_a = exact(pair.a.center) + rounded(to_scene * s.on_a(), p.square(), size, bits);
+  r.on_b = exact(pair.a.center) + rounded(to_scene * s.on_b(), p.square(), size, bits);
   return r;
 }
+
+Rational3 common_point_of_polytopes(const Pair& pair, int bits) {
+  const Polytopes p(pair);
+  const Surd to_scene = Surd(1.0) / p.unit();
+  return exact(pair.a.center) + rounded(to_scene * p.nearest(0).on_a(), p.square(), exact_size(pair), bits);
+}
+
+bool are_polytopes(const Pair& pair) { return is_polytope(pair.a) && is_polytope(pair.b); }
 
 }  // namespace cyl

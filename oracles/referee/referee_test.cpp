@@ -128,7 +128,7 @@ TEST(Referee, AgreesWithOurSolverOnEveryCase) {
     EXPECT_EQ(judge_verdict(c.pair).verdict, *c.truth) << c.id;
     expect_proved(c.pair, truth, c.id);
     const Verdict said = decide(c.pair.a, c.pair.b).verdict;
-    if (said == Verdict::undecided) continue;
+    if (said == Verdict::undecided || said == Verdict::invalid) continue;  // it takes cylinders alone
     ++decided;
     EXPECT_EQ(said == Verdict::disjoint, truth.verdict == Verdict::disjoint) << c.id;
     EXPECT_EQ(said, intersect(c.pair.a, c.pair.b)) << c.id;

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "corpus/pairs/pair_numbers.hpp"
+
 namespace cyl {
 namespace {
 
@@ -38,14 +40,18 @@ Decimal decimal_of(double x) {
 
 Complexity complexity(const Pair& pair) {
   Complexity c{};
-  const Solid &a = pair.a, &b = pair.b;
-  const std::array<double, 18> all{a.axis.x(),   a.axis.y(),   a.axis.z(),   b.axis.x(),   b.axis.y(),
-                                   b.axis.z(),   a.radius,     b.radius,     a.height,     b.height,
-                                   a.center.x(), a.center.y(), a.center.z(), b.center.x(), b.center.y(),
-                                   b.center.z(), a.rounding,   b.rounding};
+  constexpr std::size_t b = solid_number_count;
+  constexpr std::array<std::size_t, 2 * b> order{
+      13, 14,    15, 12, 13 + b, 14 + b, 15 + b, 12 + b, 3, 4, 5, 3 + b, 4 + b, 5 + b, 6, 6 + b,
+      7,  7 + b, 9,  10, 11,     9 + b,  10 + b, 11 + b, 0, 1, 2, b,     1 + b, 2 + b, 8, 8 + b};
+  const std::array<double, 2 * b> numbers = numbers_of(pair);
+  const auto has = [&](std::size_t place) {
+    return std::ranges::count(places_of((place < b ? pair.a : pair.b).shape), place % b) > 0;
+  };
   std::set<double> distinct;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double x = all[i];
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (!has(order[i])) continue;
+    const double x = numbers[order[i]];
     const Decimal d = decimal_of(x);
     c.digits += d.digits;
     c.exponents += std::abs(d.exponent);
@@ -58,10 +64,13 @@ Complexity complexity(const Pair& pair) {
     c.signs[i] = std::signbit(x);
     if (x != 0) distinct.insert(std::fabs(x));
   }
-  c.rounded = (a.rounding > 0) + (b.rounding > 0);
-  for (const Solid* s : {&a, &b})
-    for (const double x : {s->radius, s->height, s->rounding, s->axis.cwiseAbs().maxCoeff()})
+  c.rounded = (pair.a.rounding > 0) + (pair.b.rounding > 0);
+  for (const Solid* s : {&pair.a, &pair.b}) {
+    const double turn = is_box(*s) ? Eigen::Vector4d(s->quaternion.data()).cwiseAbs().maxCoeff()
+                                   : s->axis.cwiseAbs().maxCoeff();
+    for (const double x : {s->radius, s->height, s->rounding, s->edges[0], s->edges[1], s->edges[2], turn})
       c.extremes += std::max(0, std::abs(decimal_of(x).exponent) - 1);
+  }
   c.distinct = static_cast<int>(distinct.size());
   return c;
 }

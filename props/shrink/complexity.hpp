@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -17,11 +18,11 @@ Decimal decimal_of(double x);
 
 /// The simplicity of a pair, compared from the first member on; smaller is simpler. It is well-founded,
 /// because there are finitely many doubles. Roundings and extremes come first, so that they stay only if they
-/// matter. "Numbers" are the 18 numbers of the pair in their shortest round-trip decimals.
+/// matter. "Numbers" are those that the two shapes have, in their shortest round-trip decimals.
 struct Complexity {
   int rounded;  ///< solids with a rounding
-  /// Decades, summed, by which radii, heights, roundings and the largest coordinate of each axis are below
-  /// 0.1 or not below 100.
+  /// Decades, summed, by which radii, heights, edges, roundings and the largest coordinate of each axis or
+  /// quaternion are below 0.1 or not below 100.
   int extremes;
   int digits;      ///< significant decimal digits of all numbers together; 0 has none, 1e-9 has one
   int non_zero;    ///< numbers that are not 0
@@ -31,10 +32,10 @@ struct Complexity {
   int negative;    ///< numbers with a minus sign, -0 too
   int digit_sum;   ///< of the decimal digits
   int distinct;    ///< different absolute values, 0 aside
-  /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, roundings, z last in each
-  /// vector.
-  std::array<double, 18> values;
-  std::array<bool, 18> signs;  ///< which of them have a minus sign
+  /// Absolute values: quaternions, axes, radii, heights, edges, centres, roundings, those of a first, z last
+  /// in each vector. 0 for what a shape does not have.
+  std::array<double, 2 * solid_number_count> values;
+  std::array<bool, 2 * solid_number_count> signs;  ///< which of them have a minus sign
   auto operator<=>(const Complexity&) const = default;
 };
 

@@ -12,26 +12,21 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"
+#include "props/shrink/move_parts.hpp"
 
 namespace cyl::moves {
 namespace {
 
-/// Sine of the angle below which axes are also tried as an axis and a little beside it.
-constexpr double near_sine_margin = 1e-2;
+/// Places of a solid's numbers.
+constexpr std::size_t radius_place = 6, rounding_place = 8, first_edge_place = 9, quaternion_place = 12;
 /// Newton steps towards a distance. The distance is smooth in a number except at kinks, which end the steps.
 constexpr int newton_cap = 8;
 /// Relative to a distance that is to be kept. A pair farther from it is not asked about.
 constexpr double kept_part_tol = 0.25;
 constexpr int digit_cap = 17;  ///< all that a double has
-
-/// Returns the nearest double of units * 10^exponent, or 0 if that is out of range.
-double decimal(long long units, int exponent) {
-  const std::string text = std::to_string(units) + 'e' + std::to_string(exponent);
-  double x = 0;
-  return std::from_chars(text.data(), text.data() + text.size(), x).ec == std::errc() ? x : 0;
-}
 
 double rounded(double x, int digits) {
   char text[40];
@@ -44,94 +39,40 @@ Vector3 rounded(const Vector3& v, int digits) {
   return v.unaryExpr([&](double x) { return rounded(x, digits); });
 }
 
-std::array<double*, 2 * solid_number_count> numbers(Pair& p) {
-  std::array<double*, 2 * solid_number_count> all;
-  std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
+/// Returns the places in the row of numbers() of the lengths of both solids. Roundings come last, so that
+/// they can be left out if both are 0.
+std::vector<std::size_t> length_places(const Pair& p) {
+  std::vector<std::size_t> all;
+  for (const Solid* c : {&p.a, &p.b}) {
+    const std::size_t first = c == &p.a ? 0 : solid_number_count;
+    for (const std::size_t i : places_of(c->shape))
+      if (i != rounding_place && i >= radius_place && i < quaternion_place) all.push_back(first + i);
+  }
+  if (is_rounded(p))
+    for (const Solid* c : {&p.a, &p.b})
+      if (!is_half_space(*c)) all.push_back(rounding_place + (c == &p.a ? 0 : solid_number_count));
   return all;
 }
 
-/// Returns the lengths of both solids. Roundings come last, so that they can be left out if both are 0.
 std::vector<double*> lengths(Pair& p) {
-  std::vector<double*> all{&p.a.radius, &p.a.height, &p.b.radius, &p.b.height};
-  if (is_rounded(p)) all.insert(all.end(), {&p.a.rounding, &p.b.rounding});
-  return all;
-}
-
-/// Returns a changed copy.
-template <class Change>
-Pair with(Pair p, Change change) {
-  change(p);
-  return p;
+  const auto all = numbers(p);
+  std::vector<double*> some;
+  for (const std::size_t i : length_places(p)) some.push_back(all[i]);
+  return some;
 }
 
 // distance = max over unit D of D.(b - a) - (support of both). Its derivative by a number x is that of D.(b
 // - a) or of the support at the D that attains the maximum. It is D_i for b's centre and -1 for a
 // rounding. It is minus the sine of the angle between D and the axis for a radius, and minus half the cosine
-// for a height.
-double slope(const MeasuredDistance& d, const Pair& p, std::size_t which) {
-  if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
-  if (which > 6) return (which == 7 ? p.a : p.b).rounding == 0 ? 0 : -1;  // a solid stays without rounding
-  const Solid& c = which < 5 ? p.a : p.b;
+// for a height or an edge.
+double slope(const MeasuredDistance& d, const Pair& p, std::size_t place) {
+  const Solid& c = place < solid_number_count ? p.a : p.b;
+  const std::size_t i = place % solid_number_count;
+  if (i < 3) return d.direction[static_cast<Eigen::Index>(i)];
+  if (i == rounding_place) return c.rounding == 0 ? 0 : -1;  // a solid stays without rounding
+  if (is_box(c)) return -std::fabs(d.direction.dot(edge_direction(c, i - first_edge_place))) / 2;
   const Vector3 w = c.axis.stableNormalized();
-  return which % 2 == 1 ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
-}
-
-/// Turns the scene so that `up` is the z axis and `side` lies in the plane y = 0.
-struct Frame {
-  Eigen::Matrix3d turn;
-  Frame(const Vector3& up, const Vector3& side) {
-    const Vector3 z = up.stableNormalized();
-    const Vector3 y = z.cross(side.stableNormalized()).stableNormalized();
-    turn << y.cross(z).transpose(), y.transpose(), z.transpose();
-  }
-};
-
-/// Returns w divided by its length, its largest and its smallest coordinate.
-std::vector<Vector3> multiples(const Vector3& w) {
-  std::vector<Vector3> out{w.stableNormalized()};
-  double least = w.cwiseAbs().maxCoeff();
-  out.push_back(w / least);
-  for (const double x : w)
-    if (x != 0) least = std::min(least, std::fabs(x));
-  out.push_back(w / least);
-  return out;
-}
-
-Vector3 smallest_multiple(const Vector3& integers) {
-  long long common = 0;
-  for (const double x : integers) common = std::gcd(common, static_cast<long long>(x));
-  return common == 0 ? integers : Vector3(integers / static_cast<double>(common));
-}
-
-/// Returns directions of small integers near w, the simplest first, and w itself at other lengths.
-std::vector<Vector3> near_axes(const Vector3& w) {
-  std::vector<Vector3> out;
-  const Vector3 unit = w / w.cwiseAbs().maxCoeff();
-  for (const double most : {1, 2, 3, 4, 8, 16})
-    out.push_back(smallest_multiple((most * unit).array().round()));
-  std::ranges::copy(multiples(w), std::back_inserter(out));
-  out.push_back(w / std::ldexp(1, std::ilogb(w.cwiseAbs().maxCoeff())));
-  return out;
-}
-
-/// For nearly parallel axes: adds a simpler axis, and a copy with a power of ten in one coordinate.
-void add_nearly_parallel(const Pair& p, Pairs& out) {
-  const Vector3 wa = p.a.axis.stableNormalized(), wb = p.b.axis.stableNormalized();
-  const double sine = wa.cross(wb).norm();
-  if (!(sine > 0 && sine < near_sine_margin)) return;
-  const int e = decimal_of(sine).exponent;
-  std::vector<Vector3> bases = near_axes(p.a.axis);
-  bases.insert(bases.end(), {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
-  for (const Vector3& a : bases) {
-    Eigen::Index most = 0;
-    a.cwiseAbs().maxCoeff(&most);
-    for (const int exponent : {e, e + 1})
-      for (const Eigen::Index i : {(most + 1) % 3, (most + 2) % 3})
-        out.push_back(with(p, [&](Pair& q) {
-          q.a.axis = a;
-          q.b.axis = a + decimal(1, exponent) * Vector3::Unit(i);
-        }));
-  }
+  return i == radius_place ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
 }
 
 /// Returns numbers that might replace x. The search asks only about the simpler ones.
@@ -173,14 +114,13 @@ std::vector<double> simpler_numbers(double x) {
 void add_at_distance(const Pair& p, double kept, Pairs& out) {
   if (!is_legal(p)) return;
   const MeasuredDistance now = approximate_distance(p);
-  Pair copy = p;
-  const std::size_t end = 3 + lengths(copy).size();
-  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 3}, {3, end}}) {
-    std::size_t best = first;
-    for (std::size_t i = first; i < last; ++i)
-      if (std::fabs(slope(now, p, i)) > std::fabs(slope(now, p, best))) best = i;
+  constexpr std::size_t b = solid_number_count;
+  for (const std::vector<std::size_t>& places :
+       {std::vector<std::size_t>{b, b + 1, b + 2}, length_places(p)}) {
+    const std::size_t best =
+        *std::ranges::max_element(places, {}, [&](std::size_t i) { return std::fabs(slope(now, p, i)); });
     Pair q = p;
-    double& x = best < 3 ? q.b.center[static_cast<Eigen::Index>(best)] : *lengths(q)[best - 3];
+    double& x = *numbers(q)[best];
     double off = now.value - kept;
     MeasuredDistance at = now;
     for (int step = 0; step < newton_cap && off != 0; ++step) {
@@ -225,60 +165,6 @@ Pairs translations(const Pair& p) {
   return out;
 }
 
-Pairs frames(const Pair& p) {
-  Pairs out;
-  const Vector3 n = approximate_distance(p).direction, delta = p.b.center - p.a.center;
-  const auto add = [&](const Vector3& up, const Vector3& side) {
-    const Frame frame(up, side);
-    if (!frame.turn.allFinite()) return;
-    // Coordinates meant to be 0 become 0. Otherwise rounding would leave them with 17 digits.
-    const auto turned = [&](const Vector3& v) {
-      Vector3 t = frame.turn * v;
-      if (v == up || v == -up) t.head<2>().setZero();
-      if (v == side || v == -side) t.y() = 0;
-      return t;
-    };
-    for (const Vector3& axis_a : multiples(turned(p.a.axis)))
-      for (const Vector3& axis_b : multiples(turned(p.b.axis)))
-        out.push_back(with(p, [&](Pair& q) {
-          q.a.axis = axis_a;
-          q.b.axis = axis_b;
-          q.a.center = turned(p.a.center);
-          q.b.center = p.a.center.isZero(0) ? turned(delta) : turned(p.b.center);
-        }));
-  };
-  for (const Vector3& side : {p.b.axis, delta}) add(p.a.axis, side);
-  for (const Vector3& side : {p.a.axis, delta}) add(p.b.axis, side);
-  for (const Vector3& side : {p.a.axis, p.b.axis}) add(n, side);
-  return out;
-}
-
-Pairs symmetries(const Pair& p) {
-  Pairs out;
-  std::array<Eigen::Index, 3> order{0, 1, 2};
-  do
-    for (unsigned mirror = 0; mirror < 8; ++mirror)
-      out.push_back(with(p, [&](Pair& q) {
-        for (Solid* c : {&q.a, &q.b})
-          for (Vector3* v : {&c->center, &c->axis}) {
-            const Vector3 from = *v;
-            for (unsigned i = 0; i < 3; ++i) (*v)[i] = (mirror >> i & 1 ? -1 : 1) * from[order[i]];
-          }
-      }));
-  while (std::ranges::next_permutation(order).found);
-  for (unsigned which = 1; which < 16; ++which)
-    out.push_back(with(p, [&](Pair& q) {
-      if (which & 1) q.a.axis = -q.a.axis;
-      if (which & 2) q.b.axis = -q.b.axis;
-      if (which & 4) std::swap(q.a, q.b);
-      if (which & 8) std::swap(q.a.center, q.b.center);
-    }));
-  // Zeros get no minus sign.
-  for (Pair& q : out)
-    for (double* x : numbers(q)) *x += 0.0;
-  return out;
-}
-
 Pairs scales(const Pair& p) {
   Pairs out;
   const auto add = [&](double by) {
@@ -300,42 +186,29 @@ Pairs scales(const Pair& p) {
   return out;
 }
 
+/// Two edges of a box become r.
+static void set_lengths(Solid& c, double r, double h) {
+  if (is_box(c)) {
+    c.edges = {r, r, h};
+  } else if (!is_half_space(c)) {
+    c.radius = r;
+    c.height = h;
+  }
+}
+
 Pairs shapes(const Pair& p) {
   Pairs out;
   for (const double r : {0.0, 1.0, 2.0})
     for (const double h : {0.0, 1.0, 2.0})
       for (const unsigned which : {3u, 1u, 2u})
         out.push_back(with(p, [&](Pair& q) {
-          if (which & 1) q.a.radius = r, q.a.height = h;
-          if (which & 2) q.b.radius = r, q.b.height = h;
+          if (which & 1) set_lengths(q.a, r, h);
+          if (which & 2) set_lengths(q.b, r, h);
         }));
   out.push_back(with(p, [&](Pair& q) {
     for (double* x : lengths(q))
       if (*x != 0) *x = std::ldexp(1, std::ilogb(*x));
   }));
-  return out;
-}
-
-Pairs axes(const Pair& p) {
-  Pairs out;
-  const auto tried_for = [](const Vector3& axis) {
-    std::vector<Vector3> all{axis};
-    std::ranges::copy(near_axes(axis), std::back_inserter(all));
-    for (Eigen::Index i = 0; i < 3; ++i) all.push_back(Vector3::Unit(i));
-    return all;
-  };
-  const std::vector<Vector3> for_a = tried_for(p.a.axis), for_b = tried_for(p.b.axis);
-  const auto add = [&](const Vector3& a, const Vector3& b) {
-    out.push_back(with(p, [&](Pair& q) { q.a.axis = a, q.b.axis = b; }));
-  };
-  for (const Vector3& a : for_a) add(a, p.b.axis);
-  for (const Vector3& b : for_b) add(p.a.axis, b);
-  for (std::size_t i = 1; i < std::min(for_a.size(), for_b.size()); ++i) add(for_a[i], for_b[i]);
-  for (Eigen::Index i = 0; i < 3; ++i)
-    for (Eigen::Index j = 0; j < 3; ++j) add(Vector3::Unit(i), Vector3::Unit(j));
-  add(p.a.axis, p.a.axis);
-  add(p.b.axis, p.b.axis);
-  add_nearly_parallel(p, out);
   return out;
 }
 
@@ -394,6 +267,7 @@ Pairs equalities(const Pair& p) {
     out.push_back(with(p, [&, from = from, to = to](Pair& q) {
       const Solid& of = p.*from;
       (q.*to).radius = of.radius, (q.*to).height = of.height, (q.*to).rounding = of.rounding;
+      (q.*to).edges = of.edges;
     }));
   return out;
 }

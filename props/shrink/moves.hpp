@@ -18,24 +18,25 @@ inline constexpr double near_margin = 1e-2;
 /// Brings a or b to the origin, or to a place of few digits, and moves the other along; what rounding left of
 /// their difference is rounded away.
 Pairs translations(const Pair& p);
-/// Turns the scene so that a's axis, b's or the direction of the distance is the z axis.
+/// Turns the scene so that a's axis, b's, an edge or the direction of the distance is the z axis.
 Pairs frames(const Pair& p);
-/// Permutes and mirrors coordinates; reverses axes, exchanges the solids or their centres. (Solids are their
-/// own mirror images in their centres, so the last is a mirror image of the scene.)
+/// Permutes and mirrors coordinates; reverses axes and quaternions, exchanges the solids or their centres.
+/// (Solids are their own mirror images in their centres, so the last is a mirror image of the scene.)
 Pairs symmetries(const Pair& p);
 /// Divides all lengths by one of them, by powers of ten and of two.
 Pairs scales(const Pair& p);
-/// Gives both solids, or one, lengths 0, 1, 2; brings all lengths to powers of two.
+/// Gives both solids, or one, lengths 0, 1, 2, also as cubes; brings all lengths to powers of two.
 Pairs shapes(const Pair& p);
-/// Tries other axes: of small integers, of other lengths, equal, nearly parallel.
+/// Tries other axes and quaternions: of small integers, of other lengths, equal, nearly parallel. Tries boxes
+/// with their edges in another order.
 Pairs axes(const Pair& p);
 /// Drops some coordinates of b's centre, or puts it as far away along one of them.
 Pairs centres(const Pair& p);
 /// Rounds some numbers together to integers and to few digits.
 Pairs roundings(const Pair& p);
-/// Makes one of the 18 numbers simpler.
+/// Makes one of the numbers simpler.
 Pairs one_number(const Pair& p, std::size_t which);
-/// Makes one radius or height equal to another, or all of them.
+/// Makes one radius, height or edge equal to another, or all of them.
 Pairs equalities(const Pair& p);
 
 /// Adds the pair with one number of it solved for the distance `kept`: that coordinate of b's centre, and

@@ -22,11 +22,14 @@ constexpr std::size_t batch_cap = 32;
 
 using Bits = std::array<std::uint64_t, 2 * solid_number_count>;
 
-/// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height.
-unsigned zeros(const Solid& c) { return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u); }
+/// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height. Of a box, as many bits as edges.
+unsigned zeros(const Solid& c) {
+  if (is_box(c)) return (1u << std::ranges::count(c.edges, 0.0)) - 1;
+  return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u);
+}
 
-/// Returns whether a pair has a radius or height of 0 that the pair as found has not, in either order of
-/// the solids. Solids without a length are special cases of many libraries, with faults of their own.
+/// Returns whether a pair has a radius, height or edge of 0 that the pair as found has not, in either order
+/// of the solids. Solids without a length are special cases of many libraries, with faults of their own.
 bool has_new_zeros(const Pair& p, const Pair& found) {
   const unsigned a = zeros(p.a), b = zeros(p.b), of_a = zeros(found.a), of_b = zeros(found.b);
   return ((a & ~of_a) | (b & ~of_b)) != 0 && ((a & ~of_b) | (b & ~of_a)) != 0;
@@ -49,8 +52,11 @@ class Search {
       for (const Move move : moves)
         while (improve([&] { return move(best_); }, true)) changed = true;
       // Roundings, lengths and centres come before axes. Scenes of simple shapes keep failing more easily.
-      for (const std::size_t which :
-           {8u, 17u, 6u, 7u, 15u, 16u, 0u, 1u, 2u, 9u, 10u, 11u, 3u, 4u, 5u, 12u, 13u, 14u})
+      constexpr std::size_t b = solid_number_count;
+      constexpr std::array<std::size_t, 2 * b> order{
+          8,     8 + b, 6, 7, 9, 10, 11, 6 + b, 7 + b, 9 + b, 10 + b, 11 + b, 0,      1,      2,      b,
+          1 + b, 2 + b, 3, 4, 5, 12, 13, 14,    15,    3 + b, 4 + b,  5 + b,  12 + b, 13 + b, 14 + b, 15 + b};
+      for (const std::size_t which : order)
         while (improve([&] { return one_number(best_, which); }, true)) changed = true;
       while (improve([&] { return symmetries(best_); }, false)) changed = true;
     }
@@ -108,7 +114,7 @@ class Search {
   std::size_t cap_, questions_ = 0;
   const Pair found_;
   bool at_cap_ = false;
-  std::set<std::array<std::uint64_t, 2 * solid_number_count>> asked_;
+  std::set<Bits> asked_;
 };
 
 }  // namespace

@@ -30,9 +30,9 @@ struct Simplified {
 /// at most 600, in 20 to 60 calls.
 inline constexpr std::size_t question_cap_default = 4000;
 
-/// Returns the simplest pair found. It has no radius or height of 0 that the given pair has not. The given
-/// pair is assumed to fail and is not asked. An invalid pair is returned unchanged. Deterministic, and never
-/// worse than the given pair. If it did not reach the limit, a second call changes nothing.
+/// Returns the simplest pair found. It has no radius, height or edge of 0 that the given pair has not. The
+/// given pair is assumed to fail and is not asked. An invalid pair is returned unchanged. Deterministic, and
+/// never worse than the given pair. If it did not reach the limit, a second call changes nothing.
 Simplified simplify(const Pair& pair, const StillFails& still_fails,
                     std::size_t question_cap = question_cap_default);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -14,10 +15,13 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
+#include "corpus/pairs/support.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/failure_key.hpp"
+#include "props/shrink/moves.hpp"
 
 namespace cyl {
 namespace {
@@ -162,6 +166,59 @@ TEST(SimplifyTo, TheObviousPair) {
   EXPECT_EQ(simplest("flat_disks", apart), R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":0},)"
                                            R"("b":{"center":[0,0,1],"axis":[0,0,1],"radius":1,"height":0}})")
       << "flat as they were found";
+}
+
+TEST(SimplifyTo, TheObviousPairWithABox) {
+  const std::string plain = R"({"shape":"box","center":[0,0,0],"edges":[1,1,1],"quaternion":[1,0,0,0]})";
+  const auto simplest = [](const char* family, const Fails& fails) {
+    return format_pair(simplify_by(failing(family, fails, 1).at(0), fails).pair);
+  };
+  EXPECT_EQ(simplest("box_box", [](const Pair&) { return true; }),
+            R"({"a":)" + plain + R"(,"b":)" + plain + "}");
+  EXPECT_EQ(simplest("box_quaternion", [](const Pair& p) { return is_box(p.a) && is_box(p.b); }),
+            R"({"a":)" + plain + R"(,"b":)" + plain + "}")
+      << "without roundings";
+  const auto longest = [](const Solid& c) { return *std::ranges::max_element(c.edges); };
+  EXPECT_EQ(
+      simplest("box_box", [&](const Pair& p) { return longest(p.a) > 3; }),
+      R"({"a":{"shape":"box","center":[0,0,0],"edges":[1,1,4],"quaternion":[1,0,0,0]},"b":)" + plain + "}");
+  const auto turned = [](const Pair& p) {
+    const double w = std::fabs(p.a.quaternion[0]), v = Vector3(&p.a.quaternion[1]).norm();
+    const bool solid = std::ranges::count(p.b.edges, 0.0) == 0;
+    return is_box(p.a) && is_box(p.b) && solid && v > 0 && v <= 1e-7 * w;
+  };
+  EXPECT_EQ(simplest("box_lattice", turned),
+            R"({"a":{"shape":"box","center":[0,0,0],"edges":[1,1,1],"quaternion":[1,0,0,1e-07]},"b":)" +
+                plain + "}");
+  EXPECT_EQ(simplest("box_thin",
+                     [](const Pair& p) {
+                       return is_box(p.a) && std::ranges::count(p.a.edges, 0.0) == 1 && is_half_space(p.b);
+                     }),
+            R"({"a":{"shape":"box","center":[0,0,0],"edges":[1,1,0],"quaternion":[1,0,0,0]},)"
+            R"("b":{"shape":"half_space","point":[0,0,0],"normal":[0,0,1]}})")
+      << "flat as it was found";
+}
+
+// Turned, mirrored and with its edges in another order, a box extends as far in the same directions.
+TEST(Moves, SymmetriesAndOrdersOfEdgesKeepTheExtentsOfBoxes) {
+  const auto gap_of = [](const Pair& p) {
+    const Terms<double> a = terms_of<double>(p.a), b = terms_of<double>(p.b);
+    const Vector3 delta = p.b.center - p.a.center;
+    return support_gap(a, b, lifted<double>(delta), lifted<double>(delta));
+  };
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Pair pair = find_family(i % 2 == 0 ? "box_cylinder" : "box_stacked")->generate(seed, i / 2 * 4);
+    for (const Pair& p : moves::symmetries(pair))
+      ASSERT_NEAR(gap_of(p), gap_of(pair), 1e-12 * size_of(pair) * size_of(pair)) << format_pair(p);
+    int reordered = 0;
+    for (const Pair& p : moves::axes(pair)) {
+      const bool same = p.a.edges == pair.a.edges && p.b.edges == pair.b.edges;
+      if (same) continue;
+      ++reordered;
+      ASSERT_NEAR(gap_of(p), gap_of(pair), 1e-12 * size_of(pair) * size_of(pair)) << format_pair(p);
+    }
+    EXPECT_GE(reordered, 9);
+  }
 }
 
 // A division by a length of 0 is another fault. The failure as found does not slide into it.

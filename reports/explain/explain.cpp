@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
@@ -115,7 +117,7 @@ std::string cause_in_words(std::span<const std::unique_ptr<Method>> methods, con
   std::string text = "Triage calls the cause " + key;
   if (found.mechanism != Mechanism::unclassified) text += fmt::format(" ({})", in_words(found.mechanism));
   if (found.right_sibling) text += fmt::format("; {} is right", methods[*found.right_sibling]->name());
-  const FailingRegion& scale = regions[static_cast<std::size_t>(Parameter::scale)];
+  const FailingRegion& scale = *std::ranges::find(regions, Parameter::scale, &FailingRegion::parameter);
   const auto is_right = [](const RegionEnd& end) { return end.beyond && end.beyond->right(); };
   if (found.mechanism == Mechanism::unclassified && !is_right(scale.low) && !is_right(scale.high))
     text += "; no scale that was tried, and no other setting, makes it right";
@@ -177,7 +179,8 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
   if (regions[0].at != 0 && std::isfinite(regions[0].at))
-    sentences += " If angle, radii or heights change, b moves so that the distance stays the same.";
+    sentences += fmt::format(" If {} change, b moves so that the distance stays the same.",
+                             has_box(pair) ? "angle or lengths" : "angle, radii or heights");
   if (const auto few = hardly_sampled(regions); !few.empty())
     sentences += fmt::format(
         " The end that the table shows along {} is not certain: samples are few, or some beyond it fail.",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -126,6 +127,24 @@ TEST(FailingRegion, ShowsWhatMatters) {
   const FailingRegion& offset = region(places, Parameter::offset);
   EXPECT_NEAR(offset.low.fails_at, 1e3, 20);
   EXPECT_TRUE(offset.low.beyond->right());
+}
+
+TEST(FailingRegion, BoxesHaveEdgesAndTurn) {
+  const auto narrow = fake_method("narrow", [](const Pair& pair) {
+    const bool near = approximate_distance(pair).value <= 1e-3;
+    return answered(near && pair.b.edges[1] < 3 ? Verdict::intersecting : Verdict::disjoint);
+  });
+  const Solid box{.center = {0, 0, 0}, .shape = Shape::box, .edges = {2, 2, 2}, .quaternion = {1, 0, 0, 0}};
+  Pair pair{box, box};
+  pair.b.center = {0.25, 0.5, 2.0001};
+  const auto regions = failing_regions(narrow, try_method(narrow, pair));
+  EXPECT_EQ(regions.size(), 10u);
+  const auto of = [&](Parameter p) { return *std::ranges::find(regions, p, &FailingRegion::parameter); };
+  EXPECT_NEAR(of(Parameter::second_edge_b).high.fails_at, 3, 0.04);
+  EXPECT_GT(of(Parameter::first_edge_b).high.fails_at, 100);
+  EXPECT_GT(of(Parameter::third_edge_a).high.fails_at, 100);
+  EXPECT_EQ(of(Parameter::angle).at, 0);
+  EXPECT_GT(of(Parameter::angle).high.fails_at, 1.57);
 }
 
 // Steps from an infinite distance, and steps below the least double, would not end.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "reports/explain/failing_region.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/trial/mechanism.hpp"
 
@@ -17,7 +18,19 @@ namespace {
 
 using enum Parameter;
 
-constexpr std::array parameters{distance, angle, radius_a, height_a, radius_b, height_b, scale, offset};
+std::vector<Parameter> parameters_of(const Pair& pair) {
+  std::vector<Parameter> all{distance, angle};
+  if (is_box(pair.a))
+    all.insert(all.end(), {first_edge_a, second_edge_a, third_edge_a});
+  else
+    all.insert(all.end(), {radius_a, height_a});
+  if (is_box(pair.b))
+    all.insert(all.end(), {first_edge_b, second_edge_b, third_edge_b});
+  else
+    all.insert(all.end(), {radius_b, height_b});
+  all.insert(all.end(), {scale, offset});
+  return all;
+}
 
 /// The most steps outwards. For the solids they reach a factor of 2^24 = 1.7e7. For distances and offsets
 /// they reach 2^52, which is more than a double resolves.
@@ -181,10 +194,21 @@ class SearchPath {
     return steps;
   }
 
+  static std::vector<Vector3> lines_of(const Solid& c) {
+    if (!is_box(c)) return {unit_axis(c.axis)};
+    return {edge_direction(c, 0), edge_direction(c, 1), edge_direction(c, 2)};
+  }
+
+  /// Takes the axes, or the edges that are most nearly parallel.
   void lay_axes() {
-    along_ = unit_axis(pair_.a.axis);
-    Vector3 other = unit_axis(pair_.b.axis);
-    if (other.dot(along_) < 0) other = -other;
+    const std::vector<Vector3> of_a = lines_of(pair_.a), of_b = lines_of(pair_.b);
+    along_ = of_a.front();
+    other_ = of_b.front();
+    for (const Vector3& u : of_a)
+      for (const Vector3& v : of_b)
+        if (std::abs(u.dot(v)) > std::abs(along_.dot(other_))) along_ = u, other_ = v;
+    if (other_.dot(along_) < 0) other_ = -other_;
+    const Vector3& other = other_;
     Vector3 across = other - other.dot(along_) * along_;
     angle_ = std::atan2(across.norm(), other.dot(along_));
     // If the axes are parallel, b turns in the direction of the distance, or in any direction.
@@ -202,11 +226,16 @@ class SearchPath {
         if (distance_ < 0 && value < distance_) return at_distance(p, value);
         p.b.center += (value - distance_) * direction_;
         return p;
-      case angle:
-        p.b.axis = value == 0       ? p.a.axis
-                   : value < square ? Vector3(std::cos(value) * along_ + std::sin(value) * across_)
-                                    : across_;
+      case angle: {
+        const Vector3 line = value == 0       ? along_
+                             : value < square ? Vector3(std::cos(value) * along_ + std::sin(value) * across_)
+                                              : across_;
+        if (is_box(p.b))
+          turn(p.b, other_, line);
+        else
+          p.b.axis = value == 0 && !is_box(p.a) ? p.a.axis : line;
         return kept(p);
+      }
       case scale:
         return scaled_exactly(p, static_cast<int>(value));
       case offset: {
@@ -226,15 +255,36 @@ class SearchPath {
     return at_distance(p, distance_);
   }
 
-  double& length(Pair& p) const {
-    Solid& c = parameter_ == radius_a || parameter_ == height_a ? p.a : p.b;
-    return parameter_ == radius_a || parameter_ == radius_b ? c.radius : c.height;
+  /// Turns a box so that the line of `from` becomes that of `to`.
+  static void turn(Solid& box, const Vector3& from, const Vector3& to) {
+    const auto& [w, x, y, z] = box.quaternion;
+    const Eigen::Quaterniond q =
+        Eigen::Quaterniond::FromTwoVectors(from, to) * Eigen::Quaterniond(w, x, y, z);
+    box.quaternion = {q.w(), q.x(), q.y(), q.z()};
   }
+
+  double& length(Pair& p) const {
+    switch (parameter_) {
+      case radius_a:
+        return p.a.radius;
+      case height_a:
+        return p.a.height;
+      case radius_b:
+        return p.b.radius;
+      case height_b:
+        return p.b.height;
+      default:
+        break;
+    }
+    if (parameter_ >= first_edge_b) return p.b.edges[index_of(parameter_) - index_of(first_edge_b)];
+    return p.a.edges[index_of(parameter_) - index_of(first_edge_a)];
+  }
+  static std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
 
   Pair pair_;
   Parameter parameter_;
   double size_, distance_ = 0, angle_ = 0, offset_ = 0;
-  Vector3 direction_{0, 0, 0}, along_, across_, outwards_;
+  Vector3 direction_{0, 0, 0}, along_, other_, across_, outwards_;
 };
 
 double between(double x, double y) {
@@ -340,7 +390,7 @@ void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& met
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing) {
   const auto located = locate(failing.pair, gap_width_tol);
   std::vector<SearchPath> paths;
-  for (const Parameter p : parameters) paths.emplace_back(failing.pair, located, p);
+  for (const Parameter p : parameters_of(failing.pair)) paths.emplace_back(failing.pair, located, p);
   std::vector<Search> searches;
   for (const SearchPath& path : paths)
     for (const bool up : {false, true}) searches.emplace_back(path, up, failing);

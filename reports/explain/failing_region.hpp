@@ -16,17 +16,26 @@ namespace cyl {
 enum class Parameter : unsigned char {
   distance,  ///< signed, a length: b moves along the direction of the distance. Values are those that the
              ///< referee encloses
-  angle,     ///< between the lines of the axes, radians: b is turned about its centre in the plane of both
+  angle,  ///< between the lines of the axes, radians: b is turned about its centre in the plane of both. Of a
+          ///< box it is the line of an edge; of all pairs of lines, those most nearly parallel
   radius_a,
   height_a,
   radius_b,
   height_b,
-  scale,  ///< the exponent k of a factor 2^k for all lengths
-  offset  ///< a length: of the middle between the centres from the origin, along its present direction
+  scale,         ///< the exponent k of a factor 2^k for all lengths
+  offset,        ///< a length: of the middle between the centres from the origin, along its present direction
+  first_edge_a,  ///< of boxes, which have no radius and height
+  second_edge_a,
+  third_edge_a,
+  first_edge_b,
+  second_edge_b,
+  third_edge_b
 };
 constexpr auto words_of(Parameter) noexcept {
-  return std::array{"signed distance", "angle",       "radius of a", "height of a",
-                    "radius of b",     "height of b", "scale",       "offset"};
+  return std::array{
+      "signed distance", "angle",           "radius of a",      "height of a",     "radius of b",
+      "height of b",     "scale",           "offset",           "first edge of a", "second edge of a",
+      "third edge of a", "first edge of b", "second edge of b", "third edge of b"};
 }
 
 /// One side of a region. The failure ends between the two values. Each is of a pair that was asked and
@@ -56,10 +65,10 @@ struct FailingRegion {
 inline constexpr double region_step = 2, region_share = 0.01;
 inline constexpr int region_rounds_cap = 6;
 
-/// In the order of the parameters. A parameter that cannot move has both ends at its own value. (A flat
-/// solid's height may grow, an axis without the other's plane may not turn.) If angle, radii or heights move,
-/// b follows along the direction of the distance, so that the signed distance stays. If it is 0, b stays.
-/// Cost: about 600 pairs in the first round and 100 in each of the others. Deterministic.
+/// Distance, angle, the lengths of a and of b, scale, offset. A parameter that cannot move has both ends at
+/// its own value. (A flat solid's height may grow, an axis without the other's plane may not turn.) If angle
+/// or lengths move, b follows along the direction of the distance, so that the signed distance stays. If it
+/// is 0, b stays. Cost: about 600 pairs in the first round and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
 }  // namespace cyl
