@@ -37,7 +37,8 @@
  * FAULT 31: edges are 10 % too long where they cross
  * FAULT 32: the nearest point of a box may be outside it
  * FAULT 33: the lowest vertex on a half-space ignores an edge
- * FAULT 34: half edges of a serve for b if the centres are far apart */
+ * FAULT 34: half edges of a serve for b if the centres are far apart
+ * FAULT 35: the axis of nearly parallel edges keeps its rounding errors */
 #include <float.h>
 #include <string.h>
 
@@ -134,6 +135,7 @@ static double greatest_gap(const struct Box* a, const struct Box* b, const doubl
     double other[3], axis[3];
     for (int k = 0; k < 3; ++k) other[k] = IF_FAULT(26, b->edge[k][j], b->edge[j][k]);
     cross(a->edge[i], other, axis);
+    if (FAULT != 35) add(axis, -dot(axis, a->edge[i]), a->edge[i]);
     const double sine = length(axis);
     if (FAULT == 25 && sine < 1e-2) break;
     if (sine < parallel || (FAULT == 21 && pair == 1) || (FAULT == 22 && pair == 8)) continue;
@@ -187,12 +189,11 @@ static void try_edges(const struct Box* a, const struct Box* b, const double* be
       add(vector, 1, between);
       add(vector, -1, from);
       cross(vector, v, turned);
-      const double s = dot(turned, axis) / dot(axis, axis);
-      cross(vector, u, turned);
-      const double t = dot(turned, axis) / dot(axis, axis), most = IF_FAULT(31, 1.1, 1);
-      if (fabs(s) > most * a->half[i] || fabs(t) > most * b->half[j]) continue;
+      const double s = dot(turned, axis) / dot(axis, axis), most = IF_FAULT(31, 1.1, 1);
       add(vector, -s, u);
+      const double t = -dot(vector, v); /* nearly parallel edges leave s few digits, and need no more */
       add(vector, t, v);
+      if (fabs(s) > most * a->half[i] || fabs(t) > most * b->half[j]) continue;
       keep_shorter(shortest, vector);
     }
   }
