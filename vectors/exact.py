@@ -37,8 +37,11 @@ SPACE = ('space', 'space')
 CERTIFICATES = {'disjoint': [{'direction'}], 'intersecting': [{'point'}, {'points'}],
                 'touching': [{'point'}, {'points'}, {'near'}]}
 PARTS = {'direction', 'point', 'points', 'near'}
-# A decimal or a fraction. An exponent of more digits would take all memory.
-NUMBER = re.compile(r'-?[0-9]{1,4000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,4000})?')
+# A decimal or a fraction. An exponent of more digits would take all memory. The common points of boxes with
+# quaternions at both ends of the range have 20,000 digits.
+NUMBER = re.compile(r'-?[0-9]{1,50000}(\.[0-9]{0,4000})?(e[+-]?[0-9]{1,3})?(/[0-9]{1,50000})?')
+if hasattr(sys, 'set_int_max_str_digits'):
+    sys.set_int_max_str_digits(50000)
 
 
 def exact(value):

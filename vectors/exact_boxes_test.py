@@ -185,6 +185,8 @@ class Boxes(unittest.TestCase):
         for hulls in ({}, {'hulls': ['plane', 'space']}):  # the point that is meant is the centre
             self.assertIsNone(exact.fault(leaning, meet | hulls))
             self.assertIn('not in both', exact.fault(leaning, meet | hulls | {'point': [1.7, 0.2, 0.3]}))
+        one = f'{10**30000 - 1}/{10**30000}'
+        self.assertIsNone(exact.fault({'a': die, 'b': UP}, {'verdict': 'intersecting', 'point': [one, one, 0]}))
         for change in ({'edges': [1, 1]}, {'edges': [1, 1, -1]}, {'quaternion': [0, 0, 0, 0]}, {'quaternion': [1, 0, 0]},
                        {'rounding': -1}, {'center': None}, {'edges': [1, 1, float('inf')]}, {'edges': [1, 1, '1']}):
             for answer in (meet, {'verdict': 'disjoint', 'direction': [1, 0, 0]}):
