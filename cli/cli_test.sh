@@ -185,7 +185,7 @@ exec {COPROC[1]}>&-
 fuzz_core=${daylight%/*}/fuzz_core
 if [[ -x $fuzz_core ]]; then
   : >out
-  head -c 160 /dev/zero >record
+  head -c 272 /dev/zero >record
   head -c 5 /dev/zero >short
   mkdir -p records
   cp record short records

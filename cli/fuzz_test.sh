@@ -25,8 +25,9 @@ python3 - <<'END'
 import struct
 coins = [0, 0, 0, 0, 0, 1, 3, 1, 0, 2, 0, 1, -1, 0, 25, 4, 1, 0]
 right = coins[:9] + [9, 0, 0, 0, 0, 1, 1, 1, 0]
+box = [0, 0, 0, 1, 0, 0, 0]  # no edges, the quaternion of no rotation
 for name, numbers in ('coins', coins), ('infinite', [float('inf')] + coins[1:]), ('right', right), ('core/coins', coins):
-    open('corpus/' + name, 'wb').write(struct.pack('Q9dQ9d', 0, *numbers[:9], 0, *numbers[9:]))
+    open('corpus/' + name, 'wb').write(struct.pack('Q16dQ16d', 0, *numbers[:9], *box, 0, *numbers[9:], *box))
 END
 asks=(campaign --cases '' --families random --methods 'ode,decide' --seed 1)
 expect 2 'a corpus' "$daylight" "${asks[@]}" --corpus corpus --pairs 90 --table --out run

@@ -10,5 +10,5 @@ ninja -C "$build" fuzz_core_libfuzzer fuzz_xcheck_libfuzzer make_records
 for target in core xcheck; do
   cp "$build/fuzz_${target}_libfuzzer" "$OUT/fuzz_$target"
   (cd "$build/records" && python3 -m zipfile -c "$OUT/fuzz_${target}_seed_corpus.zip" ./*)
-  printf '[libfuzzer]\nmax_len = 160\nlen_control = 0\ntimeout = 25\n' >"$OUT/fuzz_$target.options"
+  printf '[libfuzzer]\nmax_len = 272\nlen_control = 0\ntimeout = 25\n' >"$OUT/fuzz_$target.options"
 done

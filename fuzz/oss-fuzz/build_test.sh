@@ -17,10 +17,10 @@ for target in core xcheck; do
 done
 python3 -m zipfile -e "$OUT/fuzz_core_seed_corpus.zip" "$folder/seeds"
 cd "$folder"
-env -i "$OUT/fuzz_core" -max_len=160 -len_control=0 -seed=1 -runs=0 seeds
+env -i "$OUT/fuzz_core" -max_len=272 -len_control=0 -seed=1 -runs=0 seeds
 # The methods as printed are wrong, so this one must abort, and name the cause.
 python3 -m zipfile -e "$OUT/fuzz_xcheck_seed_corpus.zip" "$folder/seeds"
-if env -i "$OUT/fuzz_xcheck" -max_len=160 -len_control=0 -seed=1 -max_total_time=600 seeds 2>log; then
+if env -i "$OUT/fuzz_xcheck" -max_len=272 -len_control=0 -seed=1 -max_total_time=600 seeds 2>log; then
   echo 'nothing found in the methods as printed'; exit 1
 fi
 grep -E '^DEDUP_TOKEN: [a-p]{12}$' log
