@@ -23,14 +23,7 @@
 namespace cyl {
 namespace {
 
-using Surd3 = Vec3<Surd>;
-
 bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-Surd3 lift(const Rational3& v) { return {Surd(v.x), Surd(v.y), Surd(v.z)}; }
-
-Rational3 rational_part(const Surd3& v) {
-  return {v.x.rational_part(), v.y.rational_part(), v.z.rational_part()};
-}
 
 bool is_polytope(const Solid& c) { return is_box(c) || c.radius == 0; }
 
@@ -40,23 +33,6 @@ struct Bar {
   Rational3 direction;
   Surd3 half;
 };
-
-void take_denominator(mpz_class& unit, const mpq_class& x) {
-  mpz_lcm(unit.get_mpz_t(), unit.get_mpz_t(), x.get_den_mpz_t());
-}
-void take_denominators(mpz_class& unit, const Surd3& v) {
-  for (const Surd* x : {&v.x, &v.y, &v.z}) {
-    take_denominator(unit, x->rational_part());
-    take_denominator(unit, x->factor());
-  }
-}
-
-/// Makes the direction a vector of integers, which need no common divisors.
-Rational3 in_integers(const Rational3& v) {
-  mpz_class unit = 1;
-  take_denominators(unit, lift(v));
-  return mpq_class(unit) * v;
-}
 
 /// Half the length along the axis, c |w| w/(w.w). `square` is w.w, and outlives the result.
 Surd3 half_axis(const Solid& c, const mpq_class& square) {
@@ -83,22 +59,6 @@ std::vector<Bar> bars_of(const Solid& c, const mpq_class& square) {
 mpq_class axis_square(const Pair& pair) {
   const Rational3 w = exact(is_box(pair.a) ? pair.b.axis : pair.a.axis);
   return dot(w, w);
-}
-
-/// A rational within size 2^-bits of each coordinate.
-Rational3 rounded(const Surd3& v, const mpq_class& square, const mpq_class& size, int bits) {
-  const auto one = [&](const Surd& x) {
-    if (x.is_rational()) return x.rational_part();
-    // x = a +- sqrt(f f s): the root of the scaled square, rounded down.
-    const mpq_class term = x.factor() * x.factor() * square;
-    const auto digits = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
-    const int places = bits + 2 + digits(size.get_den()) - digits(size.get_num());
-    const mpq_class scaled = times_power(term, 2 * places);
-    const mpq_class root =
-        times_power(mpq_class(sqrt(mpz_class(scaled.get_num() / scaled.get_den()))), -places);
-    return mpq_class(x.rational_part() + sgn(x.factor()) * root);
-  };
-  return {one(v.x), one(v.y), one(v.z)};
 }
 
 SimplexLimits<Surd> exact_limits(const mpq_class& contact) {

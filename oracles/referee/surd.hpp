@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "base/vec3.hpp"
+
 namespace cyl {
 
 class Surd {
@@ -53,5 +55,23 @@ class Surd {
   mpq_class a_, b_;
   const mpq_class* s_ = nullptr;
 };
+
+using Surd3 = Vec3<Surd>;
+
+inline Surd3 lift(const Vec3<mpq_class>& v) { return {Surd(v.x), Surd(v.y), Surd(v.z)}; }
+inline Vec3<mpq_class> rational_part(const Surd3& v) {
+  return {v.x.rational_part(), v.y.rational_part(), v.z.rational_part()};
+}
+
+/// Makes the unit a multiple of all denominators. Numbers that are multiplied by it are computed with faster,
+/// because integers need no common divisors.
+void take_denominators(mpz_class& unit, const Surd3& v);
+
+/// Returns a multiple of the vector that has integers.
+Vec3<mpq_class> in_integers(const Vec3<mpq_class>& v);
+
+/// Returns rationals that differ by less than size 2^-bits from each coordinate; the coordinate if that is
+/// rational. `square` is the number under the root.
+Vec3<mpq_class> rounded(const Surd3& v, const mpq_class& square, const mpq_class& size, int bits);
 
 }  // namespace cyl
