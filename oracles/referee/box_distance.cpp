@@ -196,21 +196,24 @@ void slide(const Terms<Real>& s, const Moves& moves, Vec& point, Vec& way) {
 }
 
 /// Moves both points in turn, as long as the way gets shorter. Among slender triangles the search above gets
-/// no farther than the root of its rounding. Edges that are nearly parallel need many rounds, so moves are
-/// exaggerated first. Any factor below 2 shortens the way.
+/// no farther than the root of its rounding. Edges that are nearly parallel need many rounds, so most moves
+/// are exaggerated. Any factor below 2 shortens the way.
 Points polished(const CorePair& pair, Points p, bool across) {
-  constexpr int rounds_cap = 256;
-  constexpr Real gain_tol = 0x1p-20L;  // of the length, in one round
+  constexpr int rounds_cap = 1024, rounds_together = 8;
+  constexpr Real gain_tol = 0x1p-20L, far = 1.8L;  // the gain is relative
   p.way = pair.delta + p.on_b - p.on_a;
-  for (const Real times : {Real(1.8), Real(1)})
-    for (int round = 0; round < rounds_cap; ++round) {
-      const Real before = norm(p.way);
-      Vec back = Real(-1) * p.way;
-      slide(pair.b, {across, times}, p.on_b, back);
-      p.way = Real(-1) * back;
-      slide(pair.a, {across, times}, p.on_a, p.way);
-      if (!(norm(p.way) < (1 - gain_tol) * before)) break;
-    }
+  Real before = norm(p.way);
+  for (int round = 1; round <= rounds_cap; ++round) {
+    const Moves moves{across, round % 4 == 0 ? Real(1) : far};
+    Vec back = Real(-1) * p.way;
+    slide(pair.b, moves, p.on_b, back);
+    p.way = Real(-1) * back;
+    slide(pair.a, moves, p.on_a, p.way);
+    if (round % rounds_together != 0) continue;
+    const Real length = norm(p.way);
+    if (!(length < (1 - gain_tol) * before)) break;
+    before = length;
+  }
   p.way = pair.delta + p.on_b - p.on_a;
   return p;
 }

@@ -125,6 +125,72 @@ TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
   }
 }
 
+Solid box(Vector3 center, std::array<double, 3> edges, std::array<double, 4> quaternion = {1, 0, 0, 0}) {
+  Solid s;
+  s.shape = Shape::box;
+  s.center = center;
+  s.edges = edges;
+  s.quaternion = quaternion;
+  return s;
+}
+/// Turned by a right angle's half about x, so that an edge points along z.
+constexpr std::array<double, 4> on_edge{0.92387953251128674, 0.38268343236508977, 0, 0};
+/// Turned so that a corner points along z, nearly.
+constexpr std::array<double, 4> on_corner{1, 0.3, 0.2, 0};
+
+TEST(ContactFeatureOf, BoxesHaveWordsOfTheirOwn) {
+  struct Scene {
+    ContactFeature feature;
+    const char* words;
+    Solid a, b;
+    Verdict truth = Verdict::disjoint;
+  };
+  const Solid below = box(origin, {4, 4, 2});
+  const Scene scenes[] = {
+      {cap_cap, "facet-facet", below, box({0.5, 0, 3}, {1, 2, 3})},
+      {cap_side, "facet-edge", below, box({0, 0, 3}, {2, 2, 2}, on_edge)},
+      {cap_rim, "facet-vertex", below, box({0, 0, 4}, {2, 2, 2}, on_corner)},
+      {cap_rim, "facet-vertex", below, box({0, 0, 2.5}, {2, 2, 2}, on_corner), Verdict::intersecting},
+      {side_side, "edge-edge", below, box({0, 4, 4}, {2, 2, 2})},
+      {rim_rim, "vertex-vertex", below, box({5, 6, 7}, {2, 2, 2})},
+      {containment, "containment", below, box(origin, {1, 1, 1}, on_corner), Verdict::intersecting},
+      {cap_cap, "cap-facet", below, solid({0, 0, 3}, z, 1, 2)},
+      {cap_side, "facet-side", below, solid({0, 0, 3}, x, 1, 2)},
+      {cap_rim, "facet-rim", below, solid({0, 0, 5}, {1, 0, 1}, 1, 2)},
+      {side_side, "edge-side", below, solid({5, 5, 0}, z, 1, 2)},
+      {cap_rim, "cap-vertex", box({0, 0, 4}, {2, 2, 2}, on_corner), solid({0, 0, 0}, z, 3, 2)},
+      {side_rim, "edge-rim", below, solid({0, 4, 3}, {1, 0, 1}, 0, 1)},
+      {side_rim, "side-vertex", below, solid({5, 5, 2}, {1, -1, 0}, 0.5, 2)},
+      {containment, "containment", below, solid({0.5, 0, 0}, x, 0.5, 2), Verdict::intersecting},
+      // A rectangle has facets and edges.
+      {cap_cap, "facet-facet", box(origin, {4, 4, 0}), box({0, 0, 3}, {1, 2, 0})},
+      {side_side, "edge-edge", box(origin, {4, 4, 0}), box({4, 0, 0}, {2, 2, 0})},
+  };
+  for (const Scene& s : scenes)
+    for (const bool swapped : {false, true}) {
+      const Pair p{swapped ? s.b : s.a, swapped ? s.a : s.b};
+      Truth truth;
+      truth.verdict = s.truth;
+      EXPECT_EQ(to_string(contact_feature(p, truth).value()), to_string(s.feature)) << format_pair(p);
+      EXPECT_EQ(contact_in_words(p, truth), s.words) << format_pair(p);
+    }
+  const Pair cylinders{solid(origin, z, 1, 2), solid({0, 0, 4}, {1, 0, 1}, 1, 1)};
+  EXPECT_EQ(contact_in_words(cylinders, judge(cylinders)), "cap-rim");
+  EXPECT_EQ(contact_in_words(cylinders, Truth{}), "unknown");
+}
+
+TEST(Contains, BoxesToo) {
+  const Solid outer = box({1, 2, 3}, {2, 4, 6}, on_edge), round = solid({1, 2, 3}, z, std::sqrt(2.0), 2);
+  for (const double off : {-1e-12, 1e-12}) {
+    const bool in = off < 0;
+    EXPECT_EQ(contains(outer, box(outer.center, {2 + 2 * off, 4, 6}, on_edge)), in);
+    EXPECT_EQ(contains(outer, solid(outer.center, x, 2 + off, 2)), in);
+    EXPECT_EQ(contains(outer, Solid{outer.center, x, 0, 0, 1 + off}), in);
+    EXPECT_EQ(contains(round, box(round.center, {2, 2 + 2 * off, 2})), in);
+    EXPECT_EQ(contains(round, box(round.center, {2, 2, 2 + 2 * off})), in);
+  }
+}
+
 TEST(Contains, IsSharp) {
   const Solid outer = solid({1, 2, 3}, {1, 2, 2}, 2, 4);
   const Vector3 w = Vector3(1, 2, 2) / 3, u = Vector3(2, 1, -2) / 3, v = Vector3(2, -2, 1) / 3;
@@ -200,6 +266,21 @@ TEST(AngleClassOf, IsExactWhereItSaysSo) {
   EXPECT_EQ(of({0.1, 0.3, 1}, {3, -1, 0}), AngleClass::near_right);  // neither is exact
   EXPECT_EQ(to_string(AngleClass::near_right), "near-90");
   EXPECT_EQ(to_string(AngleClass::within_1e_12), "<1e-12");
+}
+
+// The smallest angle of any two lines counts.
+TEST(AngleClassOf, BoxesByAllTheirEdges) {
+  const Solid plain = box(origin, {1, 2, 3});
+  EXPECT_EQ(angle_class({plain, box(origin, {1, 1, 1}, {3, 1, 0, 0})}), AngleClass::parallel);
+  EXPECT_EQ(angle_class({plain, box(origin, {1, 1, 1}, {3, 1, 1, 0})}), AngleClass::generic);
+  EXPECT_EQ(angle_class({plain, box(origin, {1, 1, 1}, {1, 1e-9, 1e-9, 0})}), AngleClass::within_1e_7);
+  EXPECT_EQ(angle_class({plain, solid(origin, y, 1, 1)}), AngleClass::parallel);
+  EXPECT_EQ(angle_class({solid(origin, {0, 5e-324, 1}, 1, 1), plain}), AngleClass::within_1e_12);
+  EXPECT_EQ(angle_class({plain, solid(origin, {1, 1, 1}, 1, 1)}), AngleClass::generic);
+  // An edge of this box has exactly the direction (-3, 0, -4).
+  const Solid turned = box(origin, {1, 1, 1}, {1, 2, 2, -4});
+  EXPECT_EQ(angle_class({turned, solid(origin, {0.75, 0, 1}, 1, 1)}), AngleClass::parallel);
+  EXPECT_EQ(angle_class({turned, solid(origin, {0.3, 0, 0.4}, 1, 1)}), AngleClass::within_1e_12);
 }
 
 TEST(MarginDecade, IsOpenBelow) {

@@ -41,5 +41,20 @@ TEST(Room, AVerdictIsOwedBeyondRounding) {
   }
 }
 
+TEST(Room, OfBoxes) {
+  Pair pair{{}, {{1.5, 0, 0}, {0, 0, 1}, 1, 2}};
+  pair.a.shape = Shape::box;
+  pair.a.edges = {2, 2, 2};
+  const double margin = estimated_margin(pair) * size_of(pair);  // 0.5 in common, a ball of radius 0.25
+  EXPECT_LE(margin, 0.25);
+  EXPECT_GT(margin, 0.25 / 1.34);
+  const Solid less = core(pair.a, 0.25).value();
+  EXPECT_EQ(less.edges, (std::array<double, 3>{1.5, 1.5, 1.5}));
+  pair.a.edges = {2, 2, 0.125};
+  EXPECT_EQ(core(pair.a, 0.25).value().edges, (std::array<double, 3>{1.5, 1.5, 0}));
+  EXPECT_FALSE(core(pair.a, 0.1));
+  EXPECT_FALSE(core(pair.a, 4));
+}
+
 }  // namespace
 }  // namespace cyl

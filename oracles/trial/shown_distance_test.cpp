@@ -41,5 +41,18 @@ TEST(ShownDistance, IsWideWhereDirectionOrPointsAreNoGood) {
   EXPECT_EQ(shown_distance(pair, d).lo, -INFINITY);
 }
 
+TEST(ShownDistance, OfBoxes) {
+  Pair pair{{}, {{3, 4, 3}, {0, 0, 1}, 0, 0, 1}};
+  pair.a.shape = Shape::box;
+  pair.a.edges = {2, 4, 2};
+  pair.a.rounding = 0.25;
+  MeasuredDistance d = measure_with_points(pair);
+  const double gap = std::sqrt(12) - 1.25;
+  EXPECT_NEAR(shown_distance(pair, d).lo, gap, 1e-14);
+  EXPECT_NEAR(shown_distance(pair, d).hi, gap, 1e-14);
+  d.on_a += Vector3(3, 4, 0);  // outside by 5, as the way gets longer or shorter
+  EXPECT_GT(shown_distance(pair, d).hi, 4);
+}
+
 }  // namespace
 }  // namespace cyl
