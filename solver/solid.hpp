@@ -20,12 +20,12 @@ constexpr auto words_of(Shape) noexcept { return std::array{"cylinder", "half_sp
 ///    segment, with height 0 a disk, and with radius and height 0 a point. All are legal. With rounding a
 ///    segment is a capsule, a point a sphere.
 /// 2. A half-space: all points x with axis.(x - center) <= 0. It has no lengths.
-/// 3. A box, grown by a ball of radius `rounding`. Its edges have the directions R e of the three coordinate
-///    vectors e, where R is the rotation of quaternion/|quaternion| taken exactly. R has rational elements.
+/// 3. A box, grown by a ball of radius `rounding`. Its edges have the directions to which the rotation of
+///    quaternion/|quaternion| turns the coordinate vectors. The rotation is taken exactly, and it is rational.
 ///    Each edge may be 0.
 struct Solid {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, or a point of the plane, in the scene's unit
-  Vector3 axis{0, 0, 1};  ///< any finite non-zero vector; of a half-space the outward normal; a box has none
+  Vector3 axis{0, 0, 1};  ///< any finite non-zero vector, the outward normal of a half-space; a box has none
   double radius = 0;      ///< >= 0, same unit
   double height = 0;      ///< full height, >= 0, same unit
   double rounding = 0;    ///< of all edges and faces, outward, >= 0, same unit
