@@ -21,8 +21,8 @@ constexpr auto words_of(Shape) noexcept { return std::array{"cylinder", "half_sp
 ///    segment is a capsule, a point a sphere.
 /// 2. A half-space: all points x with axis.(x - center) <= 0. It has no lengths.
 /// 3. A box, grown by a ball of radius `rounding`. Its edges have the directions to which the rotation of
-///    quaternion/|quaternion| turns the coordinate vectors. The rotation is taken exactly, and it is rational.
-///    Each edge may be 0.
+///    quaternion/|quaternion| turns the coordinate vectors. The rotation is taken exactly, and it is
+///    rational. Each edge may be 0.
 struct Solid {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, or a point of the plane, in the scene's unit
   Vector3 axis{0, 0, 1};  ///< any finite non-zero vector, the outward normal of a half-space; a box has none
