@@ -98,7 +98,7 @@ struct Guest : FakeMethod {
       : FakeMethod("guest",
                    [fault](const Pair& pair) {
                      const Verdict truth = decide_exactly(pair.a, pair.b).verdict;
-                     if (!fault(pair)) return answered(truth);
+                     if (has_box(pair) || !fault(pair)) return answered(truth);
                      return answered(truth == Verdict::disjoint ? Verdict::intersecting : Verdict::disjoint);
                    },
                    {.claim = Claim{.source = "planted"}, .foreign = false, .guest = true}) {}
