@@ -121,7 +121,7 @@ class Module(unittest.TestCase):
         floor = {'shape': 'half_space', 'point': [0, 0, 0], 'normal': [0, 0, 1]}
         for function in (daylight.check, daylight.distance):
             for a, b, error in ((ball, {**ball, 'radius': -1}, r'^b.radius is negative \(-1\)$'),
-                                ({**ball, 'shape': 'cone'}, ROD, '^a.shape is "cone", expected cylinder, capsule, sphere or'),
+                                ({**ball, 'shape': 'cone'}, ROD, '^a.shape is "cone", expected cylinder, capsule, sphere, half_space or box$'),
                                 (ROD, {**ball, 'center': [0, np.nan, 0]}, r'^b.center\[1\] is NaN, expected a number$'),
                                 ({**floor, 'radius': 1}, ROD, '^a.radius is given, but a half_space has point and normal$'),
                                 ({'shape': 'box', 'center': [0, 0, 0], 'edges': [1, 2, -3]}, ROD, '^a.edges'),
