@@ -129,8 +129,13 @@ TEST(FailingRegion, ShowsWhatMatters) {
   EXPECT_TRUE(offset.low.beyond->right());
 }
 
+struct OfBoxes : FakeMethod {
+  using FakeMethod::FakeMethod;
+  bool supports(SolidKind kind) const override { return kind == SolidKind::box; }
+};
+
 TEST(FailingRegion, BoxesHaveEdgesAndTurn) {
-  const auto narrow = fake_method("narrow", [](const Pair& pair) {
+  const std::unique_ptr<Method> narrow = std::make_unique<OfBoxes>("narrow", [](const Pair& pair) {
     const bool near = approximate_distance(pair).value <= 1e-3;
     return answered(near && pair.b.edges[1] < 3 ? Verdict::intersecting : Verdict::disjoint);
   });

@@ -264,20 +264,10 @@ class SearchPath {
   }
 
   double& length(Pair& p) const {
-    switch (parameter_) {
-      case radius_a:
-        return p.a.radius;
-      case height_a:
-        return p.a.height;
-      case radius_b:
-        return p.b.radius;
-      case height_b:
-        return p.b.height;
-      default:
-        break;
-    }
     if (parameter_ >= first_edge_b) return p.b.edges[index_of(parameter_) - index_of(first_edge_b)];
-    return p.a.edges[index_of(parameter_) - index_of(first_edge_a)];
+    if (parameter_ >= first_edge_a) return p.a.edges[index_of(parameter_) - index_of(first_edge_a)];
+    Solid& c = parameter_ == radius_a || parameter_ == height_a ? p.a : p.b;
+    return parameter_ == radius_a || parameter_ == radius_b ? c.radius : c.height;
   }
   static std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
 
