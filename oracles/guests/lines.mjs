@@ -39,8 +39,9 @@ function solidOf(solid, origin) {
     const half = solid.edges.map((edge) => edge / 2), kind = rounding === 0 ? 'box' : 'rounded_box';
     return { kind, half, rounding, lengths: [...half, rounding], position, turn: unit(quaternion) };
   }
-  const halfHeight = height / 2, kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
-  return { kind, halfHeight, radius, rounding, lengths: [halfHeight, radius, rounding], position, turn: turnFromY(solid.axis) };
+  const halfHeight = height / 2, lengths = [halfHeight, radius, rounding];
+  const kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
+  return { kind, halfHeight, radius, rounding, lengths, position, turn: turnFromY(solid.axis) };
 }
 
 /** Lengths whose fourth powers single precision holds. */
