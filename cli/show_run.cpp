@@ -12,6 +12,7 @@
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
 #include "reports/run/run_summary.hpp"
+#include "reports/run/shape_table.hpp"
 #include "reports/run/tally_table.hpp"
 
 namespace cyl {
@@ -35,7 +36,7 @@ void show_run(const std::string& folder, bool table) {
   RunData run = read_run(folder, campaign_families());
   write_charts(run, {});
   write_page(run);
-  if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
+  if (table) fmt::print("{}{}", format_tallies(tally_methods(run.tallies)), format_shapes(run));
   fmt::print("{}", format_summary(run));
   if (!run.findings.empty()) {
     const std::size_t first = worst_first(run).front();

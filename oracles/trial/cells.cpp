@@ -83,6 +83,15 @@ int offset_bin(const Pair& pair, double size) {
   return off == 0 ? 0 : bin_of(off / size, ends);
 }
 
+constexpr int kinds = static_cast<int>(words_of(SolidKind{}).size());
+
+/// The pairs of kinds i <= j are numbered row by row, and all others come last.
+int shapes_bin(const Pair& pair) {
+  if (!is_ordinary(pair)) return kinds * (kinds + 1) / 2;
+  const auto [i, j] = std::minmax({static_cast<int>(kind_of(pair.a)), static_cast<int>(kind_of(pair.b))});
+  return i * kinds - i * (i - 1) / 2 + (j - i);
+}
+
 }  // namespace
 
 CellAxis margin_axis() {
@@ -94,6 +103,14 @@ CellAxis margin_axis() {
 
 CellAxis x_axis(Plane plane) {
   if (plane == Plane::scale_offset) return {"size, in the unit of length", upper_ends(scales)};
+  if (plane == Plane::shapes_margin) {
+    CellAxis axis{"shapes, at ordinary sizes", {}};
+    for (std::size_t i = 0; i < words_of(SolidKind{}).size(); ++i)
+      for (std::size_t j = i; j < words_of(SolidKind{}).size(); ++j)
+        axis.labels.push_back(fmt::format("{} {}", words_of(SolidKind{})[i], words_of(SolidKind{})[j]));
+    axis.labels.push_back("other sizes");
+    return axis;
+  }
   if (plane == Plane::aspect_margin) {
     CellAxis axis{"largest ratio of diameter, height or sizes", upper_ends(powers)};
     axis.labels.push_back("flat, thin or a point");
@@ -118,7 +135,7 @@ std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth) {
   const double size = size_of(pair);
   const int margin = margin_bin(pair, truth, size);
   return {Cell{angle_bin(pair), margin}, Cell{aspect_bin(pair), margin},
-          Cell{bin_of(size, scales), offset_bin(pair, size)}};
+          Cell{bin_of(size, scales), offset_bin(pair, size)}, Cell{shapes_bin(pair), margin}};
 }
 
 }  // namespace cyl

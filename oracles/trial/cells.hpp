@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The planes of the failure maps, and the place of a pair on them. A place is not a verdict. Margins come
-// from the solver, so the place of a pair is approximate if the pair is closer to touching than the solver's
-// rounding, about 1e-14 of its size.
+// The planes of the failure maps, and the place of a pair on them. A place is not a verdict. Margins are
+// approximate distances, so the place of a pair is approximate if the pair is closer to touching than about
+// 1e-14 of its size.
 #pragma once
 
 #include <array>
@@ -17,11 +17,12 @@
 
 namespace cyl {
 
-enum class Plane : unsigned char { angle_margin, aspect_margin, scale_offset };
+enum class Plane : unsigned char { angle_margin, aspect_margin, scale_offset, shapes_margin };
 constexpr auto words_of(Plane) noexcept {
-  return std::array{"angle-margin", "aspect-margin", "scale-offset"};
+  return std::array{"angle-margin", "aspect-margin", "scale-offset", "shapes-margin"};
 }
-inline constexpr std::array planes{Plane::angle_margin, Plane::aspect_margin, Plane::scale_offset};
+inline constexpr std::array planes{Plane::angle_margin, Plane::aspect_margin, Plane::scale_offset,
+                                   Plane::shapes_margin};
 
 /// Bins are numbered from 0, and each but the open ones is named by its upper end.
 struct CellAxis {
@@ -42,13 +43,14 @@ struct Cell {
 };
 
 /// Returns the place of a legal pair on each plane, in the order of `planes`. `truth` is its proved verdict.
-/// Cost: that of the solver's distance, and 0.1 us.
+/// Cost: that of approximate_distance(), and 0.1 us.
 /// * angle: that of the lines of the axes. Exactly parallel, decades of the sine, oblique, decades of the
 ///   cosine, exactly perpendicular.
 /// * aspect: the largest of three ratios, infinite if a length is 0. They are diameter to height of either
 ///   solid, height to diameter, and size of one solid (radius + height) to that of the other.
 /// * scale: the size of the pair.
 /// * offset: the largest coordinate of a centre, divided by the size.
+/// * shapes: the kinds of both solids in either order, if the pair is_ordinary(), else the last bin.
 std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth);
 
 }  // namespace cyl

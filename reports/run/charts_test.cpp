@@ -96,16 +96,16 @@ TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
   const std::vector<FailureMap> maps = failure_maps(read_run(folder, {}));
   ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent method was not asked
   EXPECT_EQ(maps[0].method, "good");
-  EXPECT_EQ(maps[3].method, "bad");
-  EXPECT_EQ(maps[3].plane, Plane::angle_margin);
-  const MapCell* near = cell_at(maps[3], beside(3e-7), Verdict::disjoint);
+  EXPECT_EQ(maps[planes.size()].method, "bad");
+  EXPECT_EQ(maps[planes.size()].plane, Plane::angle_margin);
+  const MapCell* near = cell_at(maps[planes.size()], beside(3e-7), Verdict::disjoint);
   ASSERT_TRUE(near);
   EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));  // both sides of touching
   EXPECT_EQ(near->finding, 3);                                    // not the distance, not the undecided pair
-  const MapCell* far = cell_at(maps[3], beside(1), Verdict::disjoint);
+  const MapCell* far = cell_at(maps[planes.size()], beside(1), Verdict::disjoint);
   ASSERT_TRUE(far);
   EXPECT_FALSE(far->finding);  // no failure was counted there, only seen in a dispute
-  EXPECT_FALSE(cell_at(maps[3], beside(0), Verdict::touching));
+  EXPECT_FALSE(cell_at(maps[planes.size()], beside(0), Verdict::touching));
   EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
 }
 
@@ -139,14 +139,14 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   const json all = charts();
   EXPECT_EQ(all, run.charts);
   EXPECT_EQ(all["paths"], parse_json("[1]"));
-  const json& cell = all["maps"][3]["cells"][1];
+  const json& cell = all["maps"][planes.size()]["cells"][1];
   for (const char* field : {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "declined",
                             "within_intersecting", "finding"})
     EXPECT_TRUE(cell.contains(field)) << field;
   for (const char* zero : {"undecided", "within_disjoint"}) EXPECT_FALSE(cell.contains(zero)) << zero;
-  EXPECT_EQ(all["maps"][3]["plane"], "angle-margin");
-  EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
-  EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
+  EXPECT_EQ(all["maps"][planes.size()]["plane"], "angle-margin");
+  EXPECT_EQ(all["maps"][planes.size()]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
+  EXPECT_EQ(all["maps"][planes.size()]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
   EXPECT_EQ(all["calibration"][1]["bins"][1],
             parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,
               "declined":1,"within_disjoint":0,"within_intersecting":1})"));

@@ -12,6 +12,7 @@ const planes = [
   ["angle-margin", "Angle of the axes and margin"],
   ["aspect-margin", "Aspect and margin"],
   ["scale-offset", "Scale and offset"],
+  ["shapes-margin", "Shapes and margin"],
 ] as const;
 
 function outcomesOf(c: MapCell): Outcomes {
