@@ -221,6 +221,12 @@ TEST(Box, KnownVerdictsWithRoundedCylinders) {
       {"rim on an edge 3-4-5", {cube, rod({9, 0, 6}, {0, 0, 1}, 5, 2, 5)}, touch},
       {"rim on an edge, too far", {cube, rod({9, 0, 6 + 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, apart},
       {"rim on an edge, too near", {cube, rod({9, 0, 6 - 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, meet},
+      {"side beside a face by next to nothing",
+       {box({0, -1, 0}, {2, 2, 2}), rod({6, 0x1p-300, 0}, {0, 0, 1}, 2, 2, 3)},
+       apart},
+      {"rim on a corner, long numbers",
+       {cube, rod({7 - 63 * 0x1p-46, 1, 6 - 84 * 0x1p-46}, {0, 0, 1}, 3, 2, 5 - 105 * 0x1p-46)},
+       touch},
       {"disk on a face", {cube, rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)}, touch},
       {"rectangle on a disk",
        {box({0, 0, 0}, {2, 2, 0}, {1, 0, 0, 0}, 1), rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)},
@@ -386,8 +392,7 @@ TEST(Box, EveryVerdictNearTouchingIsProved) {
   for (std::uint64_t i = 0; i < many; ++i) {
     const Pair pair = draw.pair();
     const Verdict verdict = verdict_of(pair);
-    ASSERT_NE(verdict, Verdict::undecided) << format_pair(pair);
-    ASSERT_NE(verdict, Verdict::invalid) << format_pair(pair);
+    ASSERT_LE(verdict, Verdict::touching) << format_pair(pair);
   }
 }
 
