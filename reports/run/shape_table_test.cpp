@@ -24,7 +24,7 @@ TEST(ShapeTable, NamesTheMethodTheShapesAndTheWidestMargin) {
                {"angle-margin", cell.x, cell.y, {{}, {.asked = 1, .wrong_disjoint = 1}}}};
   const std::string text = format_shapes(run);
   const std::string line =
-      fmt::format("\n{:<27}{:<24}{:>11}{:>14}{:>11}  1e-1\n", "sphere box", "bad", 10, 1, "10.000 %");
+      fmt::format("\n{:<27}{:<30}{:>11}{:>14}{:>11}  1e-1\n", "sphere box", "bad", 10, 1, "10.000 %");
   EXPECT_NE(text.find(line), std::string::npos) << text;
   EXPECT_EQ(text.find("good"), std::string::npos);
 }
