@@ -19,7 +19,10 @@ struct Prepared {
   bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
   bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
   bool ball;      ///< `moderate`, and a point or a sphere
+  Shape shape;      ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
   double rounding;  ///< as given
+  Vector3 second_axis{0, 0, 0};  ///< of a box: along its second edge; of a half-space: `axis` as given
+  Vector3 edges{0, 0, 0};        ///< of a box: as given; its unit_axis is along the first
 };
 
 /// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
