@@ -124,6 +124,23 @@ Vector3 BoxView::nearest_to(const Vector3& x) const noexcept {
               clamped(dot(y, e[2]), half1[2]) * e[2]);
 }
 
+double BoxView::bend(const Vector3& x, const Vector3& g) const noexcept {
+  const Vector3 y = x - d;
+  double sum = 0;
+  if (box) {
+    for (int j = 0; j < 3; ++j)
+      if (std::fabs(dot(y, e[j])) > half1[j]) sum += square(dot(g, e[j]));
+    return sum;
+  }
+  const double along = dot(y, e[0]), g_along = dot(g, e[0]);
+  if (std::fabs(along) > h) sum = square(g_along);
+  const Vector3 across = y - along * e[0], g_across = g - g_along * e[0];
+  const double away = length(across);
+  if (!(away > r)) return sum;
+  const double radial = square(dot(g_across, across) / away);
+  return sum + radial + positive(dot(g_across, g_across) - radial) * (1 - r / away);
+}
+
 int separating_axis(const BoxView& v) noexcept {
   return v.box ? separating_box_axis(v) : separating_cylinder_axis(v);
 }

@@ -111,25 +111,6 @@ class BoxDistance {
   double reach_, best_ = -0x1p1000;
 };
 
-// A point of a core that is farthest along n.
-Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
-  if (c.shape == Shape::box) {
-    const Edges edges(c);
-    const Vector3 along = edges.seen(n);
-    Vector3 x(0, 0, 0);
-    for (int i = 0; i < 3; ++i)
-      if (along[i] != 0) x[i] = std::copysign(0.5 * c.edges[i], along[i]);
-    return edges.world(x);
-  }
-  const Vector3& w = c.unit_axis;
-  const double along = dot(n, w);
-  Vector3 across = n - along * w;
-  across -= dot(across, w) * w;
-  const double size = length(across);
-  const Vector3 cap = std::copysign(0.5 * c.height, along) * w;
-  return size > separation_error ? Vector3(cap + (c.radius / size) * across) : cap;
-}
-
 Distance distance_from_plane(const ShapePair& p) noexcept {
   const AbovePlane above(p.a, p.b, 0);
   const Vector3 delta = p.b.center - p.a.center;

@@ -45,36 +45,27 @@ class Nearest {
     return best_.apart = gap > 0 && gap * gap > contact_ * contact_ * square;
   }
 
-  // The edge p + t g, |t| <= 1. The square of the distance is convex in t.
+  // The edge p + t g, |t| <= 1. The square of the distance is convex in t: Newton's method with a bracket.
   bool look_along(const Vector3& p, const Vector3& g) noexcept {
     const double size = dot(g, g);
-    double t = size > 0 ? smaller(1, larger(-1, dot(best_.on1 - p, g) / size)) : 0;
-    double lo = -1, hi = 1, slope_lo = 0, slope_hi = 0, factor = 1;
+    double t = size > 0 ? smaller(1, larger(-1, dot(best_.on1 - p, g) / size)) : 0, lo = -1, hi = 1;
     bool saw_lo = false, saw_hi = false;
     for (int i = 0; i < edge_step_cap; ++i) {
       const Vector3 x = p + t * g, y = v_.nearest_to(x), way = y - x;
       if (consider(x, y)) return true;
       const double slope = -dot(way, g), square = dot(way, way);
-      // The distance anywhere on the rest of the edge is at least this.
-      const double rest = slope < 0 ? hi - t : t - lo, distance = std::sqrt(square);
-      const double least = square - std::fabs(slope) * rest;
-      if (slope == 0 || least >= (std::sqrt(best_.square) - unit_roundoff_error * reach_) * distance)
+      // The distance anywhere on the rest of the edge is at least `least` over the distance here.
+      const double rest = slope < 0 ? hi - t : t - lo, least = square - std::fabs(slope) * rest;
+      if (slope == 0 || least >= (std::sqrt(best_.square) - unit_roundoff_error * reach_) * std::sqrt(square))
         return false;
-      if (slope > 0) {
-        if (saw_hi && saw_lo) slope_lo *= 0.5;  // the Illinois rule
-        hi = t, slope_hi = slope, saw_hi = true;
-      } else {
-        if (saw_hi && saw_lo) slope_hi *= 0.5;
-        lo = t, slope_lo = slope, saw_lo = true;
-      }
-      double next;
-      if (saw_lo & saw_hi) {
-        next = i % 4 == 3 ? 0.5 * (lo + hi) : lo - slope_lo * (hi - lo) / (slope_hi - slope_lo);
-        if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-      } else {
-        // No bend is greater than `size`.
-        next = smaller(hi, larger(lo, t - factor * slope / size));
-        factor *= 4;
+      (slope > 0 ? hi : lo) = t;
+      (slope > 0 ? saw_hi : saw_lo) = true;
+      double next = t - slope / v_.bend(x, g);  // may be infinite
+      if (!(next > lo && next < hi)) {
+        if (slope > 0 ? saw_lo : saw_hi)
+          next = 0.5 * (lo + hi);
+        else
+          next = slope > 0 ? lo : hi;
       }
       if (next == t || hi - lo < 0x1p-60) return false;
       t = next;
@@ -110,9 +101,11 @@ class Nearest {
     for (int i = 0; i < 3; ++i) {
       Vector3 down(0, 0, 0);
       down[i] = v_.d[i] < 0 ? 1 : -1;
+      // Made square to the axis twice: of a level cap, little is left of it.
       Vector3 rim = down - dot(down, v_.e[0]) * v_.e[0];
+      rim -= dot(rim, v_.e[0]) * v_.e[0];
       const double size = length(rim);
-      if (size > 0) rim *= v_.r / size;
+      rim *= size > separation_error ? v_.r / size : 0;
       for (const double end : {v_.h, -v_.h}) {
         const Vector3 middle = v_.d + end * v_.e[0], at = middle + rim;
         if (consider(clamped(at, v_.half), at) || consider(clamped(middle, v_.half), middle)) return true;

@@ -34,7 +34,7 @@ class BoxProof {
     for (int i = 0; i < 3; ++i) {
       shrunk_.half[i] -= by;
       shrunk_.half1[i] -= by;
-      flat_ |= shrunk_.half[i] < by || (view_.box && shrunk_.half1[i] < by);
+      flat_ |= shrunk_.half[i] < 0 || (view_.box && shrunk_.half1[i] < 0);
     }
     shrunk_.r = line ? 0 : view_.r - by;
     shrunk_.h = plane ? 0 : view_.h - by;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The signed distance of two cylinders with the points and the direction that show it. Nothing here prints,
+// The signed distance of two solids with the points and the direction that show it. Nothing here prints,
 // throws, allocates, aborts or keeps state. The mathematics, in the symbols of the code: distance.md.
 #pragma once
 
@@ -48,6 +48,8 @@ struct Distance {
   /// True if no direction has a depth that is smaller by more than 4 * error.
   /// * Overlapping: true is proved (distance.md, section 6). If false, such a direction may exist.
   ///   distance.md, section 4, has the rates by family.
+  /// * A box that overlaps a cylinder with a radius: false. The least of 4 circles of directions is taken, by
+  ///   samples (boxes.md, section 7). Any other pair with a box or a half-space: true.
   /// * Apart: false, because `error` is the bound.
   bool least = false;
   int iterations = 0;  ///< at most distance_step_cap

@@ -21,6 +21,24 @@ double core_size(const Prepared& c) noexcept {
   return c.radius + 0.5 * (c.height + c.edges[0] + c.edges[1] + c.edges[2]);
 }
 
+Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
+  if (c.shape == Shape::box) {
+    const Edges edges(c);
+    const Vector3 along = edges.seen(n);
+    Vector3 x(0, 0, 0);
+    for (int i = 0; i < 3; ++i)
+      if (along[i] != 0) x[i] = std::copysign(0.5 * c.edges[i], along[i]);
+    return edges.world(x);
+  }
+  const Vector3& w = c.unit_axis;
+  const double along = dot(n, w);
+  Vector3 across = n - along * w;
+  across -= dot(across, w) * w;
+  const double size = length(across);
+  const Vector3 cap = std::copysign(0.5 * c.height, along) * w;
+  return size > separation_error ? Vector3(cap + (c.radius / size) * across) : cap;
+}
+
 // n.(C - P) in twice the digits, for solids that are far from the point of the plane.
 double AbovePlane::precisely(const Prepared& plane, const Prepared& c) noexcept {
   const int exponent = exponent_of(max_abs(plane.second_axis));
@@ -41,7 +59,7 @@ AbovePlane::AbovePlane(const Prepared& plane, const Prepared& c, double contact)
     const double above = precisely(plane, c);
     gap = above - support;
     // Twice the digits leave 2^-97 of the vector.
-    error = box_error * (size + std::fabs(above)) + 0x1p-40 * error;
+    error = precise_plane_error * (size + std::fabs(above)) + 0x1p-40 * error;
   }
 }
 
@@ -64,28 +82,20 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
   if (!(gap < p.contact - 8 * error)) return;
   // The lowest point of the core, moved inwards.
   const double inwards = 2 * error;
-  Vector3 x(0, 0, 0);
+  Prepared inner = c;
   Hull hull = Hull::space;
   if (c.shape == Shape::box) {
-    const Edges edges(c);
-    for (int i = 0; i < 3; ++i) {
-      const double room = 0.5 * c.edges[i] - inwards;
-      if (!(room > error)) return;
-      x -= std::copysign(room, dot(n, edges.e[i])) * edges.e[i];
-    }
+    for (int i = 0; i < 3; ++i) inner.edges[i] -= 2 * inwards;
+    if (!((inner.edges.array() > 2 * error).all())) return;
   } else {
-    const double r = c.radius, h = 0.5 * c.height;
-    hull = hull_of(r, h, r + h);
-    const Vector3& w = c.unit_axis;
-    const Vector3 across = dot(n, w) * w - n;
-    const double size = length(across), along = std::copysign(larger(0, h - inwards), dot(n, w));
-    if (hull != Hull::plane && hull != Hull::center) x -= along * w;
-    // Of a level cap, its middle serves.
-    if (hull != Hull::line && hull != Hull::center && size > 0)
-      x += (larger(0, r - inwards) * smaller(1, size * 0x1p40) / size) * across;
-    const Place at(x, w);
-    if (!at.inside(r, h, hull, error)) return;
+    hull = hull_of(c.radius, 0.5 * c.height, core_size(c) + p.contact);
+    const bool line = (hull == Hull::line) | (hull == Hull::center);
+    const bool plane = (hull == Hull::plane) | (hull == Hull::center);
+    inner.radius = line ? 0 : c.radius - inwards;
+    inner.height = plane ? 0 : c.height - 2 * inwards;
   }
+  const Vector3 x = farthest_of(inner, -n);
+  if (c.shape != Shape::box && !Place(x, c.unit_axis).inside(c.radius, 0.5 * c.height, hull, error)) return;
   const Vector3 tail = times_power(x, p.exponent), given = times_power(tail, -p.exponent);
   // The support of the core, less by what it was moved.
   const double height = gap + core_support(c, n) + dot(n, given);
@@ -94,12 +104,12 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
   answer.hull_b = hull;
   answer.proof = Proof::points;
   answer.point_tail = tail;
-  if (height < -4 * error && hull == Hull::space) {
+  if (height < -4 * error) {
     answer.proof = Proof::point;
     return;
   }
   // A point of the half-space below it. Seen from the point of the plane, its coordinates may be rough.
-  const double rough = box_error * length(delta);
+  const double rough = 6 * unit_roundoff_error * length(delta);
   answer.point_head = times_power(delta + given - larger(0, height + 2 * error + rough) * n, p.exponent);
   if (!(larger(0, height + 4 * error + 2 * rough) < p.contact)) answer = Answer{};
 }

@@ -23,7 +23,7 @@ std::optional<Solid> core(Solid c, double least);
 /// lengths overflows, as an offset to a common point may.
 std::optional<Pair> cores(const Pair& pair, double least);
 
-/// Returns whether a method with this promise must decide the pair: more than its rounding is proved to lie
+/// Returns whether a method with this promise must decide the pair: it has no box, and more than its rounding is proved to lie
 /// between the solids or to be common to them. Costs an enclosure, or a verdict on the cores.
 bool must_decide(DecisionScope promised, Trial& proved);
 

@@ -12,8 +12,10 @@ namespace cyl {
 /// A bound on the rounding error of f(D) over |D|, and of the distance of a point from a facet, if a box
 /// takes part. The unit is the reach (boxes.md, section 6).
 inline constexpr double box_error = 64 * unit_roundoff_error;
-/// By how much decide() shrinks cores before it looks for a common point, of the reach: four times box_error.
-inline constexpr double box_slack_tol = 4 * box_error;
+/// The same of a half-space and a solid that is near it, if that is measured in twice the digits.
+inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
+/// By how much decide() shrinks cores before it looks for a common point, of the reach.
+inline constexpr double box_slack_tol = 2.5 * box_error;
 
 Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
@@ -41,6 +43,8 @@ inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) no
 /// The support of a core about its centre, and a bound of it for unit vectors.
 double core_support(const Prepared& c, const Vector3& d) noexcept;
 double core_size(const Prepared& c) noexcept;
+/// A point of the core that is farthest along n, from its centre.
+Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
 
 Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept;
 /// -f(n), the signed distance of a core from the plane, and a bound of its error. `contact`: the number that
@@ -72,6 +76,8 @@ struct BoxView {
   double gap(const Vector3& d) const noexcept;
   /// The point of the other core that is nearest to x.
   Vector3 nearest_to(const Vector3& x) const noexcept;
+  /// The second derivative along g of half the square of the distance of x from the other core.
+  double bend(const Vector3& x, const Vector3& g) const noexcept;
 
   Edges edges;             ///< of the box, in the scene
   Vector3 half;            ///< of the box
