@@ -101,7 +101,7 @@ class Nearest {
     for (int i = 0; i < 3; ++i) {
       Vector3 down(0, 0, 0);
       down[i] = v_.d[i] < 0 ? 1 : -1;
-      // Made square to the axis twice: of a level cap, little is left of it.
+      // Made square to the axis twice, because little is left over a level cap.
       Vector3 rim = down - dot(down, v_.e[0]) * v_.e[0];
       rim -= dot(rim, v_.e[0]) * v_.e[0];
       const double size = length(rim);

@@ -101,7 +101,7 @@ class BoxProof {
     return true;
   }
 
-  // What a vector in the unit becomes if it is handed out.
+  // A vector in the unit, as it is after it was handed out.
   Vector3 given(const Vector3& tail) const noexcept { return times_power(tail, -p_.exponent); }
 
   // `more`: how far the point of the hull may be from x.

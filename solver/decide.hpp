@@ -11,18 +11,18 @@ namespace cyl {
 /// A solid checked and brought to working form once, for use in many pairs. Make it with prepare().
 struct Prepared {
   Vector3 center;     ///< as given
-  Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of exact.
-                      ///< Of a half-space the outward normal, of a box along its first edge
-  double radius;      ///< as given
-  double height;      ///< as given
-  Defect defect;      ///< if not `none`, every call returns `invalid`
-  bool ordinary;      ///< `moderate` and not rounded
+  Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of
+                      ///< exact. It is the outward normal of a half-space, and the first edge of a box
+  double radius;  ///< as given
+  double height;  ///< as given
+  Defect defect;  ///< if not `none`, every call returns `invalid`
+  bool ordinary;  ///< `moderate` and not rounded
   bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
   bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
   bool ball;      ///< `moderate`, and a point or a sphere
-  Shape shape;      ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
-  double rounding;  ///< as given
-  Vector3 second_axis{0, 0, 0};  ///< of a box: along its second edge; of a half-space: `axis` as given
+  Shape shape;    ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
+  double rounding;               ///< as given
+  Vector3 second_axis{0, 0, 0};  ///< the second edge of a box, or `axis` of a half-space as given
   Vector3 edges{0, 0, 0};        ///< of a box: as given
 };
 
@@ -49,8 +49,8 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances if squares underflow, relative to the largest length
 
-/// Checks the solid and normalises its axis or quaternion of any length. Call it once for each solid: intersect() then
-/// costs a third as much. Never throws; the defect is in the result.
+/// Checks the solid and normalises its axis or quaternion of any length. Call it once for each solid:
+/// intersect() then costs a third as much. Never throws; the defect is in the result.
 Prepared prepare(const Solid& c) noexcept;
 
 /// Which certificate an answer carries.
@@ -80,8 +80,7 @@ struct Answer {
 /// arguments bit for bit. Cost: about 90 operations in most cases. The other cases add three roots and two
 /// divisions. If a side meets a rim, they also add two steps on average, each of two roots and three
 /// divisions.
-/// With a box or a half-space it is right for the same margins. Of two half-spaces it is `invalid`. Costs on
-/// random pairs, in units of two cylinders: COSTS
+/// With a box or a half-space it is right for the same margins. Two half-spaces are `invalid`.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Solid& a, const Solid& b) noexcept;
 

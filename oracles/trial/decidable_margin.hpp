@@ -23,8 +23,8 @@ std::optional<Solid> core(Solid c, double least);
 /// lengths overflows, as an offset to a common point may.
 std::optional<Pair> cores(const Pair& pair, double least);
 
-/// Returns whether a method with this promise must decide the pair: it has no box, and more than its rounding is proved to lie
-/// between the solids or to be common to them. Costs an enclosure, or a verdict on the cores.
+/// Returns whether a method with this promise must decide the pair: more than its rounding is proved to lie
+/// between the solids or to be common to them. A pair with a box need not be decided above 1e-13. Costs an enclosure, or a verdict on the cores.
 bool must_decide(DecisionScope promised, Trial& proved);
 
 /// Returns how far beyond rounding an undecided pair is, relative to its size, as computed by the solver: the

@@ -92,9 +92,9 @@ inline Vector3 clamped(const Vector3& x, const Vector3& half) noexcept {
   return {clamped(x[0], half[0]), clamped(x[1], half[1]), clamped(x[2], half[2])};
 }
 
-/// The directions that are tried first. Of two boxes: their normals, then the products of their edges. For
-/// two boxes, and for a box and a segment, they decide. For a cylinder: the normals, the axis, its products
-/// with the edges, and the way to the nearest point of the box.
+/// The directions that are tried first. For two boxes they are the normals and the products of the edges. For
+/// a cylinder they are the normals, the axis, its products with the edges, and the way to the nearest point
+/// of the box. They decide two boxes, and a box and a segment.
 inline constexpr int box_axes = 15, cylinder_axes = 8;
 /// Returns the first that separates, or -1.
 int separating_axis(const BoxView& v) noexcept;
@@ -105,7 +105,7 @@ struct ClippedBox {
   bool meets = false;        ///< it is in the cylinder
   Vector3 at{0, 0, 0};       ///< the point
   Vector3 out{0, 0, 0};      ///< from the axis
-  int edge = -1;             ///< it lies on an edge along this; -1: in a facet
+  int edge = -1;             ///< it lies on an edge along this, or in a facet if -1
   double square = 0x1p1000;  ///< of its distance from the axis
 };
 /// A box and a cylinder whose radius is > 0.
