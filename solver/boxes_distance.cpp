@@ -9,8 +9,6 @@
 namespace cyl {
 namespace {
 
-// If the cores touch within this times the reach, the way between their points may be rounding.
-constexpr double touching_tol = 0x1p-20;
 // How far apart overlapping cores are moved to find where they touch, of the reach.
 constexpr double parted_tol = 0x1p-46;
 
@@ -30,8 +28,9 @@ class BoxDistance {
       const NearestPoints found = nearest_points(view_, -1);
       out.iterations = found.steps;
       const double most = std::sqrt(found.square);
-      consider(found.on1 - found.on0);
-      if (most < touching_tol * reach_) look_along_axes();
+      Vector3 directions[direction_cap];
+      const int count = find_directions(view_, found.on1 - found.on0, directions);
+      for (int i = 0; i < count; ++i) consider(directions[i]);
       if (best_ > 0) {
         out.value = best_;
         out.error += larger(0, most - best_);

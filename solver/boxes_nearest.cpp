@@ -137,6 +137,27 @@ bool middle_of_part(const Vector3& from, const Vector3& g, const Vector3& half, 
 
 }  // namespace
 
+int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direction_cap]) noexcept {
+  int count = 0;
+  for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);
+  for (const double square_tol : {0.0, 0x1p-26, 0x1p-10}) {
+    Vector3 d = way;
+    const double most = square_tol * length(way);
+    for (int j = 0; j < (v.box ? 3 : 1); ++j)
+      if (std::fabs(dot(d, v.e[j])) < most) d -= dot(d, v.e[j]) * v.e[j];
+    for (int i = 0; i < 3; ++i)
+      if (std::fabs(d[i]) < most) d[i] = 0;
+    found[count++] = d;
+  }
+  if (v.box || v.r == 0) return count;
+  const ClippedBox clipped = clip(v);
+  found[count++] = clipped.out;
+  if (clipped.edge < 0) return count;
+  const Vector3 edge(clipped.edge == 0, clipped.edge == 1, clipped.edge == 2);
+  found[count++] = v.e[0].cross(clipped.out).cross(edge);
+  return count;
+}
+
 NearestPoints nearest_points(const BoxView& v, double contact) noexcept { return Nearest(v, contact).run(); }
 
 bool find_common_point(const BoxView& v, Vector3& at) noexcept {

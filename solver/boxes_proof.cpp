@@ -48,7 +48,8 @@ class BoxProof {
     if (axis >= 0 && try_direction(axis_of(view_, axis))) return true;
     Vector3 at;
     if (!flat_ && find_common_point(shrunk_, at) && try_point(at)) return true;
-    return try_all_axes();
+    const NearestPoints found = nearest_points(view_, -1);
+    return try_directions(found.on1 - found.on0);
   }
 
   bool prove_near() noexcept {
@@ -59,7 +60,7 @@ class BoxProof {
       if (try_points(on1, on1)) return true;
       const SegmentPoint again = nearest_on_segment(shrunk_, 0);
       const Vector3 nearest = view_.d + again.t * view_.e[0];
-      return try_points(nearest, nearest) || try_all_axes();
+      return try_points(nearest, nearest) || try_directions(found.way);
     }
     const NearestPoints found = nearest_points(view_, p_.contact);
     if (found.apart ? try_direction(found.on1 - found.on0) : try_points(found.on0, found.on1)) return true;
@@ -67,24 +68,15 @@ class BoxProof {
     if (!flat_ && separating_axis(shrunk_) < 0 && find_common_point(shrunk_, at) && try_point(at))
       return true;
     const NearestPoints all = nearest_points(view_, -1);
-    return try_points(all.on0, all.on1) || try_direction(all.on1 - all.on0) || try_all_axes();
+    return try_points(all.on0, all.on1) || try_directions(all.on1 - all.on0);
   }
 
-  bool try_all_axes() noexcept {
-    for (int i = 0; i < (view_.box ? box_axes : cylinder_axes); ++i)
-      if (try_direction(axis_of(view_, i))) return true;
-    if (view_.box || view_.r == 0) return false;
-    const ClippedBox clipped = clip(view_);
-    if (clipped.meets) return false;
-    if (try_direction(clipped.out) || try_direction(Vector3(-clipped.out))) return true;
-    if (clipped.edge >= 0) {
-      Vector3 edge(0, 0, 0);
-      edge[clipped.edge] = 1;
-      const Vector3 tangent = view_.e[0].cross(clipped.out);
-      if (try_direction(tangent.cross(edge))) return true;
-    }
-    const NearestPoints found = nearest_points(view_, -1);
-    return try_direction(found.on1 - found.on0);
+  bool try_directions(const Vector3& way) noexcept {
+    Vector3 found[direction_cap];
+    const int count = find_directions(view_, way, found);
+    for (int i = 0; i < count; ++i)
+      if (try_direction(found[i])) return true;
+    return false;
   }
 
   // f(D) < 0 beyond rounding. D is given along the edges of the box.
