@@ -31,7 +31,7 @@ struct Distance {
   /// * Apart: |value - exact| <= error, always. It is the distance of the two points minus the gap
   ///   that `direction` proves, plus rounding. On all pairs tried it is at most 1e-13 * (size + |Delta|), or
   ///   2^-1071 if that is subnormal (distance.md, section 4). If it is more, pass it on to your user.
-  ///   With a box, 1 in 400 pairs near contact has more, up to 1e-10.
+  ///   With a box, more is reported for gaps below 1e-8 of nearly parallel edges, up to 1e-10.
   /// * Overlapping: the exact depth is at most -value + error, always. See `least`.
   double error = 0;
   /// A unit vector that points from a to b (up to rounding). If b moves along it by error - value or more,
