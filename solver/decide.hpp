@@ -13,10 +13,10 @@ struct Prepared {
   Vector3 center;     ///< as given
   Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of
                       ///< exact. It is the outward normal of a half-space, and the first edge of a box
-  double radius;  ///< as given
-  double height;  ///< as given
-  Defect defect;  ///< if not `none`, every call returns `invalid`
-  bool ordinary;  ///< `moderate` and not rounded
+  double radius;      ///< as given
+  double height;      ///< as given
+  Defect defect;      ///< if not `none`, every call returns `invalid`
+  bool ordinary;      ///< `moderate` and not rounded
   bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
   bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
   bool ball;      ///< `moderate`, and a point or a sphere
