@@ -102,7 +102,8 @@ class MeasureDistance final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind) const override { return true; }
+  /// The depth of a box and a cylinder is not proved.
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
