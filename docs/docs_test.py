@@ -26,7 +26,7 @@ TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 
 PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
 PROSE = PAGES + [
     ROOT / name for name in ('corpus/cases/README.md', 'reports/schemas/README.md', 'solver/derivation.md',
-                             'solver/distance.md', 'solver/rounded.md')]
+                             'solver/distance.md', 'solver/rounded.md', 'solver/boxes.md')]
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',

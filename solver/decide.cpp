@@ -12,7 +12,7 @@
 #include "solver/detail/both_solids.hpp"
 #include "solver/detail/optimum.hpp"
 #include "solver/detail/prove_with_slack.hpp"
-#include "solver/detail/rounded.hpp"
+#include "solver/detail/shapes.hpp"
 
 namespace cyl {
 namespace {
@@ -328,8 +328,10 @@ template <bool ordinary>
 
 // Not inlined, to keep the common path small.
 [[gnu::noinline]] Answer decide_other(const Prepared& a, const Prepared& b) noexcept {
-  if (a.rounding + b.rounding > 0 && a.defect == Defect::none && b.defect == Defect::none)
-    return decide_rounded(a, b, 0);
+  if (a.defect == Defect::none && b.defect == Defect::none) {
+    if (has_other_shape(a, b)) return decide_shapes(a, b, 0);
+    if (a.rounding + b.rounding > 0) return decide_rounded(a, b, 0);
+  }
   return decide_cores<false>(a, b);
 }
 

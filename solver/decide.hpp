@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The decision: do two cylinders intersect? Nothing here prints, throws, allocates, aborts or keeps state.
-// The mathematics, in the symbols of the code: derivation.md.
+// The decision: do two solids intersect? Nothing here prints, throws, allocates, aborts or keeps state.
+// The mathematics, in the symbols of the code: derivation.md, rounded.md and boxes.md.
 #pragma once
 
 #include "solver/detail/iteration_cap.hpp"
@@ -8,10 +8,11 @@
 
 namespace cyl {
 
-/// A cylinder checked and brought to working form once, for use in many pairs. Make it with prepare().
+/// A solid checked and brought to working form once, for use in many pairs. Make it with prepare().
 struct Prepared {
   Vector3 center;     ///< as given
-  Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of exact
+  Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of
+                      ///< exact. It is the outward normal of a half-space, and the first edge of a box
   double radius;      ///< as given
   double height;      ///< as given
   Defect defect;      ///< if not `none`, every call returns `invalid`
@@ -19,7 +20,10 @@ struct Prepared {
   bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
   bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
   bool ball;      ///< `moderate`, and a point or a sphere
-  double rounding;  ///< as given
+  Shape shape;    ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
+  double rounding;               ///< as given
+  Vector3 second_axis{0, 0, 0};  ///< the second edge of a box, or `axis` of a half-space as given
+  Vector3 edges{0, 0, 0};        ///< of a box: as given
 };
 
 /// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
@@ -45,8 +49,8 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances if squares underflow, relative to the largest length
 
-/// Checks the cylinder and normalises its axis of any length. Call it once for each solid: intersect() then
-/// costs a third as much. Never throws; the defect is in the result.
+/// Checks the solid and normalises its axis or quaternion of any length. Call it once for each solid:
+/// intersect() then costs a third as much. Never throws; the defect is in the result.
 Prepared prepare(const Solid& c) noexcept;
 
 /// Which certificate an answer carries.
@@ -76,6 +80,7 @@ struct Answer {
 /// arguments bit for bit. Cost: about 90 operations in most cases. The other cases add three roots and two
 /// divisions. If a side meets a rim, they also add two steps on average, each of two roots and three
 /// divisions.
+/// With a box or a half-space it is right for the same margins. Two half-spaces are `invalid`.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Solid& a, const Solid& b) noexcept;
 
@@ -88,6 +93,9 @@ Verdict intersect(const Solid& a, const Solid& b) noexcept;
 /// * An overlap of two flat solids may stay undecided if both are segments, or if one is a point. The same
 ///   holds if a disk crosses a disk or a segment at a small angle.
 /// * None of this holds for subnormal lengths.
+/// * With a box or a half-space, an overlap may stay undecided if an edge of a box is below 2 t. It may also
+///   stay undecided if a half-space and a rounded solid have in common less than 1e-15 of the distance of the
+///   centres.
 /// Cost: three times that of intersect(), twice if the axes are parallel. It takes up to 0.3 ms within 1e-11
 /// of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;

@@ -273,8 +273,10 @@ class Search : BestDirection {
       if (low_ < before && come_to_plane()) return;
     }
     const Vector3 moved = p_.delta + low_ * direction_;
-    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false, 0}, b = a;
-    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, 0};
+    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false,
+               Shape::cylinder,  0},
+        b = a;
+    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, Shape::cylinder, 0};
     for (const double overlap : touch_tols) {
       b.center = moved - overlap * reach_ * direction_;
       const Answer answer = decide(a, b);
@@ -301,6 +303,24 @@ class Search : BestDirection {
 
 }  // namespace
 
+void bring_to_scene(Distance& out, int exponent) noexcept {
+  // In two factors, since one may be out of range.
+  const int half = exponent / 2;
+  auto scaled = [&](double x) { return in_range(x * power_of_two(half) * power_of_two(exponent - half)); };
+  out.value = scaled(out.value);
+  // A gap that is not a double in the scene's unit is still not a gap of 0.
+  if (out.verdict == Verdict::disjoint)
+    out.value = larger(out.value, std::numeric_limits<double>::denorm_min());
+  // If they are subnormal, value, error and points are rounded once or twice more. For the nine numbers of
+  // the points, this is below the following bound in total.
+  constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();
+  out.error = scaled(out.error) + subnormal_error;
+  for (int i = 0; i < 3; ++i) {
+    out.on_a[i] = scaled(out.on_a[i]);
+    out.on_b[i] = scaled(out.on_b[i]);
+  }
+}
+
 Distance distance_of_cores(const Prepared& a, const Prepared& b, bool grows) noexcept {
   Distance out;
   const bool swapped = out_of_order(a, b);
@@ -323,25 +343,7 @@ Distance distance_of_cores(const Prepared& a, const Prepared& b, bool grows) noe
     search.report(out);
   }
   out.verdict = out.value > 0 ? Verdict::disjoint : Verdict::intersecting;
-  if (p.exponent != 0) {
-    // In two factors, since one may be out of range.
-    const int half = p.exponent / 2;
-    auto scaled = [&](double x) {
-      return in_range(x * power_of_two(half) * power_of_two(p.exponent - half));
-    };
-    out.value = scaled(out.value);
-    // A gap that is not a double in the scene's unit is still not a gap of 0.
-    if (out.verdict == Verdict::disjoint)
-      out.value = larger(out.value, std::numeric_limits<double>::denorm_min());
-    // If they are subnormal, value, error and points are rounded once or twice more. For the nine numbers of
-    // the points, this is below the following bound in total.
-    constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();
-    out.error = scaled(out.error) + subnormal_error;
-    for (int i = 0; i < 3; ++i) {
-      out.on_a[i] = scaled(out.on_a[i]);
-      out.on_b[i] = scaled(out.on_b[i]);
-    }
-  }
+  if (p.exponent != 0) bring_to_scene(out, p.exponent);
   if (swapped) {
     out.direction = -out.direction;
     const Vector3 on_first = out.on_a;

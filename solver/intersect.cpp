@@ -5,6 +5,7 @@
 #include "solver/detail/iteration_cap.hpp"
 #include "solver/detail/rounded.hpp"
 #include "solver/detail/sections.hpp"
+#include "solver/detail/shapes.hpp"
 
 namespace cyl {
 namespace {
@@ -70,6 +71,7 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
     return verdict_of(dot(delta, delta) <= contact_distance * contact_distance);
   }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
+  if (has_other_shape(a, b)) return intersect_shapes(a, b, 0);
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, 0);
   if (Verdict there = Verdict::undecided; intersect_at_moderate_scale(a, b, 0, there)) return there;
   return intersect_couple(scale(a, b).couple());

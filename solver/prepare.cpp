@@ -5,17 +5,44 @@
 #include "solver/detail/frame.hpp"
 
 namespace cyl {
+namespace {
+
+// The columns of the rotation (boxes.md, section 6). The largest number of the quaternion comes to [1, 2), of
+// a subnormal one to [2^-51, 1].
+void prepare_box(const Solid& c, Prepared& p) noexcept {
+  const auto& q = c.quaternion;
+  const int exponent =
+      exponent_of(larger(larger(std::fabs(q[0]), std::fabs(q[1])), larger(std::fabs(q[2]), std::fabs(q[3]))));
+  const double unit = exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
+  const double w = q[0] * unit, x = q[1] * unit, y = q[2] * unit, z = q[3] * unit;
+  const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, n = 1 / ((ww + xx) + (yy + zz));
+  p.unit_axis = {((ww + xx) - (yy + zz)) * n, 2 * (x * y + w * z) * n, 2 * (x * z - w * y) * n};
+  p.second_axis = {2 * (x * y - w * z) * n, ((ww + yy) - (xx + zz)) * n, 2 * (y * z + w * x) * n};
+  p.edges = {c.edges[0], c.edges[1], c.edges[2]};
+  mark_moderate(p);
+}
+
+}  // namespace
 
 Prepared prepare(const Solid& c) noexcept {
-  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, false, false, c.rounding};
-  if (p.defect == Defect::none && c.shape != Shape::cylinder) p.defect = Defect::not_a_cylinder;
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false,
+             false,    false,     false,    c.shape,  c.rounding};
   if (p.defect != Defect::none) return p;
+  if (c.shape == Shape::box) {
+    prepare_box(c, p);
+    return p;
+  }
   // Scales by powers of two. The largest coordinate comes to [1, 2), of the largest doubles to [2, 4), and
   // of subnormal ones to [2^-51, 1]. So squares neither overflow nor vanish.
   const int exponent = exponent_of(max_abs(c.axis));
   const Vector3 w = c.axis * (exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent));
   // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
-  const double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
+  // A half-space does.
+  double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
+  if (c.shape == Shape::half_space) {
+    first = 1;
+    p.second_axis = c.axis;
+  }
   p.unit_axis = w / std::copysign(length(w), first);
   // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
   for (int i = 0; i < 3; ++i)
@@ -35,6 +62,11 @@ void mark_moderate(Prepared& p) noexcept {
   p.moderate = within(p.center.x(), coordinate_limit) & within(p.center.y(), coordinate_limit) &
                within(p.center.z(), coordinate_limit) & within(p.radius, length_limit) &
                within(p.height, length_limit) & within(p.rounding, length_limit);
+  if (p.shape != Shape::cylinder) {
+    p.moderate = p.moderate & within(p.edges.x(), length_limit) & within(p.edges.y(), length_limit) &
+                 within(p.edges.z(), length_limit);
+    return;
+  }
   p.ordinary = p.moderate & (p.rounding == 0);
   p.thin = p.moderate & (p.radius == 0);
   p.ball = p.thin & (p.height == 0);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/detail/certify.hpp"
-#include "solver/detail/rounded_cores.hpp"
+#include "solver/detail/shapes.hpp"
 
 namespace cyl {
 namespace {
@@ -164,6 +164,7 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
   if (!is_valid_question(a, b, clearance, contact_distance)) return Verdict::invalid;
+  if (has_other_shape(a, b)) return intersect_shapes(a, b, clearance);
   return contact_distance > 0 ? intersect_rounded(a, b, clearance) : intersect(a, b);
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solver/decide.hpp"
-#include "solver/detail/rounded_cores.hpp"
+#include "solver/detail/shapes.hpp"
 
 namespace cyl {
 namespace {
@@ -25,7 +25,7 @@ void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
 }
 
 double longest_of(const Prepared& c) noexcept {
-  return larger(larger(max_abs(c.center), c.rounding), larger(c.radius, c.height));
+  return larger(larger(max_abs(c.center), c.rounding), larger(larger(c.radius, c.height), max_abs(c.edges)));
 }
 
 // Its core, in another unit.
@@ -35,6 +35,7 @@ Prepared core_in_unit(const Prepared& c, double unit) noexcept {
     core.center *= unit;
     core.radius *= unit;
     core.height *= unit;
+    core.edges *= unit;
   }
   return core;
 }
@@ -47,12 +48,19 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     out.verdict = Verdict::invalid;
     return out;
   }
-  if (a.rounding + b.rounding == 0) return distance_of_cores(a, b, false);
+  const bool other = has_other_shape(a, b);
+  if (a.shape == Shape::half_space && b.shape == Shape::half_space) {
+    Distance out;
+    out.verdict = Verdict::invalid;
+    return out;
+  }
+  if (a.rounding + b.rounding == 0) return other ? distance_of_shapes(a, b) : distance_of_cores(a, b, false);
   // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
   // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
   // is far below the error.
   const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
-  Distance out = distance_of_cores(core_in_unit(a, unit), core_in_unit(b, unit), true);
+  const Prepared core_a = core_in_unit(a, unit), core_b = core_in_unit(b, unit);
+  Distance out = other ? distance_of_shapes(core_a, core_b) : distance_of_cores(core_a, core_b, true);
   grow(out, unit * a.rounding, unit * b.rounding);
   if (unit != 1) {
     out.value = in_range(out.value / unit);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "solver/detail/certify.hpp"
-#include "solver/detail/rounded_cores.hpp"
+#include "solver/detail/shapes.hpp"
 
 namespace cyl {
 namespace {
@@ -205,6 +205,8 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
+  if (is_valid_question(a, b, clearance, contact_distance) && has_other_shape(a, b))
+    return decide_shapes(a, b, clearance);
   if (is_valid_question(a, b, clearance, contact_distance))
     return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
   Answer answer;

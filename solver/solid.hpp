@@ -81,8 +81,7 @@ enum class Defect : unsigned char {
   edge_not_finite,
   edge_negative,
   quaternion_not_finite,
-  quaternion_zero,
-  not_a_cylinder
+  quaternion_zero
 };
 /// Phrases for people.
 constexpr auto words_of(Defect) noexcept {
@@ -101,11 +100,10 @@ constexpr auto words_of(Defect) noexcept {
                     "edges are not finite",
                     "edges are negative",
                     "quaternion is not finite",
-                    "quaternion is zero",
-                    "shape is not a cylinder"};
+                    "quaternion is zero"};
 }
 
-/// Cost: some twenty comparisons. Never throws. `not_a_cylinder` is found by prepare() alone.
+/// Cost: some twenty comparisons. Never throws.
 Defect find_defect(const Solid& c) noexcept;
 
 const char* to_string(Verdict v) noexcept;

@@ -23,6 +23,7 @@ namespace cyl {
 enum class DecisionScope : unsigned char {
   not_promised,
   above_1e13,  ///< It decides gaps of 1e-13 of the size, or if a ball that large fits in both (law 39).
+               ///< It does not promise that for boxes.
   all          ///< It decides every pair whose verdict can be proved.
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/methods/own_answers.hpp"
@@ -48,7 +49,7 @@ class Intersect final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override {
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -78,7 +79,7 @@ class Decide final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, decide(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
@@ -101,7 +102,8 @@ class MeasureDistance final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  /// The depth of a box and a cylinder is not proved.
+  bool supports(SolidKind kind) const override { return kind < SolidKind::box; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
@@ -156,8 +158,8 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   answer.step_cap = distance_step_cap;
   // If its bounds stay apart, it reports that and returns no number.
   const Vector3 delta = pair.b.center - pair.a.center;
-  const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
-                       std::hypot(delta.x(), delta.y(), delta.z());
+  const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height + edges_of(pair.a) +
+                       edges_of(pair.b) + std::hypot(delta.x(), delta.y(), delta.z());
   const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;

@@ -68,6 +68,7 @@ std::optional<Pair> cores(const Pair& pair, double least) {
 bool must_decide(DecisionScope promised, Trial& proved) {
   if (promised == DecisionScope::not_promised || !proved.decided()) return false;
   if (promised == DecisionScope::all) return true;
+  if (has_box(proved.pair) || (has_half_space(proved.pair) && is_rounded(proved.pair))) return false;
   // Subnormal lengths have fewer digits than the margin needs.
   if (size_of(proved.pair) < std::numeric_limits<double>::min()) return false;
   const double least = reach({.relative = resolved_margin, .source = {}}, size_of(proved.pair));

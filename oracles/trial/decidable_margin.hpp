@@ -24,7 +24,8 @@ std::optional<Solid> core(Solid c, double least);
 std::optional<Pair> cores(const Pair& pair, double least);
 
 /// Returns whether a method with this promise must decide the pair: more than its rounding is proved to lie
-/// between the solids or to be common to them. Costs an enclosure, or a verdict on the cores.
+/// between the solids or to be common to them. The promise is not for boxes, nor for a half-space and a
+/// rounded solid. Costs an enclosure, or a verdict on the cores.
 bool must_decide(DecisionScope promised, Trial& proved);
 
 /// Returns how far beyond rounding an undecided pair is, relative to its size, as computed by the solver: the

@@ -7,8 +7,8 @@ namespace cyl {
 /// Pairs a kernel is given at most: its lists of open pairs stay on the stack and in the first cache.
 inline constexpr unsigned batch_chunk = 1024;
 
-/// A record is a Prepared: eight doubles, then flags (intersect_batch.cpp checks it).
-inline constexpr unsigned long long record_bytes = 80;
+/// A record is a Prepared: eight doubles, flags, and more (intersect_batch.cpp checks it).
+inline constexpr unsigned long long record_bytes = 128;
 inline constexpr unsigned long long record_ordinary = 65;  ///< the position of the flag `ordinary`
 
 struct BatchJob {

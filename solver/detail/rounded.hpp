@@ -29,4 +29,7 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
 /// direction and points must belong together.
 Distance distance_of_cores(const Prepared& a, const Prepared& b, bool grows) noexcept;
 
+/// From a unit of 2^exponent.
+void bring_to_scene(Distance& out, int exponent) noexcept;
+
 }  // namespace cyl

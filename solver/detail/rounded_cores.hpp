@@ -17,7 +17,7 @@ inline double clamped(double x, double most) noexcept { return larger(-most, sma
 inline Prepared core_of(const Prepared& c) noexcept {
   Prepared core = c;
   core.rounding = 0;
-  core.ordinary = c.moderate;
+  core.ordinary = c.moderate & (c.shape == Shape::cylinder);
   return core;
 }
 

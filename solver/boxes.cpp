@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+// The verdict on pairs with a box or a half-space. Derivation: boxes.md.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/detail/certify.hpp"
+#include "solver/detail/shapes.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr int next_of[] = {1, 2, 0}, last_of[] = {2, 0, 1};
+
+Verdict verdict_of(bool meets) noexcept { return meets ? Verdict::intersecting : Verdict::disjoint; }
+
+// e_k and the vectors v_j of the other box: the product D = e_k x v_j, of the length s = |(v_j)_l, (v_j)_m|,
+// and -f(D). Each term is proportional to s, rounding too.
+double product_gap(const BoxView& v, int k, int j) noexcept {
+  const int l = next_of[k], m = last_of[k], first = next_of[j], second = last_of[j];
+  const double at_l = v.e[j][m], at_m = v.e[j][l];  // D = -at_l along l, at_m along m
+  const auto along = [&](const Vector3& x) { return std::fabs(at_m * x[m] - at_l * x[l]); };
+  return along(v.d) - v.half[l] * std::fabs(at_l) - v.half[m] * std::fabs(at_m) -
+         v.half1[first] * along(v.e[first]) - v.half1[second] * along(v.e[second]);
+}
+
+int separating_box_axis(const BoxView& v) noexcept {
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(v.d[i]) > v.half[i] + v.half1[0] * std::fabs(v.e[0][i]) +
+                                v.half1[1] * std::fabs(v.e[1][i]) + v.half1[2] * std::fabs(v.e[2][i]))
+      return i;
+  for (int j = 0; j < 3; ++j)
+    if (std::fabs(dot(v.d, v.e[j])) > v.half1[j] + v.half[0] * std::fabs(v.e[j][0]) +
+                                          v.half[1] * std::fabs(v.e[j][1]) + v.half[2] * std::fabs(v.e[j][2]))
+      return 3 + j;
+  // A common point is a frequent case.
+  const Vector3 near = clamped(v.d, v.half) - v.d;
+  if ((std::fabs(dot(near, v.e[0])) <= v.half1[0]) & (std::fabs(dot(near, v.e[1])) <= v.half1[1]) &
+      (std::fabs(dot(near, v.e[2])) <= v.half1[2]))
+    return -1;
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      if (product_gap(v, k, j) > 0) return 6 + 3 * k + j;
+  return -1;
+}
+
+int separating_cylinder_axis(const BoxView& v) noexcept {
+  const Vector3 &w = v.e[0], &d = v.d;
+  double shares[3];
+  for (int i = 0; i < 3; ++i) {
+    const double w1 = w[next_of[i]], w2 = w[last_of[i]];
+    shares[i] = v.r == 0 ? 0 : v.r * std::sqrt(w1 * w1 + w2 * w2);
+    if (std::fabs(d[i]) > v.half[i] + v.h * std::fabs(w[i]) + shares[i]) return i;
+  }
+  if (std::fabs(dot(d, w)) >
+      v.h + v.half[0] * std::fabs(w[0]) + v.half[1] * std::fabs(w[1]) + v.half[2] * std::fabs(w[2]))
+    return 3;
+  for (int i = 0; i < 3; ++i) {
+    const int l = next_of[i], m = last_of[i];
+    if (std::fabs(w[l] * d[m] - w[m] * d[l]) >
+        v.half[l] * std::fabs(w[m]) + v.half[m] * std::fabs(w[l]) + shares[i])
+      return 4 + i;
+  }
+  return v.gap(d - clamped(d, v.half)) > 0 ? 7 : -1;
+}
+
+// Whether the point of the box that is nearest to the centre of the cylinder is in it.
+bool holds_nearest(const BoxView& v) noexcept {
+  const Vector3 x = clamped(v.d, v.half) - v.d;
+  const double along = dot(x, v.e[0]);
+  const Vector3 across = x - along * v.e[0];
+  return (std::fabs(along) <= v.h) & (dot(across, across) <= v.r * v.r);
+}
+
+Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept {
+  if (b.radius + b.height == 0 && b.shape == Shape::cylinder) {
+    const Vector3 x = Edges(a).seen(b.center - a.center), way = x - clamped(x, 0.5 * a.edges);
+    return verdict_of(dot(way, way) <= contact * contact);
+  }
+  const BoxView v(a, b);
+  if (!v.box && v.r == 0 && contact > 0) return verdict_of(nearest_on_segment(v, contact).near);
+  if (contact == 0 || v.box) {
+    if (!v.box && v.r > 0 && holds_nearest(v)) return Verdict::intersecting;
+    const int axis = separating_axis(v);
+    const bool meets = axis < 0 && (v.box || v.r == 0 || clip(v).meets);
+    if (meets | (contact == 0)) return verdict_of(meets);
+  }
+  const NearestPoints found = nearest_points(v, contact);
+  if (found.square <= contact * contact) return Verdict::intersecting;
+  if (found.apart || v.box) return Verdict::disjoint;
+  return verdict_of(separating_axis(v) < 0 && clip(v).meets);
+}
+
+}  // namespace
+
+BoxView::BoxView(const Prepared& a, const Prepared& b) noexcept
+    : edges(a),
+      half(0.5 * a.edges),
+      d(edges.seen(b.center - a.center)),
+      box(b.shape == Shape::box),
+      r(b.radius),
+      h(0.5 * b.height) {
+  e[0] = edges.seen(b.unit_axis);
+  if (!box) return;
+  e[1] = edges.seen(b.second_axis);
+  e[2] = edges.seen(b.unit_axis.cross(b.second_axis));
+  half1 = 0.5 * b.edges;
+}
+
+double BoxView::support(const Vector3& x) const noexcept {
+  if (!box) return r * length(x.cross(e[0])) + h * std::fabs(dot(x, e[0]));
+  return half1[0] * std::fabs(dot(x, e[0])) + half1[1] * std::fabs(dot(x, e[1])) +
+         half1[2] * std::fabs(dot(x, e[2]));
+}
+
+double BoxView::gap(const Vector3& x) const noexcept {
+  return dot(x, d) - half[0] * std::fabs(x[0]) - half[1] * std::fabs(x[1]) - half[2] * std::fabs(x[2]) -
+         support(x);
+}
+
+Vector3 BoxView::nearest_to(const Vector3& x) const noexcept {
+  const Vector3 y = x - d;
+  if (!box) return d + nearest(y, e[0], r, h);
+  return d + (clamped(dot(y, e[0]), half1[0]) * e[0] + clamped(dot(y, e[1]), half1[1]) * e[1] +
+              clamped(dot(y, e[2]), half1[2]) * e[2]);
+}
+
+double BoxView::bend(const Vector3& x, const Vector3& g) const noexcept {
+  const Vector3 y = x - d;
+  double sum = 0;
+  if (box) {
+    for (int j = 0; j < 3; ++j)
+      if (std::fabs(dot(y, e[j])) > half1[j]) sum += square(dot(g, e[j]));
+    return sum;
+  }
+  const double along = dot(y, e[0]), g_along = dot(g, e[0]);
+  if (std::fabs(along) > h) sum = square(g_along);
+  const Vector3 across = y - along * e[0], g_across = g - g_along * e[0];
+  const double away = length(across);
+  if (!(away > r)) return sum;
+  const double radial = square(dot(g_across, across) / away);
+  return sum + radial + positive(dot(g_across, g_across) - radial) * (1 - r / away);
+}
+
+int separating_axis(const BoxView& v) noexcept {
+  return v.box ? separating_box_axis(v) : separating_cylinder_axis(v);
+}
+
+Vector3 axis_of(const BoxView& v, int index) noexcept {
+  Vector3 unit(0, 0, 0);
+  if (index < 3) {
+    unit[index] = 1;
+    return unit;
+  }
+  if (v.box && index < 6) return v.e[index - 3];
+  if (v.box) {
+    unit[(index - 6) / 3] = 1;
+    return unit.cross(v.e[(index - 6) % 3]);
+  }
+  if (index == 3) return v.e[0];
+  if (index == 7) return v.d - clamped(v.d, v.half);
+  unit[index - 4] = 1;
+  return unit.cross(v.e[0]);
+}
+
+// In coordinates along p, q and w, square to each other. Each edge is cut by both caps once. So every point
+// here belongs to one polytope, the box between two planes within rounding of the caps.
+ClippedBox clip(const BoxView& v) noexcept {
+  ClippedBox best;
+  const Vector3& w = v.e[0];
+  // The axis may pass through the box.
+  double lo = -v.h, hi = v.h;
+  for (int i = 0; i < 3; ++i) {
+    if (w[i] == 0) {
+      if (std::fabs(v.d[i]) > v.half[i]) hi = -1e300;
+      continue;
+    }
+    const double t0 = (-v.half[i] - v.d[i]) / w[i], t1 = (v.half[i] - v.d[i]) / w[i];
+    lo = larger(lo, smaller(t0, t1));
+    hi = smaller(hi, larger(t0, t1));
+  }
+  if (lo <= hi) {
+    best.at = v.d + 0.5 * (lo + hi) * w;
+    best.meets = true;
+    return best;
+  }
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::fabs(w[i]) < std::fabs(w[least])) least = i;
+  Vector3 p(0, 0, 0);
+  p[least] = 1;
+  p = w.cross(p);
+  p /= length(p);
+  const Vector3 q = w.cross(p);
+  const auto turned = [&](const Vector3& x) { return Vector3(dot(x, p), dot(x, q), dot(x, w)); };
+  const Vector3 center = turned(-v.d);
+  Vector3 g[3], corner[8];
+  for (int i = 0; i < 3; ++i) g[i] = v.half[i] * Vector3(p[i], q[i], w[i]);
+  for (int k = 0; k < 8; ++k)
+    corner[k] = center + ((k & 1) ? g[0] : Vector3(-g[0])) + ((k & 2) ? g[1] : Vector3(-g[1])) +
+                ((k & 4) ? g[2] : Vector3(-g[2]));
+  const double square_r = v.r * v.r;
+  // The point of a segment that is nearest to the axis. Returns true if that is in the cylinder.
+  const auto consider = [&](const Vector3& from, const Vector3& to, int edge) {
+    const double x = to[0] - from[0], y = to[1] - from[1], size = x * x + y * y;
+    double t = -(from[0] * x + from[1] * y);
+    t = t <= 0 ? 0 : t >= size ? 1 : t / size;
+    const Vector3 at = t <= 0.5 ? Vector3(from + t * (to - from)) : Vector3(to - (1 - t) * (to - from));
+    const double square = at[0] * at[0] + at[1] * at[1];
+    if (square < best.square) {
+      best.square = square;
+      best.at = at;
+      best.edge = edge;
+    }
+    return square <= square_r;
+  };
+  Vector3 cut[2][12];
+  bool is_cut[2][12];
+  bool any_cut = false;
+  best.meets = [&] {
+    for (int i = 0, n = 0; i < 3; ++i)
+      for (int k = 0; k < 8; ++k) {
+        if (k >> i & 1) continue;
+        const Vector3 &from = corner[k], &to = corner[k | 1 << i];
+        Vector3 ends[2] = {from, to};
+        for (int cap = 0; cap < 2; ++cap) {
+          const double sign = cap == 0 ? 1 : -1, above0 = sign * from[2] - v.h, above1 = sign * to[2] - v.h;
+          is_cut[cap][n] = (above0 > 0) != (above1 > 0);
+          if (!is_cut[cap][n]) continue;
+          any_cut = true;
+          // From the end that is nearer to the cap.
+          const double t = above0 / (above0 - above1);
+          Vector3 at = t <= 0.5 ? Vector3(from + t * (to - from))
+                                : Vector3(to + above1 / (above0 - above1) * (to - from));
+          at[2] = sign * v.h;
+          cut[cap][n] = at;
+          ends[above1 > 0] = at;
+        }
+        ++n;
+        if ((from[2] > v.h && to[2] > v.h) || (from[2] < -v.h && to[2] < -v.h)) continue;
+        if (consider(ends[0], ends[1], i)) return true;
+      }
+    if (!any_cut) return false;
+    // Edge n is along i = n / 4. Facet (i, side) has the edges along the other two on this side.
+    for (int cap = 0; cap < 2; ++cap)
+      for (int i = 0; i < 3; ++i)
+        for (int side = 0; side < 2; ++side) {
+          const Vector3* first = nullptr;
+          for (int of = 0; of < 3; ++of) {
+            if (of == i) continue;
+            // The edges along `of` are counted by the bits of the other two.
+            const int low = of == 0 ? 1 : 0, bit = i == low ? 1 : 2;
+            for (int m = 0; m < 4; ++m) {
+              const int n = 4 * of + m;
+              if (((m & bit) != 0) != (side != 0) || !is_cut[cap][n]) continue;
+              if (!first)
+                first = &cut[cap][n];
+              else if (consider(*first, cut[cap][n], -1))
+                return true;
+            }
+          }
+        }
+    return false;
+  }();
+  best.out = best.at[0] * p + best.at[1] * q;
+  best.at = v.d + best.at[0] * p + best.at[1] * q + best.at[2] * w;
+  return best;
+}
+
+// Newton's method on the derivative of the square, which is piecewise linear and rises.
+SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept {
+  constexpr int step_cap = 100;
+  const Vector3& w = v.e[0];
+  double lo = -v.h, hi = v.h, t = clamped(-dot(v.d, w), v.h);
+  bool saw_lo = false, saw_hi = false;
+  SegmentPoint best{t, {0, 0, 0}, false};
+  double least = 0x1p1000;
+  for (int i = 0; i < step_cap; ++i) {
+    const Vector3 x = v.d + t * w, e = x - clamped(x, v.half);
+    const double square = dot(e, e), slope = dot(e, w);
+    if (square < least) {
+      least = square;
+      best.t = t;
+      best.way = e;
+    }
+    if (square <= contact * contact) {
+      best.near = true;
+      return best;
+    }
+    const double gap = square - t * slope - v.h * std::fabs(slope);  // -f(e)
+    if (gap > 0 && gap * gap > contact * contact * square) return best;
+    if (slope > 0)
+      hi = t, saw_hi = true;
+    else
+      lo = t, saw_lo = true;
+    const double bend =
+        (e[0] != 0 ? w[0] * w[0] : 0) + (e[1] != 0 ? w[1] * w[1] : 0) + (e[2] != 0 ? w[2] * w[2] : 0);
+    double next = t - slope / bend;  // one of them is not 0 if the slope is not
+    if (!(next > lo && next < hi)) {
+      if (slope > 0 ? saw_lo : saw_hi)
+        next = 0.5 * (lo + hi);
+      else
+        next = slope > 0 ? lo : hi;
+    }
+    if (next == t) break;
+    t = next;
+  }
+  return best;
+}
+
+bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
+  const auto rank = [](const Prepared& c) {
+    return c.shape == Shape::half_space ? 0 : c.shape == Shape::box ? 1 : 2;
+  };
+  if (rank(a) != rank(b)) return rank(a) > rank(b);
+  const Vector3* const numbers[][2] = {{&a.edges, &b.edges},
+                                       {&a.unit_axis, &b.unit_axis},
+                                       {&a.second_axis, &b.second_axis},
+                                       {&a.center, &b.center}};
+  for (const auto& [x, y] : numbers)
+    for (int i = 0; i < 3; ++i)
+      if ((*x)[i] != (*y)[i]) return (*x)[i] > (*y)[i];
+  return a.rounding > b.rounding;
+}
+
+ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept {
+  const auto longest = [](const Prepared& c) { return larger(larger(c.radius, c.height), max_abs(c.edges)); };
+  const double widest = larger(larger(longest(a), longest(b)), contact);
+  Vector3 delta = b.center - a.center;
+  double most = larger(widest, max_abs(delta));
+  int shift = 0;  // as in scale()
+  if (!(most < 0x1p1000))
+    shift = -200;
+  else if (most < 0x1p-800)
+    shift = 200;
+  const double before = power_of_two(shift);
+  delta = shift < 0 ? Vector3(b.center * before - a.center * before) : Vector3(delta * before);
+  most = larger(widest * before, max_abs(delta));
+  const int exponent = most > 0 ? exponent_of(most) : 0;
+  const double unit = power_of_two(-exponent);
+  ShapePair p{a, b, contact * before * unit, exponent - shift};
+  for (Prepared* const c : {&p.a, &p.b}) {
+    c->radius = c->radius * before * unit;
+    c->height = c->height * before * unit;
+    c->rounding = c->rounding * before * unit;
+    c->edges = c->edges * before * unit;
+    c->center = {0, 0, 0};
+    c->moderate = true;
+  }
+  p.b.center = delta * unit;
+  return p;
+}
+
+Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  if (a.shape == Shape::half_space && b.shape == Shape::half_space) return Verdict::invalid;
+  const bool swapped = shapes_out_of_order(a, b);
+  const Prepared &first = swapped ? b : a, &second = swapped ? a : b;
+  const double contact = contact_distance_of(a, b, clearance);
+  const auto ask = first.shape == Shape::half_space ? intersect_half_space : intersect_box;
+  if (is_in_range(first, second, contact)) return ask(first, second, contact);
+  const ShapePair p = in_unit(first, second, contact);
+  return ask(p.a, p.b, p.contact);
+}
+
+}  // namespace cyl

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Pairs with a box or a half-space, as intersect(), decide() and distance() pass them on, and what their
+// files share. Derivation: boxes.md.
+#pragma once
+
+#include <cmath>
+
+#include "solver/detail/rounded_cores.hpp"
+
+namespace cyl {
+
+/// A bound on the rounding error of f(D) over |D|, and of the distance of a point from a facet, if a box
+/// takes part. The unit is the reach (boxes.md, section 6).
+inline constexpr double box_error = 64 * unit_roundoff_error;
+/// The same of a half-space and a solid that is near it, if that is measured in twice the digits.
+inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
+/// By how much decide() shrinks cores before it looks for a common point, of the reach.
+inline constexpr double box_slack_tol = 2.5 * box_error;
+
+Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
+Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
+Distance distance_of_shapes(const Prepared& a, const Prepared& b) noexcept;
+inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
+  return (a.shape != Shape::cylinder) | (b.shape != Shape::cylinder);
+}
+
+/// The roles in a fixed order: a half-space first, else a box, and of two boxes the one with the lesser
+/// numbers. True if b comes first.
+bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept;
+
+/// A pair in its order and in a unit in which nothing overflows.
+struct ShapePair {
+  Prepared a, b;
+  double contact;  ///< both roundings and the clearance
+  int exponent;    ///< one unit is 2^exponent units of the scene
+};
+/// The first centre goes to 0, and the largest length is in [1, 2).
+ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept;
+inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) noexcept {
+  return a.moderate & b.moderate & (contact <= power_of_two(moderate_exponent));
+}
+
+/// The support of a core about its centre, and a bound of it for unit vectors.
+double core_support(const Prepared& c, const Vector3& d) noexcept;
+double core_size(const Prepared& c) noexcept;
+/// A point of the core that is farthest along n, from its centre.
+Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
+
+Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept;
+/// -f(n), the signed distance of a core from the plane, and a bound of its error. `contact`: the number that
+/// it is compared with.
+struct AbovePlane {
+  AbovePlane(const Prepared& plane, const Prepared& c, double contact) noexcept;
+  double gap, error;
+
+ private:
+  static double precisely(const Prepared& plane, const Prepared& c) noexcept;
+};
+void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer) noexcept;
+
+/// The edges of a box have these directions.
+struct Edges {
+  explicit Edges(const Prepared& box) noexcept
+      : e{box.unit_axis, box.second_axis, box.unit_axis.cross(box.second_axis)} {}
+  Vector3 e[3];
+  Vector3 seen(const Vector3& x) const noexcept { return {dot(x, e[0]), dot(x, e[1]), dot(x, e[2])}; }
+  Vector3 world(const Vector3& x) const noexcept { return x[0] * e[0] + x[1] * e[1] + x[2] * e[2]; }
+};
+
+/// The cores of a box and another solid, from the centre of the box and along its edges.
+struct BoxView {
+  BoxView(const Prepared& a, const Prepared& b) noexcept;
+  /// The support of the other core about its centre.
+  double support(const Vector3& d) const noexcept;
+  /// -f(d), if d points to the other core.
+  double gap(const Vector3& d) const noexcept;
+  /// The point of the other core that is nearest to x.
+  Vector3 nearest_to(const Vector3& x) const noexcept;
+  /// The second derivative along g of half the square of the distance of x from the other core.
+  double bend(const Vector3& x, const Vector3& g) const noexcept;
+
+  Edges edges;             ///< of the box, in the scene
+  Vector3 half;            ///< of the box
+  Vector3 d;               ///< centre of the other core
+  bool box;                ///< whether that is a box
+  Vector3 e[3];            ///< its edges. A cylinder has only an axis, e[0]
+  Vector3 half1{0, 0, 0};  ///< of a box
+  double r, h;             ///< of a cylinder: radius and half height
+};
+
+inline Vector3 clamped(const Vector3& x, const Vector3& half) noexcept {
+  return {clamped(x[0], half[0]), clamped(x[1], half[1]), clamped(x[2], half[2])};
+}
+
+/// The directions that are tried first. For two boxes they are the normals and the products of the edges. For
+/// a cylinder they are the normals, the axis, its products with the edges, and the way to the nearest point
+/// of the box. They decide two boxes, and a box and a segment.
+inline constexpr int box_axes = 15, cylinder_axes = 8;
+/// Returns the first that separates, or -1.
+int separating_axis(const BoxView& v) noexcept;
+Vector3 axis_of(const BoxView& v, int index) noexcept;
+
+/// The point of a clipped edge or of the section of a facet and a cap that is nearest to the axis.
+struct ClippedBox {
+  bool meets = false;        ///< it is in the cylinder
+  Vector3 at{0, 0, 0};       ///< the point
+  Vector3 out{0, 0, 0};      ///< from the axis
+  int edge = -1;             ///< it lies on an edge along this, or in a facet if -1
+  double square = 0x1p1000;  ///< of its distance from the axis
+};
+/// A box and a cylinder whose radius is > 0.
+ClippedBox clip(const BoxView& v) noexcept;
+
+/// For cores that are apart, with `way` between their nearest points. Finds directions. One of them shows the
+/// gap but for rounding. They are those of axis_of(), `way`, `way` made square to edges that it nearly is
+/// square to, and the directions of the outline (boxes.md, sections 4 and 5). Returns their number.
+inline constexpr int direction_cap = box_axes + 5;
+int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direction_cap]) noexcept;
+
+/// The segment d + t e[0] and the box: finds t of the nearest point, unless it is known before whether the
+/// distance is at most `contact`.
+struct SegmentPoint {
+  double t;
+  Vector3 way;  ///< from the box
+  bool near;
+};
+SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept;
+
+/// A point of both cores, if there is one beyond rounding.
+bool find_common_point(const BoxView& v, Vector3& at) noexcept;
+
+/// The nearest points of cores that do not meet. If `contact` >= 0, this ends as soon as it is known whether
+/// their distance is at most that.
+struct NearestPoints {
+  Vector3 on0, on1;
+  double square;       ///< of the distance of the points
+  bool apart = false;  ///< shown to be farther apart than `contact`
+  int steps = 0;
+};
+NearestPoints nearest_points(const BoxView& v, double contact) noexcept;
+
+}  // namespace cyl
