@@ -119,30 +119,19 @@ bool faces_meet(const Parts& p, const Rational3& d) {
   return !low || (*low <= *high && at_most(*low, end) && at_most(RootSum(0) - end, *high));
 }
 
-/// Whether a corner of the box is at the contact distance from the cylinder's rim, and the two are nearest
-/// to each other there. With the corner's part u across the axis, the way from the rim to it is
-/// a axis + b u.
-bool corner_touches_rim(const Parts& p) {
-  for (const Rational3& x : p.corners()) {
-    const Rational3 u = p.across(x);
-    const mpq_class along = dot(x, p.axis), uu = dot(u, u), limit = p.half * p.half * p.square;
-    if (along * along < limit || uu <= p.radius * p.radius) continue;
-    const RootSum beyond = RootSum::root(abs(along) / p.square, p.square) - RootSum(p.half),
-                  beside = RootSum::root(1, uu) - RootSum(p.radius);
-    if ((beyond * beyond + beside * beside - RootSum(mpq_class(p.contact * p.contact))).sign() != 0) continue;
-    const RootSum a = RootSum(mpq_class(along / p.square)) -
-                      RootSum::root(sgn(along) * p.half / p.square, p.square),
-                  b = RootSum(1) - RootSum::root(p.radius / uu, uu);
-    bool nearest = true;
-    for (std::size_t i = 0; i < 3 && nearest; ++i) {
-      const int side = sgn(dot(x - p.delta, p.edges[i]));
-      const RootSum way =
-          a * RootSum(mpq_class(dot(p.axis, p.edges[i]))) + b * RootSum(mpq_class(dot(u, p.edges[i])));
-      nearest = side == 0 || side * way.sign() <= 0;
-    }
-    if (nearest) return true;
-  }
-  return false;
+/// The way from the rim to a corner of the box, if it is rational. It is if the two are at the contact
+/// distance. Let u be the part across the axis. Then (|u| - radius)^2 + (|along| - half)^2 is rational, and
+/// the multiples of the two roots in it have the same sign.
+std::optional<Rational3> rim_to_corner(const Parts& p, const Rational3& corner) {
+  const Rational3 u = p.across(corner);
+  const mpq_class along = dot(corner, p.axis), uu = dot(u, u);
+  if (uu == 0) return {};
+  const auto of_axis = (RootSum(mpq_class(along / p.square)) -
+                        RootSum::root(sgn(along) * p.half / p.square, p.square))
+                           .rational(),
+             of_u = (RootSum(1) - RootSum::root(p.radius / uu, uu)).rational();
+  if (!of_axis || !of_u) return {};
+  return *of_axis * p.axis + *of_u * u;
 }
 
 /// The directions in which a face, an edge or a corner of the box may touch a cap, the side or, in part, a
@@ -150,7 +139,10 @@ bool corner_touches_rim(const Parts& p) {
 std::vector<Rational3> tie_directions(const Parts& p) {
   std::vector<Rational3> all{p.edges[0], p.edges[1], p.edges[2], p.axis};
   for (const Rational3& edge : p.edges) all.push_back(cross(edge, p.axis));
-  for (const Rational3& corner : p.corners()) all.push_back(p.across(corner));
+  for (const Rational3& corner : p.corners()) {
+    all.push_back(p.across(corner));
+    if (const auto d = rim_to_corner(p, corner)) all.push_back(*d);
+  }
   return all;
 }
 
@@ -185,25 +177,25 @@ std::optional<Truth> prove_tie(const Pair& pair, const Rational3& on_a, const Ra
     directions.push_back(simple.back().second - simple.back().first);
   }
   const Filter filter(pair);
-  const auto touching = [&](const std::optional<Rational3>& direction) {
+  const auto touching = [&](const Rational3& direction) {
     for (const auto& [x, y] : simple)
       if (Truth t = touching_at(pair, x, y, {}); t.certificate.kind == CertificateKind::points) return t;
     const PrecisionScope precision(near_bits);
     const Simplex<MpFloat> found = search_wide(pair, near_bits, false);
     const Rational3 center = exact(pair.a.center);
-    return touching_at(pair, center + rational(found.on_a()), center + rational(found.on_b()),
-                       direction.value_or(rational(found.nearest)));
+    return touching_at(pair, center + rational(found.on_a()), center + rational(found.on_b()), direction);
   };
   for (Rational3 d : directions) {
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
     if (filter.support_gap(enclosed(d)).lo > 0) continue;
     const int sign = support_gap_sign(pair, d);
-    if (sign < 0)
-      if (auto t = prove_disjoint(pair, d, bits)) return t;
+    if (sign < 0) {
+      const auto t = prove_disjoint(pair, d, bits);
+      return t ? *t : proved(Verdict::disjoint, exact_vector(d), Stage::exact, bits);
+    }
     if (sign == 0 && faces_meet(p, p.box_first ? mpq_class(-1) * d : d)) return touching(d);
   }
-  if (corner_touches_rim(p)) return touching({});
   return {};
 }
 

@@ -82,7 +82,7 @@ bool is_proof(const Pair& pair, const Truth& truth) {
          (c.kind == CertificateKind::points || is_nearly_tangent(pair, exact(c.second)));
 }
 
-/// The verdict of every way to ask for it. They must agree, and the certificate must prove it.
+/// All ways to ask for the verdict must agree, and certificates must prove it.
 Verdict verdict_of(const Pair& pair) {
   const Truth truth = judge(pair);
   EXPECT_EQ(judge_verdict(pair).verdict, truth.verdict) << format_pair(pair);
@@ -199,6 +199,7 @@ TEST(Box, KnownVerdicts) {
 }
 
 TEST(Box, KnownVerdictsWithRoundedCylinders) {
+  constexpr double long_number = 51234567890123 * 0x1p-46;  // its small multiples are exact
   const Solid cube = box({0, 0, 0}, {2, 2, 2}), smooth = box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 1);
   const Known known[] = {
       {"cap on a face", {cube, rod({0.5, 0, 4}, {0, 0, 1}, 2, 2, 2)}, touch},
@@ -216,11 +217,16 @@ TEST(Box, KnownVerdictsWithRoundedCylinders) {
       {"rim on a face", {box({0, 0, 0}, {2, 9, 9}), rod({7, 0, 0}, {4, 3, 0}, 5, 5, 1)}, touch},
       {"rim on a corner", {cube, rod({10, 1, 6}, {0, 0, 1}, 5, 2, 4)}, apart},
       {"rim on a corner 3-4-5", {cube, rod({10, 1, 5}, {0, 0, 1}, 5, 2, 5)}, touch},
-      {"rim on a corner, irrational", {cube, rod({11, 1, 6}, {0, 0, 1}, 6, 4, 5)}, touch},
       {"rim on a corner obliquely", {cube, rod({3, 4, 5}, {0, 0, 1}, 2, 2, 3)}, apart},
       {"rim on an edge 3-4-5", {cube, rod({9, 0, 6}, {0, 0, 1}, 5, 2, 5)}, touch},
       {"rim on an edge, too far", {cube, rod({9, 0, 6 + 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, apart},
       {"rim on an edge, too near", {cube, rod({9, 0, 6 - 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, meet},
+      {"side beside a face by next to nothing",
+       {box({0, -1, 0}, {2, 2, 2}), rod({6, 0x1p-300, 0}, {0, 0, 1}, 2, 2, 3)},
+       apart},
+      {"rim on a corner, long numbers",
+       {cube, rod({4 + 3 * long_number, 1, 2 + 4 * long_number}, {0, 0, 1}, 3, 2, 5 * long_number)},
+       touch},
       {"disk on a face", {cube, rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)}, touch},
       {"rectangle on a disk",
        {box({0, 0, 0}, {2, 2, 0}, {1, 0, 0, 0}, 1), rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)},
@@ -386,8 +392,7 @@ TEST(Box, EveryVerdictNearTouchingIsProved) {
   for (std::uint64_t i = 0; i < many; ++i) {
     const Pair pair = draw.pair();
     const Verdict verdict = verdict_of(pair);
-    ASSERT_NE(verdict, Verdict::undecided) << format_pair(pair);
-    ASSERT_NE(verdict, Verdict::invalid) << format_pair(pair);
+    ASSERT_LE(verdict, Verdict::touching) << format_pair(pair);
   }
 }
 

@@ -40,9 +40,9 @@ std::string format_shapes(const RunData& run) {
   for (const auto& [key, row] : rows) {
     if (row.wrong == 0) continue;
     if (text.empty())
-      text = fmt::format("\n{:<24}  {:<24}{:>11}{:>14}{:>11}  margins up to\n", "shapes, at ordinary sizes",
+      text = fmt::format("\n{:<27}{:<30}{:>11}{:>14}{:>11}  margins up to\n", "shapes, at ordinary sizes",
                          "method", "answered", "beyond claim", "share");
-    text += fmt::format("{:<24}   {:<24}{:>11}{:>14}{:>9.3f} %  {}\n", shapes[key.second],
+    text += fmt::format("{:<27}{:<30}{:>11}{:>14}{:>9.3f} %  {}\n", shapes[key.second],
                         run.methods[key.first].name, row.answered, row.wrong,
                         100 * static_cast<double>(row.wrong) / static_cast<double>(row.answered),
                         margins[static_cast<std::size_t>(row.widest)]);
