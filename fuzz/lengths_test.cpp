@@ -27,7 +27,7 @@
 
 namespace cyl {
 
-/// Of fuzz/guided/mutator.hpp, whose function moves() has the name of the namespace of the shrinker.
+/// Is declared in fuzz/guided/mutator.hpp, whose function moves() has the name of the shrinker's namespace.
 Pair mutate(const Pair& pair, std::uint64_t seed);
 
 namespace {
@@ -123,7 +123,7 @@ TEST(Lengths, EveryReaderSeesEachLength) {
           << reader.name << ": " << where(length);
 }
 
-/// Says whether a pair is out of the ordinary; a length of a thousandth or a million is.
+/// Returns whether a pair is out of the ordinary; a length of a thousandth or a million is.
 struct Judge {
   const char* name;
   std::function<bool(const Pair&)> odd;
@@ -200,7 +200,7 @@ TEST(Lengths, EveryScalerScalesEachLength) {
     }
 }
 
-/// Returns pairs of which one has this length larger than before, or otherwise changed.
+/// Returns pairs. In one of them this length is larger than before, or otherwise changed.
 struct Changer {
   const char* name;
   std::function<std::vector<Pair>(const Pair&)> changed;

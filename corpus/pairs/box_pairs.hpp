@@ -10,8 +10,8 @@
 
 namespace cyl {
 
-/// Where a margin is named, even indices have it as a gap and odd ones as an overlap, which may be less deep.
-/// It is 1e-1 to 1e-15, and rounding moves it by up to 1e-15 of the size.
+/// If a kind names a margin, even indices have it as a gap, and odd ones as an overlap, which may be less
+/// deep. It is 1e-1 to 1e-15, and rounding moves it by up to 1e-15 of the size.
 enum class BoxKind : unsigned char {
   edges,    ///< an edge meets an edge, a side or a segment, at a margin. They are 1 to 1e-15 rad from
             ///< parallel, or square. Half of the contacts are at the corners. Only the direction square to

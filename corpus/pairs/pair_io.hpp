@@ -5,10 +5,11 @@
 //   {"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{...},"id":"...","truth":"disjoint"}
 //
 // 1. A cylinder has these four fields, and may have "rounding", which is 0 by default. Other solids name
-//    their shape: {"shape":"sphere","center","radius"}, {"shape":"capsule","center","axis","radius","height"}
-//    {"shape":"half_space","point","normal"} and {"shape":"box","center","edges","quaternion"}, whose
-//    quaternion [w,x,y,z] is 1,0,0,0 and whose "rounding" is 0 by default. "quaternion" may replace an axis,
-//    which is then computed in doubles.
+//    their shape: {"shape":"sphere","center","radius"},
+//    {"shape":"capsule","center","axis","radius","height"},
+//    {"shape":"half_space","point","normal"} and {"shape":"box","center","edges","quaternion"}. The
+//    quaternion [w,x,y,z] of a box is 1,0,0,0 by default, and its "rounding" is 0. "quaternion" may replace
+//    an axis, which is then computed in doubles.
 // 2. A line may also have the strings id, source, truth (a verdict) and note. Other keys of any type are
 //    skipped, but a key within one edit of source, truth or note is an error.
 // 3. Every number is read as the nearest double, with the sign of zero. Integers beyond 2^53 are rounded like

@@ -93,8 +93,8 @@ inline double size_of(const Pair& p) noexcept {
                   std::numeric_limits<double>::max());
 }
 
-/// How far a solid extends along its axis and across it, roundings included. Of a box, its shortest and its
-/// longest extent.
+/// How far a solid extends along its axis and across it, roundings included. A box has its
+/// shortest and its longest extent instead.
 struct Extents {
   double along, across;
 };

@@ -131,8 +131,8 @@ R support_gap(const Terms<R>& a, const Terms<R>& b, const Vec3<R>& delta, const 
   return cores + (a.rounding + b.rounding) * norm(d);
 }
 
-/// How far a point is beyond the planes of the caps and beyond the wall of the core; negative within. Of a
-/// box, `caps` is the most beyond its facets, and `wall` the same.
+/// How far a point is beyond the planes of the caps and beyond the wall of the core; negative within. For a
+/// box, both are the most that it is beyond a facet.
 template <class R>
 struct Beyond {
   R caps, wall;

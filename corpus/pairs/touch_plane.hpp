@@ -30,7 +30,7 @@ Vector3 edge_direction(const Solid& box, std::size_t edge);
 /// Turns the solid so that its axis, or an edge drawn from the three, has the unit direction `along`.
 void lay_along(Solid& c, const Vector3& along, RandomStream& s);
 
-/// Where a contact lies in its part, from -1 to 1 each. 0 is the middle of the part and 1 its border.
+/// The place of a contact in its part, from -1 to 1 each. 0 is the middle of the part and 1 its border.
 struct TouchPlace {
   double along, across;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The core target: our solver, its laws and the referee on one pair, and no foreign code but the exact
-// arithmetic. Of a pair that the solver does not take, the referee alone.
+// arithmetic. If the solver does not take the pair, the referee alone runs.
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -19,10 +19,10 @@
 namespace cyl {
 namespace {
 
-/// The coordinates are the decades of the whole and of each length, a rotation vector of the whole, and a
-/// turn of b about its own direction if it is a box. Then come the displacement of b in sizes (along a's
-/// direction, aside, square to both) and the decades of the distance. The last are the decades of the angle
-/// between the directions, and the azimuth of b about a's.
+/// The coordinates are the decades of the whole and of each length, and a rotation vector of the whole. A
+/// turn of b about its own direction follows, for boxes alone. Then come the displacement of b in sizes
+/// (along a's direction, aside, square to both) and the decades of the distance. The last are the decades of
+/// the angle between the directions, and the azimuth of b about a's.
 enum : std::size_t {
   scale,
   lengths,
@@ -79,8 +79,8 @@ Vector3 stretched(const Solid& from, const Solid& to, const Vector3& point) {
   return ratio(from.height, to.height) * along + ratio(from.radius, to.radius) * (point - along);
 }
 
-/// Returns the axis. Of a box that touches in a facet, the normal of the facet, else the edge that is most
-/// nearly square to the direction of the distance.
+/// Returns the axis. The axis of a box that touches in a facet is the normal of the facet. That of any other
+/// box is the edge that is most nearly square to the direction of the distance.
 Vector3 direction_of(const Solid& c, const Vector3& of_distance) {
   if (!is_box(c)) return unit_axis(c.axis);
   const auto along = [&](std::size_t i) { return std::abs(edge_direction(c, i).dot(of_distance)); };

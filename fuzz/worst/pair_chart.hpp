@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps the pairs around one pair to points of a box, for optimisers that do not know solids. Lengths have
 // logarithmic coordinates. The angle of the axes has the decades of its difference to parallel or
-// perpendicular. An edge of a box or the normal of a facet, whichever meets the other solid, is its axis.
+// perpendicular. The axis of a box is the edge, or the normal of the facet, that meets the other solid.
 #pragma once
 
 #include <array>

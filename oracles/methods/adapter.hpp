@@ -45,7 +45,7 @@ Vector3 unit_axis(const Vector3& axis) noexcept;
 Eigen::Matrix3d rotation_to(const Vector3& u) noexcept;
 
 /// Returns the rotation of a valid solid as it lies in a library's own frame: a box along the axes, all
-/// others along z. Of a box, each element is right within 2^-50.
+/// others along z. Each element of the rotation of a box is right within 2^-50.
 Eigen::Matrix3d rotation_of(const Solid& c) noexcept;
 
 }  // namespace cyl

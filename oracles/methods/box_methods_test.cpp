@@ -33,7 +33,7 @@ Solid make_box(const std::array<double, 3>& edges, const std::array<double, 4>& 
   return {.rounding = rounding, .shape = Shape::box, .edges = edges, .quaternion = quaternion};
 }
 
-/// A solid of each kind, all lengths of which differ. A cylinder lies along `axis`.
+/// A solid of each kind, with lengths that all differ. A cylinder lies along `axis`.
 Solid make(SolidKind kind, const Vector3& axis, const std::array<double, 4>& quaternion) {
   switch (kind) {
     case sphere:
@@ -61,8 +61,8 @@ struct Known {
 
 Vector3 eigen(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Moves b along the unit vector d until a plane square to d lies in the middle of a gap, and then so far
-/// that a point deep in a is one deep in b.
+/// Moves b along the unit vector d until a plane square to d lies in the middle of a gap. Then moves it
+/// so far that a point deep in a is one deep in b.
 void add_apart_and_overlapping(std::vector<Known>& known, Pair pair, const Vector3& d, double gap) {
   const Vec3<double> along = lifted<double>(d), back = lifted<double>(Vector3(-d));
   const auto a = terms_of<double>(pair.a), b = terms_of<double>(pair.b);

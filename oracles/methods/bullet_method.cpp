@@ -62,7 +62,7 @@ enum class Rims : unsigned char {
   sharp
 };
 
-/// Of a box with rounding, its hull is the sharp box around it.
+/// A box with rounding is replaced by its hull, the sharp box around it.
 btVector3 half_extents_of(const Solid& c) {
   return btVector3{c.edges[0] / 2, c.edges[1] / 2, c.edges[2] / 2} +
          btVector3{c.rounding, c.rounding, c.rounding};

@@ -28,7 +28,7 @@ TermsPair<R> shrunk(TermsPair<R> p, int bits) {
   return p;
 }
 
-/// What the search in double found.
+/// The result of the search in double.
 struct Offer {
   explicit Offer(const Pair& pair)
       : p(shrunk(double_terms(pair, exponent), 42)), found(search_box(p, 53, true)) {}

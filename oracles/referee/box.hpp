@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The referee for a bounded solid and a box. The search for nearest points offers a direction or points in
-// double, which the filter checks. What that leaves open, exact arithmetic decides (box_sign.hpp).
+// double, which the filter checks. Exact arithmetic decides the rest (box_sign.hpp).
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ namespace {
 using Real = long double;
 using Vec = Vec3<Real>;
 
-/// Of the reach: the sum of all half lengths, radii and the way between the centres.
+/// Relative to the reach, which is the sum of all half lengths, radii and the way between the centres.
 constexpr Real rounding_error = 0x1p-56L;
 
 CorePair cores_of(const Pair& pair) {

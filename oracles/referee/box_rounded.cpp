@@ -119,9 +119,9 @@ bool faces_meet(const Parts& p, const Rational3& d) {
   return !low || (*low <= *high && at_most(*low, end) && at_most(RootSum(0) - end, *high));
 }
 
-/// The way from the rim to a corner of the box, if it is rational. If the two are at the contact distance, it
-/// is: with u across the axis, (|u| - radius)^2 + (|along| - half)^2 is then rational, and the multiples of
-/// the two roots in it have the same sign.
+/// The way from the rim to a corner of the box, if it is rational. It is if the two are at the contact
+/// distance. Let u be the part across the axis. Then (|u| - radius)^2 + (|along| - half)^2 is rational, and
+/// the multiples of the two roots in it have the same sign.
 std::optional<Rational3> rim_to_corner(const Parts& p, const Rational3& corner) {
   const Rational3 u = p.across(corner);
   const mpq_class along = dot(corner, p.axis), uu = dot(u, u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The referee for a box and a cylinder with a radius, one of them rounded. Their nearest points are searched
-// with more and more bits. Ties are proved by algebra, but for an edge and a rim that are nearest in a
+// with more and more bits. Ties are proved by algebra, except for an edge and a rim that are nearest in a
 // direction that is not rational.
 #pragma once
 

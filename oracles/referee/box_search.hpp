@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The referee's own search for the nearest points of two cores of which one is a box, in numbers of any kind
+// The referee's own search for the nearest points of a box and another core, in numbers of any kind
 // (Gilbert, Johnson, Keerthi 1988). The points b - a of two cores form a convex body. The search holds up to
 // four of its points, and the point of their hull that is nearest to the origin. Each round adds a point of
 // the body that is lowest along that nearest one, and keeps the points that hold the new nearest one.
@@ -21,13 +21,13 @@ namespace cyl {
 
 /// A point of b's core less one of a's, and the one of a's, relative to a's centre.
 template <class R>
-struct Corner {
+struct BodyCorner {
   Vec3<R> at{}, on_a{};
 };
 
 template <class R>
 struct Simplex {
-  std::array<Corner<R>, 4> corners{};
+  std::array<BodyCorner<R>, 4> corners{};
   std::array<R, 4> weights{};  ///< of the corners in the nearest point; > 0 after reduce()
   std::size_t count = 0;
   Vec3<R> nearest{};  ///< points from a to b
@@ -45,9 +45,9 @@ struct Simplex {
     return x;
   }
 
-  /// Keeps the corners of the face that has the nearest point inside. `thin` is the square of a sine: corners
-  /// in a line or plane up to that are no triangle or tetrahedron. If `with_last`, only faces with the last
-  /// corner are tried.
+  /// Keeps the corners of the face that has the nearest point inside. `thin` is the square of a sine.
+  /// Corners that are in a line or plane up to that do not count as a triangle or tetrahedron. If
+  /// `with_last`, only faces with the last corner are tried.
   void reduce(const R& thin, bool with_last) {
     const R zero(0.0);
     Simplex best;
@@ -119,7 +119,7 @@ void approach(Simplex<R>& s, const SimplexLimits<R>& limits, Lowest&& lowest) {
   for (int round = 0; round < limits.rounds_cap; ++round) {
     if (!(s.square > fine)) return;
     if (limits.sign_only && under > zero && s.square < nearer) return;
-    const Corner<R> corner = lowest(s.nearest);
+    const BodyCorner<R> corner = lowest(s.nearest);
     const R least = dot(s.nearest, corner.at), slack = s.square - least;
     if (limits.sign_only && least > zero && least * least > farther * s.square) return;
     if (!(slack > zero) || slack * slack < fine * s.square) return;
@@ -164,7 +164,7 @@ R with_fewer_bits(R x, int bits) {
 }
 
 template <class R>
-Corner<R> lowest_corner(const TermsPair<R>& p, const Vec3<R>& d) {
+BodyCorner<R> lowest_corner(const TermsPair<R>& p, const Vec3<R>& d) {
   const Vec3<R> on_a = farthest(p.a, d);
   return {p.delta + farthest(p.b, R(-1.0) * d) - on_a, on_a};
 }

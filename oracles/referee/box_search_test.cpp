@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The search for nearest points against duality: if the points are in the cores, and a plane square to their
-// difference is as wide a gap as they are apart, they are the nearest.
+// The search for nearest points against duality. Points of the cores are the nearest if the gap between the
+// cores along their difference is as wide as they are apart.
 #include "oracles/referee/box_search.hpp"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/multiprecision.hpp"
 
 namespace cyl {
@@ -16,11 +15,11 @@ namespace {
 
 class Draw {
  public:
-  double number(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random_); }
+  double number(double lo, double hi) { return random_.between(lo, hi); }
   Solid solid() {
     Solid c;
     for (double& x : c.center) x = number(-2, 2);
-    const int kind = std::uniform_int_distribution<int>(0, 3)(random_);
+    const int kind = random_.integer(0, 3);
     if (kind < 2) {
       c.shape = Shape::box;
       for (double& x : c.edges) x = number(-0.5, 3);
@@ -36,7 +35,7 @@ class Draw {
   }
 
  private:
-  std::mt19937 random_{20261129};
+  RandomStream random_{"box search", 20261129, 0};
 };
 
 /// Checks a result and returns whether the cores are apart.

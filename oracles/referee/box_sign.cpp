@@ -3,7 +3,7 @@
 //    if f < 0 in one of the directions of the body's facets, and overlaps if f > 0 in all. A facet's plane
 //    is spanned by two of the segments.
 // 2. The same with roundings. Then the distance of the cores is compared with the contact distance, both
-//    squared. The search for the nearest points is exact. It starts where doubles ended.
+//    squared. The search for the nearest points is exact. It starts at the result in doubles.
 // 3. A box and a cylinder without roundings. The slab between the planes of the caps cuts a polytope out of
 //    the box. Seen along the axis, its distance from the axis is compared with the radius.
 // All numbers are rational, or have the one root |w| of the axis w.
@@ -75,8 +75,8 @@ Rational3 square_to(const Rational3& v) {
   return is_zero(n) ? cross(v, {0, 1, 0}) : n;
 }
 
-/// The rational directions of which one has f <= 0 if the polytopes do not overlap. If the bars span no
-/// space, these are square to their plane or line, or to a facet in it.
+/// Returns rational directions. If the polytopes do not overlap, one of them has f <= 0. If the bars span no
+/// space, they are square to their plane or line, or to a facet in it.
 std::vector<Rational3> facet_directions(const std::vector<Bar>& bars, const Rational3& delta) {
   std::vector<Rational3> normals;
   for (std::size_t i = 0; i < bars.size(); ++i)
@@ -140,7 +140,7 @@ class Polytopes {
       Surd3 on_a{}, between = delta;
       for (const Bar& bar : of_a_) add(on_a, dot(d, lift(bar.direction)).sign(), bar.half);
       for (const Bar& bar : of_b_) add(between, -dot(d, lift(bar.direction)).sign(), bar.half);
-      return Corner<Surd>{between - on_a, on_a};
+      return BodyCorner<Surd>{between - on_a, on_a};
     };
     Simplex<Surd> s = start(delta);
     s.reduce(Surd(), false);
@@ -174,7 +174,7 @@ class Polytopes {
     };
     Simplex<Surd> s;
     for (; s.count < found.count; ++s.count) {
-      const Corner<double>& c = found.corners[s.count];
+      const BodyCorner<double>& c = found.corners[s.count];
       const Surd3 on_a = like(of_a_, p.a, c.on_a), on_b = like(of_b_, p.b, c.at + c.on_a - p.delta);
       s.corners[s.count] = {delta + on_b - on_a, on_a};
     }
@@ -206,9 +206,9 @@ class BoxInSlab {
     if (clip_.empty()) return -1;
     const Surd radius{mpq_class(cylinder_.radius)};
     const auto lowest = [&](const Surd3& d) {
-      const Corner<Surd>* best = nullptr;
+      const BodyCorner<Surd>* best = nullptr;
       Surd least;
-      for (const Corner<Surd>& c : clip_)
+      for (const BodyCorner<Surd>& c : clip_)
         if (const Surd along = dot(d, c.at); !best || along < least) {
           best = &c;
           least = along;
@@ -230,8 +230,8 @@ class BoxInSlab {
     const Surd radius{mpq_class(cylinder_.radius)};
     if (clip_.empty() || found_.square < radius * radius)
       return dot(delta_, axis_) < 0 ? lift(mpq_class(-1) * axis_) : lift(axis_);
-    // It is p + m w, with p from the axis to the point. In m, f is convex and has its kinks where the
-    // direction is square to the axis or to an edge.
+    // It is p + m w, with p from the axis to the point. In m, f is convex and has its kinks at
+    // directions square to the axis or to an edge.
     const Surd3 &p = found_.nearest, w = lift(axis_);
     Surd3 best = p;
     Surd least = height(p);
@@ -308,8 +308,8 @@ class BoxInSlab {
   mpq_class square_;  // of the axis
   Rational3 axis_, delta_;
   std::vector<Bar> bars_;
-  Surd half_;                       // the height/2 times |axis|
-  std::vector<Corner<Surd>> clip_;  // its corners; `at` is seen along the axis
+  Surd half_;                           // the height/2 times |axis|
+  std::vector<BodyCorner<Surd>> clip_;  // its corners; `at` is seen along the axis
   Simplex<Surd> found_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The exact relation of two solids of which one is a box: whether they overlap, touch or are apart, and
-// where. Neither is a half-space. It is always found, but for a box and a rounded cylinder (radius and one of
-// the roundings > 0), whose nearest points may be no numbers with one root.
+// The exact relation of a box and a bounded solid: whether they overlap, touch or are apart, with a witness.
+// It is always found, except for a box and a rounded cylinder (radius and one of the roundings > 0). Their
+// nearest points may need more than one root.
 #pragma once
 
 #include <optional>

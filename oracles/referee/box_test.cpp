@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "base/from_environment_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/multiprecision.hpp"
@@ -289,7 +289,7 @@ long double distance_by_faces(const std::vector<Vec3<long double>>& bars, const 
 
 class SmallNumbers {
  public:
-  int whole(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(random_); }
+  int whole(int lo, int hi) { return random_.integer(lo, hi); }
   Solid polytope() {
     const int kind = whole(0, 3);
     Solid c = rod({0, 0, 0}, {0, 0, 1}, 0, kind == 3 ? whole(0, 4) : 0);
@@ -309,7 +309,7 @@ class SmallNumbers {
   }
 
  private:
-  std::mt19937 random_{20261129};
+  RandomStream random_{"polytopes", 20261129, 0};
 };
 
 std::vector<Vec3<long double>> bars_of(const Solid& c) {
@@ -353,22 +353,22 @@ TEST(Box, PolytopesAgainstBruteForce) {
 /// Draws pairs of a box and any solid, and moves them almost together.
 class AlmostTouching {
  public:
-  double number(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random_); }
-  int whole(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(random_); }
+  double number(double lo, double hi) { return random_.between(lo, hi); }
+  int whole(int lo, int hi) { return random_.integer(lo, hi); }
   double length() { return whole(0, 3) == 0 ? 0 : std::exp2(number(-4, 1)); }
   Solid solid(bool is_a_box) {
-    Solid c = is_a_box ? box({0, 0, 0}, {length(), length(), length()})
-                       : rod({0, 0, 0}, {0, 0, 1}, length(), length());
-    for (double& x : is_a_box ? std::span<double>(c.quaternion) : std::span<double>(c.axis.data(), 3))
-      x = number(-1, 1);
-    for (double& x : c.center) x = number(-1, 1);
+    const double x = length(), y = length(), z = length();
+    Solid c = is_a_box ? box({0, 0, 0}, {x, y, z}) : rod({0, 0, 0}, {0, 0, 1}, x, y);
+    for (double& u : is_a_box ? std::span<double>(c.quaternion) : std::span<double>(c.axis.data(), 3))
+      u = number(-1, 1);
+    for (double& u : c.center) u = number(-1, 1);
     if (whole(0, 1) == 0) c.rounding = length();
     return c;
   }
   Pair pair() {
     Pair p{solid(true), solid(whole(0, 2) == 0)};
     if (whole(0, 1) == 0) std::swap(p.a, p.b);
-    p.b.center += Vector3(number(-1, 1), number(-1, 1), number(-1, 1)).normalized() * 20;
+    p.b.center += random_.unit_vector() * 20;
     const TermsPair<double> t = terms_of_pair<double>(p);
     const Vec3<double> way = search_box(t, 53, false).nearest;
     const double distance = norm(way),
@@ -383,7 +383,7 @@ class AlmostTouching {
   }
 
  private:
-  std::mt19937 random_{20261130};
+  RandomStream random_{"almost touching", 20261130, 0};
 };
 
 TEST(Box, EveryVerdictNearTouchingIsProved) {

@@ -22,7 +22,7 @@ MethodAnswer offer(CertificateKind kind, const Vector3& head, const Vector3& oth
 }
 
 const Solid cube{.shape = Shape::box, .edges = {2, 2, 2}};
-/// A rectangle in a plane of which only the middle is known in doubles.
+/// A rectangle. Its middle is the only point of its plane that is known in doubles.
 const Solid oblique{.shape = Shape::box, .edges = {2, 2, 0}, .quaternion = {0.1, 0.2, 0.3, 0.7}};
 
 Solid at(Solid s, const Vector3& center) {
@@ -79,7 +79,7 @@ TEST(BoxWitness, OffersAreTaken) {
   EXPECT_EQ(judge(thin, {&apart, 1}).verdict, Verdict::disjoint);
   const MethodAnswer point = offer(CertificateKind::point, {1 - 0x1p-53, 0, 0});
   EXPECT_EQ(judge(deep, {&point, 1}).verdict, Verdict::intersecting);
-  // A common point of solids that touch is no proof that they overlap.
+  // A common point of solids that touch does not prove that they overlap.
   const Pair touching{cube, at(cube, {2, 0, 0})};
   const MethodAnswer common = offer(CertificateKind::point, {1, 0, 0});
   EXPECT_EQ(check_witness(touching, common), Verdict::intersecting);

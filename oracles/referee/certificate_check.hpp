@@ -18,8 +18,8 @@ namespace cyl {
 using Rational3 = Vec3<mpq_class>;
 
 /// The hulls that the caller requires to contain the point, one for each solid. The own hull of a flat solid
-/// is always required too: the plane of a disk, the line of a segment, or the point. Of a box, the hull of
-/// its edges that are not 0 is required, and no other.
+/// is always required too: the plane of a disk, the line of a segment, or the point. A box
+/// requires the hull of its edges that are not 0, and no other.
 using Hulls = std::array<Hull, 2>;
 
 /// The filter, in intervals of R: double, or long double if that has more digits. It scales the pair by

@@ -15,16 +15,15 @@
 //    of the cone is (i) or (ii), since else the turn above would keep it within the cone, on both sides.
 //
 // 2. Circles. The directions square to a generator are a great circle. There f is the support function of a
-//    plane figure, the shadow of K, less a product with the shadow of delta. f(D) = f(-D) - 2 D.delta, so the
-//    half of the circle towards delta is enough.
+//    plane figure, the shadow of K, less a product with the shadow of delta. The half of the circle towards
+//    delta is enough, because f(D) = f(-D) - 2 D.delta.
 //
 // 3. Arcs. For any y of K - delta, f(D) >= D.y. At the ends d0 and d1 of an arc of at most a right angle, let
 //    y0 and y1 be the points with f(d) = d.y. Then f >= max(D.y0, D.y1) on the arc. Both are equal at the
 //    direction of c = d0 + s (d1 - d0), with s = (f(d0) - d0.y1) / (f(d0) - d0.y1 + f(d1) - d1.y0). From d0
 //    to c the first is the greater one. A sinusoid is least at an end of an arc, or opposite to y, at -|y|.
 //    For a figure with corners c is the normal of its side, and the bound is f(c) itself. At a round part the
-//    bound is short by the square of the angle. Arcs are split where the bound is least and in the middle in
-//    turn.
+//    bound is short by the square of the angle. Arcs are split in turn at the least bound and in the middle.
 #include "oracles/referee/great_circles.hpp"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ class Surd {
   Surd() = default;
   Surd(double x) : a_(x) {}  // NOLINT: a number is such a sum
   explicit Surd(mpq_class a) : a_(std::move(a)) {}
-  /// b sqrt(s). `s` is no square of a rational, and outlives all numbers that are made from it.
+  /// b sqrt(s). `s` is not the square of a rational, and outlives all numbers that are made from it.
   Surd(mpq_class b, const mpq_class& s) : b_(std::move(b)), s_(&s) {}
 
   const mpq_class& rational_part() const { return a_; }

@@ -18,7 +18,7 @@ inline constexpr double flat_tol = 1e-7;
 
 /// Returns the features that meet in a direction from a to b, which may have any length. Along the axis it is
 /// a cap, perpendicular to the axis a side, else a rim. A disk (height 0) has no side and a segment (radius
-/// 0) no cap: the rim takes their place. Of a box, a facet counts as a cap, an edge as a side and a vertex as
+/// 0) no cap: the rim takes their place. A facet of a box counts as a cap, an edge as a side and a vertex as
 /// a rim. Never returns `containment`.
 ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 

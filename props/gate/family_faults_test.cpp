@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For each family of rounded solids and of half-spaces: a fault of a guest that the gate finds by this family
-// alone. (Close contacts with capsules instead of cylinders, which are no family, may show it too.)
+// alone. (Close contacts with capsules instead of cylinders, which are not a family, may show it too.)
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -35,8 +35,8 @@ double tilt_of(const Pair& pair) {
 /// Families that know nothing of tilts seldom have a smaller one.
 constexpr double least_tilt = 1.1e-3;
 
-/// Misses deep overlaps of two kinds. Other families overlap by 0.1 of the size at most, but for tilted
-/// planes.
+/// Misses deep overlaps of two kinds. Other families, except tilted planes, overlap by 0.1 of the size at
+/// most.
 Fault deep(SolidKind one, SolidKind other) {
   return [=](const Pair& pair) {
     const SolidKind a = kind_of(pair.a), b = kind_of(pair.b);

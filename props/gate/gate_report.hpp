@@ -102,7 +102,7 @@ struct GateMethod {
   AnswerCounts counts = {};
   std::vector<GateCell> cells;
   std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
-  VerdictCount rounded = {};               ///< of pairs with a rounded solid or a half-space
+  VerdictCount rounded = {};               ///< of pairs with a solid other than a cylinder
   std::string remark =
       {};  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };

@@ -25,8 +25,10 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
-/// Returns whether a solid of the pair is rounded or a half-space.
-bool is_beyond_cylinders(const Pair& pair) { return is_rounded(pair) || has_half_space(pair); }
+/// Returns whether a solid of the pair is rounded, a half-space or a box.
+bool is_beyond_cylinders(const Pair& pair) {
+  return is_rounded(pair) || has_half_space(pair) || has_box(pair);
+}
 
 /// Counts a drawn pair. Its cell is claimed as long as all pairs drawn so far are.
 void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 || cell.claimed) && claimed; }

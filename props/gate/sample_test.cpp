@@ -95,12 +95,14 @@ TEST(Gate, AsksAGuestOfSpheresAndCapsulesAboutThese) {
   EXPECT_GT(wrong.methods.at(0).rounded.wrong, 0u);
 }
 
-TEST(Gate, AsksAGuestOfCylindersAndHalfSpacesAboutBoth) {
-  const GateReport report =
-      gate_on_balls([](const Pair& pair) { return answered(decide_exactly(pair.a, pair.b).verdict); }, 4000,
-                    SolidKind::cylinder, SolidKind::half_space);
-  EXPECT_EQ(exit_code(report), 0);
-  EXPECT_GE(report.methods.at(0).rounded.pairs, 1000u);
+TEST(Gate, AsksAGuestOfCylindersAndOtherSolidsAboutBoth) {
+  for (const SolidKind other : {SolidKind::half_space, SolidKind::box}) {
+    const GateReport report =
+        gate_on_balls([](const Pair& pair) { return answered(decide_exactly(pair.a, pair.b).verdict); }, 4000,
+                      SolidKind::cylinder, other);
+    EXPECT_EQ(exit_code(report), 0);
+    EXPECT_GE(report.methods.at(0).rounded.pairs, 1000u);
+  }
 }
 
 }  // namespace

@@ -48,10 +48,10 @@ double distance_allowance(const LawCase& c, const Pair& pair, double said);
 /// The unit direction of the witness, from a to b. It is 0 or not finite if the witness has no direction.
 Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer);
 /// Returns -f(u), rounded down. For any unit vector u from a to b or back, the signed distance is at least
-/// this. The pair is in range. A half-space is asked at its normal, whatever u is.
+/// this. The pair is in range. A half-space is asked at its normal instead of u.
 double shown_by(const Pair& pair, const Vector3& u);
 
-/// At least the support of the core in each unit direction, relative to its centre. Of a half-space 0.
+/// At least the support of the core in each unit direction, relative to its centre. It is 0 for a half-space.
 double core_extent(const Solid& c);
 /// The unit direction of the axis, of the outward normal, or of a box's longest edge.
 Vector3 direction_of(const Solid& c);

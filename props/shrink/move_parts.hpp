@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the moves of the shrinker share.
+// Functions that the moves of the shrinker share.
 #pragma once
 
 #include <algorithm>

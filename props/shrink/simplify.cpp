@@ -22,7 +22,8 @@ constexpr std::size_t batch_cap = 32;
 
 using Bits = std::array<std::uint64_t, 2 * solid_number_count>;
 
-/// Which lengths of a solid are 0: bit 0 the radius, bit 1 the height. Of a box, as many bits as edges.
+/// Returns which lengths of a solid are 0: bit 0 the radius, bit 1 the height. A box has as many bits set as
+/// edges that are 0.
 unsigned zeros(const Solid& c) {
   if (is_box(c)) return (1u << std::ranges::count(c.edges, 0.0)) - 1;
   return (c.radius == 0 ? 1u : 0u) | (c.height == 0 ? 2u : 0u);

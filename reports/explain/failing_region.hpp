@@ -16,8 +16,8 @@ namespace cyl {
 enum class Parameter : unsigned char {
   distance,  ///< signed, a length: b moves along the direction of the distance. Values are those that the
              ///< referee encloses
-  angle,  ///< between the lines of the axes, radians: b is turned about its centre in the plane of both. Of a
-          ///< box it is the line of an edge; of all pairs of lines, those most nearly parallel
+  angle,  ///< between the lines of the axes, radians: b is turned about its centre in the plane of both. The
+          ///< lines of a box are those of its edges; the two most nearly parallel lines are taken
   radius_a,
   height_a,
   radius_b,

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "solver/solid.hpp"
+#include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
 

@@ -190,9 +190,9 @@ std::string rounded_in_words(const GateMethod& method) {
   const std::string name = one_line(method.name);
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
   std::string text = wrapped(
-      "",
-      fmt::format("The verdict of {} is {} with a sphere, capsule, rounded cylinder or half-space.", name,
-                  success(count.pairs, count.wrong, none_beyond) + (count.pairs == 1 ? " pair" : " pairs")));
+      "", fmt::format(
+              "The verdict of {} is {} with a sphere, capsule, rounded cylinder, half-space or box.", name,
+              success(count.pairs, count.wrong, none_beyond) + (count.pairs == 1 ? " pair" : " pairs")));
   if (count.undecided > 0)
     text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(count.undecided)));
   return text;

@@ -200,7 +200,7 @@ TEST(GateText, RoundedSolidsHaveALine) {
   m.rounded = {300, 0, 5};
   EXPECT_EQ(proved_in_words(m),
             "The verdict of intersect is never wrong beyond its claim on 300 pairs with a sphere, capsule,\n"
-            "  rounded cylinder or half-space.\n"
+            "  rounded cylinder, half-space or box.\n"
             "  It is undecided on 5 more.\n");
   m.rounded.wrong = 2;
   EXPECT_TRUE(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is wrong about which shapes, as text.
+// The methods that are wrong about some shapes, as text.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace cyl {
 
-/// A line for each method and pair of shapes with an answer wrong beyond the claim at ordinary sizes: how
-/// many were asked and how many were wrong, and the end of the widest decade of margins with a wrong one.
-/// Empty if there is none.
+/// Returns a line for each method and pair of shapes with an answer wrong beyond the claim at ordinary sizes.
+/// It has the numbers of answers and of wrong ones, and the end of the widest decade of margins with a wrong
+/// one. The text is empty if there is none.
 std::string format_shapes(const RunData& run);
 
 }  // namespace cyl

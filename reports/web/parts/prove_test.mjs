@@ -216,7 +216,7 @@ test("a half-space: its normal separates, and points lie behind its plane", () =
 const box = (center, edges, quaternion, rounding = 0) => ({ shape: "box", center, edges, quaternion, rounding });
 const die = box([0, 0, 0], [6, 6, 8]);
 
-test("a box: its edges have rational directions, whatever the length of its quaternion", () => {
+test("a box: its edges have rational directions for any length of its quaternion", () => {
   for (const k of [1, -3, 2 ** -1070, 2 ** 1000]) {
     const turned = box([18, 34, 8], [50, 50, 50], [4 * k, 2 * k, 2 * k, k]); // two edges cross at (3, 3, 0)
     assert.equal(holds({ a: die, b: turned }, { verdict: "touching", point: [3, 3, 0] }), true);
@@ -253,7 +253,7 @@ test("a box touches other solids", () => {
   assert.equal(holds({ a: sheet, b: beside }, { verdict: "touching", point: [1, 1, 4] }), true);
 });
 
-test("a rounded box, a flat box, and what is no box", () => {
+test("a rounded box, a flat box, and solids that are not boxes", () => {
   const rod = capsule([6, 7, 0], [0, 0, 1], 2, 3),
     meet = (verdict, rounding) => holds({ a: { ...die, rounding }, b: rod }, points(verdict, [3, 3, 1], [6, 7, 1]));
   assert.deepEqual([2, 2 + 2 ** -40, 2 - 2 ** -40].map((r) => meet("touching", r)), [true, false, false]);
