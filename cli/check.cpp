@@ -135,6 +135,7 @@ Pair widened(Pair pair, double clearance) {
 /// direction proves that they do not. That they do has no certificate but the enclosure. Returns the
 /// enclosure, less the clearance.
 Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
+  const bool no_overlap = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::touching;
   Enclosure beyond{};
   AttainedDistance attained;
   for (const double width : decisive_widths) {
@@ -154,6 +155,7 @@ Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
       truth.certificate.vector.head = {n.x(), n.y(), n.z()};
     }
   }
+  if (no_overlap) beyond.lo = std::max(beyond.lo, -clearance);
   return beyond;
 }
 

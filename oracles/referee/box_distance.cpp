@@ -266,9 +266,7 @@ AttainedDistance attain_box(const Pair& pair, Verdict verdict, double relative_w
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure found{next_down(static_cast<double>(e.lo - roundings - slack)),
                   next_up(static_cast<double>(e.hi - roundings + slack))};
-  if (verdict == Verdict::disjoint) found = {std::max(found.lo, 0.0), std::max(found.hi, 0.0)};
-  if (verdict == Verdict::intersecting) found = {std::min(found.lo, 0.0), std::min(found.hi, 0.0)};
-  if (verdict == Verdict::touching) found = {0, 0};
+  if (verdict == Verdict::intersecting || verdict == Verdict::touching) found.hi = std::min(found.hi, 0.0);
   const Vector3 d = in_doubles(e.direction);
   return {found, {d.x(), d.y(), d.z()}, e.cells};
 }
