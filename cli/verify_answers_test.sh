@@ -17,18 +17,14 @@ python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
 "$daylight" check --clearance -0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 [[ $(grep '"disjoint"' "$folder/answers.jsonl" | grep -cv '"direction"') == 0 ]] || { echo 'no direction'; exit 1; }
 python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
-# Solids that touch or nearly do, and are large beside the clearance: the direction has to show it, too.
-cat >"$folder/large.jsonl" <<'END'
-{"a":{"shape":"box","edges":[98,0,98],"quaternion":[6,2,3,0],"center":[-5,-2,-1]},"b":{"shape":"box","edges":[0,0,50],"quaternion":[3,4,0,0],"center":[26,10,-37]}}
-{"a":{"shape":"box","edges":[98,0,98],"quaternion":[6,2,3,0],"center":[-5,-2,-1],"rounding":2},"b":{"shape":"box","edges":[0,0,50],"quaternion":[3,4,0,0],"center":[26,10,-37]}}
-{"a":{"center":[0,0,0],"axis":[3,4,0],"radius":0,"height":100},"b":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":100}}
-{"a":{"center":[0,0,0],"axis":[3,4,0],"radius":0,"height":100,"rounding":2},"b":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":100}}
-END
-for clearance in -0.25 -2.25; do
-  "$daylight" check --clearance "$clearance" "$folder/large.jsonl" >"$folder/answers.jsonl"
-  python3 "$exact" "$folder/large.jsonl" "$folder/answers.jsonl"
-done
 cat "${exact%vectors/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
+# These touch or nearly do, and are large beside the clearance: the direction itself has to show the depth.
+cat >>"$folder/pairs.jsonl" <<'END'
+{"a":{"shape":"box","edges":[98,0,98],"quaternion":[6,2,3,0],"center":[-5,-2,-1]},"b":{"shape":"box","edges":[0,0,50],"quaternion":[3,4,0,0],"center":[26,10,-37]}}
+{"a":{"shape":"box","edges":[0,98,196],"quaternion":[6,2,3,0],"center":[0,0,0]},"b":{"shape":"box","edges":[4,4,4],"quaternion":[1,1,0,0],"center":[-74,48,-44]}}
+END
+"$daylight" check --clearance -1e-6 "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
+python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 "$daylight" check --distance "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 grep -q '"points"' "$folder/answers.jsonl" || { echo 'no certificate of two points'; exit 1; }
