@@ -7,6 +7,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/referee.hpp"
+#include "oracles/referee/witness_miss.hpp"
 #include "oracles/referee/tangency.hpp"
 
 namespace cyl {
@@ -84,6 +85,15 @@ TEST(BoxWitness, OffersAreTaken) {
   const MethodAnswer common = offer(CertificateKind::point, {1, 0, 0});
   EXPECT_EQ(check_witness(touching, common), Verdict::intersecting);
   EXPECT_EQ(judge(touching, {&common, 1}).verdict, Verdict::touching);
+}
+
+TEST(BoxWitness, MissByALength) {
+  const Pair meet{cube, at(cube, {1, 0, 0})}, apart{cube, at(cube, {2.5, 0, 0})};
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, 0.75})), -0.25);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, -1.75})), 0.75);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {2, 0, 0})), 1);
+  EXPECT_EQ(witness_miss(apart, offer(CertificateKind::direction, {4, 0, 0})), -0.5);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::direction, {4, 0, 0})), 1);
 }
 
 TEST(BoxWitness, AHalfSpaceAndABox) {
