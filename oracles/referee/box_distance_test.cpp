@@ -177,8 +177,8 @@ TEST(BoxDistance, IsShownByItsDirection) {
     ASSERT_GE(e.hi, narrow.lo) << format_pair(pair);
     const bool apart = truth.verdict == Verdict::disjoint;
     ASSERT_LE(e.hi - e.lo, 1.01 * (apart ? gap_width_tol : depth_width_tol) * size) << format_pair(pair);
-    if (truth.verdict != Verdict::intersecting) ASSERT_GE(e.lo, 0) << format_pair(pair);
-    if (truth.verdict != Verdict::disjoint) ASSERT_LE(e.hi, 0) << format_pair(pair);
+    ASSERT_GE(truth.verdict == Verdict::intersecting ? 0 : e.lo, 0) << format_pair(pair);
+    ASSERT_LE(apart ? 0 : e.hi, 0) << format_pair(pair);
   }
 }
 
