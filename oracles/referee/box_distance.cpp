@@ -11,13 +11,13 @@
 //
 // All numbers are long double, so no length or its square over- or underflows. Rounding is bounded for all
 // together: fewer than 250 operations on terms up to the reach.
+#include "oracles/referee/box_distance.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "corpus/pairs/support.hpp"
-#include "oracles/referee/box_distance.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/great_circles.hpp"
 #include "oracles/referee/interval.hpp"
@@ -65,7 +65,8 @@ Nearby find_nearby(const CorePair& pair, Real width) {
   constexpr int steps_cap = 128;
   const Simplex<Real> s = search_box<Real>(pair, SimplexLimits<Real>{width, thin_tol, 0, false, steps_cap});
   Nearby best{{}, infinity, -infinity, {0, 0, 1}};
-  best.take(pair, {s.nearest, s.on_a(), s.on_a() + s.nearest - pair.delta});
+  const Vec on_a = s.on_a(), on_b = s.on_b();  // among slender triangles not as near as s.nearest
+  best.take(pair, {on_b - on_a, on_a, on_b - pair.delta});
   return best;
 }
 
