@@ -132,9 +132,11 @@ Pair widened(Pair pair, double clearance) {
 }
 
 /// Decides by the distance whether the solids overlap by more than the tolerated depth. Sets the verdict. A
-/// direction proves that they do not. That they do has no certificate but the enclosure. Returns the
-/// enclosure, less the clearance.
+/// direction proves that they do not; one of doubles may not exist for touching solids 1e16 times as large as
+/// the tolerated depth. That they do has no certificate but the enclosure. Returns the enclosure, less the
+/// clearance.
 Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
+  const bool no_overlap = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::touching;
   Enclosure beyond{};
   AttainedDistance attained;
   for (const double width : decisive_widths) {
@@ -142,11 +144,13 @@ Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
     beyond = shifted(attained.distance, Interval(-clearance));
     if (beyond.lo > 0 || beyond.hi < 0) break;
   }
+  const bool shown = beyond.lo > 0;
+  if (no_overlap) beyond.lo = std::max(beyond.lo, -clearance);
   truth.verdict = beyond.lo > 0   ? Verdict::disjoint
                   : beyond.hi < 0 ? Verdict::intersecting
                                   : Verdict::undecided;
-  truth.certificate = {};
-  if (truth.verdict == Verdict::disjoint && attained.direction != std::array{0.0, 0.0, 0.0}) {
+  if (shown || truth.certificate.kind != CertificateKind::direction) truth.certificate = {};
+  if (shown && attained.direction != std::array{0.0, 0.0, 0.0}) {
     truth.certificate.kind = CertificateKind::direction;
     truth.certificate.vector.head = attained.direction;
     if (has_half_space(pair)) {  // only the normal itself separates

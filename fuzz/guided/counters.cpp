@@ -54,17 +54,18 @@ Stratum stratum_of(const Pair& pair, const MeasuredDistance& measured) {
 }
 
 bool can_occur(const Stratum& s) {
-  if (s.feature == ContactFeature::cap_cap) return s.angle < AngleClass::generic;
-  if (s.feature == ContactFeature::cap_side) return s.angle > AngleClass::generic;
-  return true;
+  return s.feature != ContactFeature::cap_cap || s.angle < AngleClass::generic;
 }
 
 bool is_moderate(const Pair& pair) {
   double largest = 0;
-  for (const Solid* c : {&pair.a, &pair.b}) largest = std::max({largest, c->radius, c->height, c->rounding});
+  const auto lengths = [](const Solid& c) {
+    return std::array{c.radius, c.height, c.rounding, c.edges[0], c.edges[1], c.edges[2]};
+  };
+  for (const Solid* c : {&pair.a, &pair.b}) largest = std::max(largest, std::ranges::max(lengths(*c)));
   const auto fits = [&](double x) { return x == 0 || x * moderate_factor >= largest; };
   for (const Solid* c : {&pair.a, &pair.b})
-    if (!fits(c->radius) || !fits(c->height) || !fits(c->rounding) ||
+    if (!std::ranges::all_of(lengths(*c), fits) ||
         !(c->center.cwiseAbs().maxCoeff() <= largest * moderate_factor))
       return false;
   return true;

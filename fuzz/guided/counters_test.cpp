@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/near_touching.hpp"
 
 namespace cyl {
@@ -17,7 +18,15 @@ TEST(Strata, OfContactsBuiltCanOccur) {
       EXPECT_TRUE(can_occur(s)) << to_string(s);
     }
   EXPECT_FALSE(can_occur({ContactFeature::cap_cap, 0, AngleClass::right}));
-  EXPECT_FALSE(can_occur({ContactFeature::cap_side, 0, AngleClass::parallel}));
+}
+
+TEST(Strata, OfBoxesCanOccur) {
+  for (const Family& family : box_families())
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const Pair pair = family.generate(2, i);
+      const Stratum s = stratum_of(pair, approximate_distance(pair));
+      EXPECT_TRUE(can_occur(s)) << to_string(s);
+    }
 }
 
 TEST(Strata, TellAnglesAndMarginsApart) {
@@ -40,6 +49,14 @@ TEST(Strata, OfModeratePairsAreNotOwedToOneHugeSolid) {
   p.a.height = 2;
   p.b.center.x() = 1e5;
   EXPECT_FALSE(is_moderate(p));
+  p.b = {};
+  p.b.shape = Shape::box;
+  p.b.edges = {1, 2, 0};
+  EXPECT_TRUE(is_moderate(p));
+  for (const double edge : {1e30, 1e-30}) {
+    p.b.edges[1] = edge;
+    EXPECT_FALSE(is_moderate(p));
+  }
 }
 
 }  // namespace

@@ -14,11 +14,11 @@
 #include "oracles/referee/box_distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "corpus/pairs/support.hpp"
+#include "oracles/referee/box_search.hpp"
 #include "oracles/referee/great_circles.hpp"
 #include "oracles/referee/interval.hpp"
 
@@ -31,96 +31,11 @@ using Vec = Vec3<Real>;
 /// Relative to the reach, which is the sum of all half lengths, radii and the way between the centres.
 constexpr Real rounding_error = 0x1p-56L;
 
-CorePair cores_of(const Pair& pair) {
-  return {terms_of<Real>(pair.a), terms_of<Real>(pair.b),
-          lifted<Real>(pair.b.center) - lifted<Real>(pair.a.center)};
-}
-
-Real reach_of(const CorePair& pair) {
-  Real sum = norm(pair.delta);
-  for (const Terms<Real>* s : {&pair.a, &pair.b})
-    sum += s->radius + s->half + s->halves[0] + s->halves[1] + s->halves[2];
-  return sum;
-}
+CorePair cores_of(const Pair& pair) { return {terms_of_pair<Real>(pair)}; }
 
 /// A point of each core, each from its own centre, and the way from a's to b's.
 struct Points {
   Vec way, on_a, on_b;
-};
-Points farthest_against(const CorePair& pair, const Vec& d) {
-  const Vec on_a = farthest(pair.a, d), on_b = farthest(pair.b, Real(-1) * d);
-  return {pair.delta + on_b - on_a, on_a, on_b};
-}
-
-/// At most four ways, the last the newest.
-class Simplex {
- public:
-  /// Keeps the fewest ways whose hull holds the shortest one, and returns that. Its hull has the newest.
-  Points shorten(const Points& added) {
-    all_[count_++] = added;
-    const unsigned newest = 1U << (count_ - 1);
-    unsigned best = 0;
-    Real least = std::numeric_limits<Real>::infinity();
-    std::array<Real, 4> shares{};
-    for (unsigned subset = newest; subset < 2 * newest; ++subset)
-      if (const auto [ok, weights] = weights_of(subset); ok)
-        if (const Vec way = mixed(weights).way; dot(way, way) < least) {
-          least = dot(way, way);
-          best = subset;
-          shares = weights;
-        }
-    const Points found = mixed(shares);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count_; ++i)
-      if ((best >> i & 1U) != 0) all_[kept++] = all_[i];
-    count_ = kept;
-    return found;
-  }
-  bool is_full() const { return count_ == 4; }
-
- private:
-  Points mixed(const std::array<Real, 4>& weights) const {
-    Points sum{};
-    for (std::size_t i = 0; i < count_; ++i)
-      if (weights[i] != 0)
-        sum = {sum.way + weights[i] * all_[i].way, sum.on_a + weights[i] * all_[i].on_a,
-               sum.on_b + weights[i] * all_[i].on_b};
-    return sum;
-  }
-
-  /// The point of the subset's affine hull nearest to 0, if it is in the hull.
-  std::pair<bool, std::array<Real, 4>> weights_of(unsigned subset) const {
-    std::array<std::size_t, 4> at{};
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < count_; ++i)
-      if ((subset >> i & 1U) != 0) at[n++] = i;
-    const Vec &p = all_[at[0]].way, x = all_[at[1]].way - p, y = all_[at[2]].way - p, z = all_[at[3]].way - p;
-    std::array<Real, 4> part{1, 0, 0, 0};  // unscaled, by place in the subset
-    if (n == 2) {
-      part = {dot(x, all_[at[1]].way), -dot(x, p), 0, 0};
-    } else if (n == 3) {
-      const Vec normal = cross(x, y);
-      const auto area = [&](const Vec& a, const Vec& b) { return dot(normal, cross(a, b)); };
-      const Vec &q = all_[at[1]].way, &r = all_[at[2]].way;
-      part = {area(q, r), area(r, p), area(p, q), 0};
-    } else if (n == 4) {
-      const Vec &q = all_[at[1]].way, &r = all_[at[2]].way, &s = all_[at[3]].way;
-      const Real sign = dot(x, cross(y, z)) < 0 ? -1 : 1;
-      part = {sign * dot(q, cross(r, s)), -sign * dot(p, cross(r, s)), sign * dot(p, cross(q, s)),
-              -sign * dot(p, cross(q, r))};
-    }
-    const Real sum = part[0] + part[1] + part[2] + part[3];
-    std::array<Real, 4> weights{};
-    if (!(sum > 0)) return {false, weights};
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(part[i] >= 0)) return {false, weights};
-      weights[at[i]] = part[i] / sum;
-    }
-    return {true, weights};
-  }
-
-  std::array<Points, 4> all_{};
-  std::size_t count_ = 0;
 };
 
 struct Nearby {
@@ -146,26 +61,12 @@ struct Nearby {
 /// Shortens the way until both bounds differ by `width`, or until rounding ends it. At a round edge, each
 /// step halves the angle that is left.
 Nearby find_nearby(const CorePair& pair, Real width) {
+  constexpr Real infinity = std::numeric_limits<Real>::infinity(), thin_tol = 0x1p-56L;
   constexpr int steps_cap = 128;
-  const Real apart = norm(pair.delta);
-  Vec d = apart > 0 ? pair.delta / apart : Vec{0, 0, 1};
-  Nearby best{{}, std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity(), d};
-  Simplex simplex;
-  for (int step = 0; step < steps_cap; ++step) {
-    const Points added = farthest_against(pair, d);
-    if (const Real least = dot(added.way, d); least > best.least) {
-      best.least = least;
-      best.direction = d;
-    }
-    if (best.most - best.least <= width) break;
-    const Points shorter = simplex.shorten(added);
-    const Real length = norm(shorter.way);
-    if (!(length < best.most)) break;
-    best.points = shorter;
-    best.most = length;
-    if (length == 0 || simplex.is_full()) break;
-    d = shorter.way / length;
-  }
+  const Simplex<Real> s = search_box<Real>(pair, SimplexLimits<Real>{width, thin_tol, 0, false, steps_cap});
+  Nearby best{{}, infinity, -infinity, {0, 0, 1}};
+  const Vec on_a = s.on_a(), on_b = s.on_b();  // among slender triangles not as near as s.nearest
+  best.take(pair, {on_b - on_a, on_a, on_b - pair.delta});
   return best;
 }
 
@@ -266,9 +167,7 @@ AttainedDistance attain_box(const Pair& pair, Verdict verdict, double relative_w
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure found{next_down(static_cast<double>(e.lo - roundings - slack)),
                   next_up(static_cast<double>(e.hi - roundings + slack))};
-  if (verdict == Verdict::disjoint) found = {std::max(found.lo, 0.0), std::max(found.hi, 0.0)};
-  if (verdict == Verdict::intersecting) found = {std::min(found.lo, 0.0), std::min(found.hi, 0.0)};
-  if (verdict == Verdict::touching) found = {0, 0};
+  if (verdict == Verdict::intersecting || verdict == Verdict::touching) found.hi = std::min(found.hi, 0.0);
   const Vector3 d = in_doubles(e.direction);
   return {found, {d.x(), d.y(), d.z()}, e.cells};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <vector>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
@@ -147,6 +148,38 @@ TEST(BoxDistance, NoDirectionSeparatesMore) {
   std::printf("%d apart, %d overlapping, %zu arcs\n", apart, overlapping, cells);
   EXPECT_GT(apart, 100);
   EXPECT_GT(overlapping, 100);
+}
+
+// Whatever the verdict and the width. The solids of the first two pairs touch, or their cores do.
+TEST(BoxDistance, IsShownByItsDirection) {
+  const Solid plate = box({-5, -2, -1}, {98, 0, 98}, 0, {6, 2, 3, 0}),
+              rod = box({26, 10, -37}, {0, 0, 50}, 0, {3, 4, 0, 0});
+  Solid rounded = rod;
+  rounded.rounding = 2;
+  std::vector<Pair> pairs{{plate, rod}, {plate, rounded}};
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    RandomStream s("box_distance_test", 3, i);
+    pairs.push_back({drawn(s, true), drawn(s, s.integer(0, 1) == 0)});
+  }
+  for (const Pair& pair : pairs) {
+    const Truth truth = judge_verdict(pair);
+    const Terms<double> a = terms_of<double>(pair.a), b = terms_of<double>(pair.b);
+    const Vec3<double> delta = lifted<double>(Vector3(pair.b.center - pair.a.center));
+    const double size = size_of(pair) + norm(delta);
+    for (const double width : {1.0, 1e-2, 1e-6, 1e-12}) {
+      const AttainedDistance found = attain_distance(pair, truth, width);
+      const Vec3<double> d{found.direction[0], found.direction[1], found.direction[2]};
+      ASSERT_NEAR(dot(d, delta) - support(a, d) - support(b, d), found.distance.lo, 1e-14 * size)
+          << width << format_pair(pair);
+    }
+    const Enclosure e = enclose_distance(pair, truth), narrow = enclose_distance(pair, truth, 1e-15);
+    ASSERT_LE(e.lo, narrow.hi) << format_pair(pair);
+    ASSERT_GE(e.hi, narrow.lo) << format_pair(pair);
+    const bool apart = truth.verdict == Verdict::disjoint;
+    ASSERT_LE(e.hi - e.lo, 1.01 * (apart ? gap_width_tol : depth_width_tol) * size) << format_pair(pair);
+    ASSERT_GE(truth.verdict == Verdict::intersecting ? 0 : e.lo, 0) << format_pair(pair);
+    ASSERT_LE(apart ? 0 : e.hi, 0) << format_pair(pair);
+  }
 }
 
 // A turned box over a corner, an edge and a facet of another, and a tilted cylinder over an edge, at gaps and

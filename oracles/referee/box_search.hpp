@@ -169,6 +169,17 @@ BodyCorner<R> lowest_corner(const TermsPair<R>& p, const Vec3<R>& d) {
   return {p.delta + farthest(p.b, R(-1.0) * d) - on_a, on_a};
 }
 
+/// Searches from a corner of the body for the nearest points of the cores.
+template <class R>
+Simplex<R> search_box(const TermsPair<R>& p, const SimplexLimits<R>& limits) {
+  const auto lowest = [&](const Vec3<R>& d) { return lowest_corner(p, d); };
+  Simplex<R> s;
+  s.corners[s.count++] = lowest(p.delta);
+  s.reduce(limits.thin, false);
+  approach(s, limits, lowest);
+  return s;
+}
+
 /// Searches with `bits` of precision for the nearest points of the cores, or until their distance is
 /// certainly above or below the sum of both roundings. If the cores meet, both points are a common one. A
 /// flat or touched side costs most of the digits of a common point's distance from it. Cost in double: 1 us
@@ -181,12 +192,7 @@ Simplex<R> search_box(const TermsPair<R>& p, int bits, bool sign_only) {
   limits.contact = p.a.rounding + p.b.rounding;
   limits.sign_only = sign_only;
   limits.rounds_cap = 3 * bits;
-  const auto lowest = [&](const Vec3<R>& d) { return lowest_corner(p, d); };
-  Simplex<R> s;
-  s.corners[s.count++] = lowest(p.delta);
-  s.reduce(limits.thin, false);
-  approach(s, limits, lowest);
-  return s;
+  return search_box(p, limits);
 }
 
 }  // namespace cyl

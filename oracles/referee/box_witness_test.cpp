@@ -8,6 +8,7 @@
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/referee/tangency.hpp"
+#include "oracles/referee/witness_miss.hpp"
 
 namespace cyl {
 namespace {
@@ -84,6 +85,27 @@ TEST(BoxWitness, OffersAreTaken) {
   const MethodAnswer common = offer(CertificateKind::point, {1, 0, 0});
   EXPECT_EQ(check_witness(touching, common), Verdict::intersecting);
   EXPECT_EQ(judge(touching, {&common, 1}).verdict, Verdict::touching);
+}
+
+TEST(BoxWitness, MissByALength) {
+  const Pair meet{cube, at(cube, {1, 0, 0})}, apart{cube, at(cube, {2.5, 0, 0})};
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, 0.75})), -0.25);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, -1.75})), 0.75);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {2, 0, 0})), 1);
+  EXPECT_EQ(witness_miss(apart, offer(CertificateKind::direction, {4, 0, 0})), -0.5);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::direction, {4, 0, 0})), 1);
+}
+
+// The distance is below the rounding of the search. Then the certificate gives the sign of the enclosure.
+TEST(BoxWitness, BoundsTheDistance) {
+  Solid beam = cube;
+  beam.edges[1] = 1024;
+  const Pair thin{beam, at(cube, {2 + 0x1p-51, 0, 0})}, deep{beam, at(cube, {2 - 0x1p-52, 0, 0})};
+  const Enclosure gap = enclose_distance(thin, judge(thin)), depth = enclose_distance(deep, judge(deep));
+  EXPECT_GT(gap.lo, 0x1p-52);
+  EXPECT_LT(depth.hi, -0x1p-54);
+  EXPECT_LE(attain_distance(thin, judge(thin), gap_width_tol).distance.lo, 0);
+  EXPECT_EQ(attain_distance(deep, judge(deep), depth_width_tol).distance.hi, 0);
 }
 
 TEST(BoxWitness, AHalfSpaceAndABox) {

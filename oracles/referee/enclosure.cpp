@@ -212,6 +212,8 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
   return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
 }
 
+bool meet(Verdict verdict) { return verdict == Verdict::intersecting || verdict == Verdict::touching; }
+
 // The distance of rounded solids is that of their cores less the roundings, in the same direction. The
 // difference of the solids is that of the cores grown by a ball, which moves its whole boundary outward by
 // the radius.
@@ -221,12 +223,10 @@ AttainedDistance shrunk_by_roundings(const Pair& pair, const Truth& truth, doubl
   const double core_size = size_of(cores);
   const double core_width = core_size > 0 ? relative_width * (size_of(pair) / core_size) : relative_width;
   AttainedDistance found = attain_distance(cores, judge_verdict(cores), std::min(core_width, 1.0));
-  if (truth.verdict == Verdict::touching) return {{0, 0}, found.direction, found.cells};
   const Interval shrunk =
       Interval(found.distance.lo, found.distance.hi) - Interval(pair.a.rounding) - Interval(pair.b.rounding);
   found.distance = {shrunk.lo, shrunk.hi};
-  if (truth.verdict == Verdict::disjoint) found.distance.lo = std::max(found.distance.lo, 0.0);
-  if (truth.verdict == Verdict::intersecting) found.distance.hi = std::min(found.distance.hi, 0.0);
+  if (meet(truth.verdict)) found.distance.hi = std::min(found.distance.hi, 0.0);
   return found;
 }
 
@@ -276,23 +276,22 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   f.floor = std::min(f.floor, f.best);
   const Vec& d = f.direction;
   const std::array<double, 3> direction{d.x, d.y, d.z};
-  if (truth.verdict == Verdict::touching) return {{0, 0}, direction, f.cells};
-  // Converts to the scene's unit, rounded outward, then adds the bounds that the verdict alone gives.
+  // Converts to the scene's unit, rounded outward, then adds the bound that the verdict alone gives.
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure e{next_down(std::ldexp(-f.best - slack, exponent)),
               next_up(std::ldexp(-f.floor + slack, exponent))};
-  if (truth.verdict == Verdict::disjoint) e.lo = std::max(e.lo, 0.0);
-  if (truth.verdict == Verdict::intersecting) e.hi = std::min(e.hi, 0.0);
+  if (meet(truth.verdict)) e.hi = std::min(e.hi, 0.0);
   return {e, direction, f.cells};
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // not covered: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
-  if (is_rounded(pair) || has_half_space(pair) || has_box(pair))
-    return attain_distance(pair, truth, relative_width).distance;
-  if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
-  return attain_distance(pair, truth, relative_width).distance;
+  if (!is_rounded(pair) && !has_half_space(pair) && !has_box(pair))
+    if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
+  Enclosure found = attain_distance(pair, truth, relative_width).distance;
+  if (truth.verdict == Verdict::disjoint) found.lo = std::max(found.lo, 0.0);
+  return found;
 }
 
 // The value is -f of the best direction found, so an error of the direction counts by its square only.

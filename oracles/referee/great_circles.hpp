@@ -5,14 +5,12 @@
 #include <cstddef>
 
 #include "corpus/pairs/support.hpp"
+#include "oracles/referee/box_search.hpp"
 
 namespace cyl {
 
 /// f(D) is the support of K = (core of a) - (core of b), both about their centres, less D.delta.
-struct CorePair {
-  Terms<long double> a, b;  ///< at least one is a box; no half-space
-  Vec3<long double> delta;  ///< from a's centre to b's
-
+struct CorePair : TermsPair<long double> {               ///< at least one is a box; no half-space
   long double value(const Vec3<long double>& d) const {  ///< f of a unit direction
     return core_support(a, d) + core_support(b, d) - dot(d, delta);
   }

@@ -73,8 +73,8 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth);
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
 /// The enclosure, and the unit direction from a to b at which it was found. Along it, the
-/// extents of the solids overlap by minus the lower end, up to rounding errors. Exceptions:
-/// 1. If the verdict excludes negative distances, the lower end is at least 0.
+/// extents of the solids overlap by minus the lower end, up to rounding errors.
+/// 1. So the verdict does not raise the lower end. It only lowers the upper one to 0.
 /// 2. If the distance is smaller than the width, the enclosure may differ from that of enclose_distance().
 /// 3. If several directions attain the distance, it is one of them.
 struct AttainedDistance {

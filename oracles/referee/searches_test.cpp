@@ -117,15 +117,15 @@ void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
   expect(std::fabs(std::hypot(u[0], u[1], u[2]) - 1) <= 0x1p-50, "enclosures: a direction of another length");
   ++effort.pairs;
   effort.cells += static_cast<double>(attained.cells);
-  if (truth.verdict == Verdict::touching) {
-    expect(e.lo == 0 && e.hi == 0, "enclosures: of touching solids");
-    return;
-  }
   const bool capped = attained.cells >= cell_cap;
   effort.capped += capped;
   expect(e.lo <= e.hi && (e.hi - e.lo <= width * size + rounding || capped), "enclosures: too wide");
-  expect(std::fabs(static_cast<double>(gap_of(pair, u)) + e.lo) <= 16 * rounding || e.lo == 0,
+  expect(std::fabs(static_cast<double>(gap_of(pair, u)) + e.lo) <= 16 * rounding,
          "enclosures: attained nowhere");
+  if (truth.verdict == Verdict::touching) {
+    expect(e.hi == 0, "enclosures: of touching solids");
+    return;
+  }
   const Distance measured = distance(pair.a, pair.b);
   const Enclosure real = bounds_of(measured);
   expect(real.hi >= e.lo - rounding && real.lo <= e.hi + rounding, "enclosures: beside the distance");

@@ -233,11 +233,7 @@ TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
         gap -= c.radius * d.cross(w).norm() + c.height / 2 * std::abs(d.dot(w));
       }
       const double allowed = 1e-14 * (size_of(p) + static_cast<double>(delta.stableNorm()));
-      // The verdict alone gives a lower end of 0.
-      if (found.distance.lo != 0)
-        EXPECT_GE(static_cast<double>(gap), found.distance.lo - allowed) << format_pair(p);
-      else
-        EXPECT_GE(static_cast<double>(gap), -1e-9 * size_of(p)) << format_pair(p);
+      EXPECT_GE(static_cast<double>(gap), found.distance.lo - allowed) << format_pair(p);
       EXPECT_LE(static_cast<double>(gap), found.distance.hi + allowed) << format_pair(p);
     }
 }

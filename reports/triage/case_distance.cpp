@@ -23,7 +23,8 @@ CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Encl
   Truth truth;
   truth.verdict = verdict;
   const AttainedDistance attained = attain_distance(pair, truth, width);
-  const Enclosure d = attained.distance;
+  Enclosure d = attained.distance;
+  if (verdict == Verdict::disjoint || verdict == Verdict::touching) d.lo = std::max(d.lo, 0.0);
   CaseDistance reported{d, margin, {}, {}};
   if (!margin) {
     const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
