@@ -7,13 +7,15 @@
 namespace cyl {
 namespace {
 
+/// 2^-exponent, or the least normal power of two.
+double unit_of(int exponent) noexcept { return exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent); }
+
 // The columns of the rotation (boxes.md, section 6). The largest number of the quaternion comes to [1, 2), of
 // a subnormal one to [2^-51, 1].
 void prepare_box(const Solid& c, Prepared& p) noexcept {
   const auto& q = c.quaternion;
-  const int exponent =
-      exponent_of(larger(larger(std::fabs(q[0]), std::fabs(q[1])), larger(std::fabs(q[2]), std::fabs(q[3]))));
-  const double unit = exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
+  const double unit = unit_of(exponent_of(
+      larger(larger(std::fabs(q[0]), std::fabs(q[1])), larger(std::fabs(q[2]), std::fabs(q[3])))));
   const double w = q[0] * unit, x = q[1] * unit, y = q[2] * unit, z = q[3] * unit;
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, n = 1 / ((ww + xx) + (yy + zz));
   p.unit_axis = {((ww + xx) - (yy + zz)) * n, 2 * (x * y + w * z) * n, 2 * (x * z - w * y) * n};
@@ -34,8 +36,7 @@ Prepared prepare(const Solid& c) noexcept {
   }
   // Scales by powers of two. The largest coordinate comes to [1, 2), of the largest doubles to [2, 4), and
   // of subnormal ones to [2^-51, 1]. So squares neither overflow nor vanish.
-  const int exponent = exponent_of(max_abs(c.axis));
-  const Vector3 w = c.axis * (exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent));
+  const Vector3 w = c.axis * unit_of(exponent_of(max_abs(c.axis)));
   // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
   // A half-space does.
   double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
