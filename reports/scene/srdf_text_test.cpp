@@ -51,13 +51,12 @@ TEST(SrdfText, DisablesWhatIsProvedOrJoinedByOneJoint) {
   EXPECT_FALSE(reasons.contains({"fore", "hand"})) << "two joints, and they overlap";
   EXPECT_EQ(reasons.at({"base", "upper"}), "Never");
   EXPECT_FALSE(reasons.contains({"left_finger", "right_finger"})) << "they meet with the joints at 0";
-  EXPECT_FALSE(reasons.contains({"hand", "table"})) << "the table is a box";
+  EXPECT_FALSE(reasons.contains({"hand", "table"})) << "they meet at times";
   EXPECT_FALSE(reasons.contains({"base", "fore"})) << "they meet at times";
   EXPECT_NE(text.find("<!-- proved: at least "), text.npos) << text;
-  EXPECT_NE(
-      text.find(
-          "<!-- table - hand: not disabled: open: only the bounding solid of a box or mesh comes near: "),
-      text.npos)
+  EXPECT_NE(text.find("<!-- table - hand: not disabled: open: only the bounding solid of a mesh or ellipsoid "
+                      "comes near: "),
+            text.npos)
       << text;
   EXPECT_NE(text.find(": not disabled: some shapes were not tested -->"), text.npos)
       << "a mesh of the camera";

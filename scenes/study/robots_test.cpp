@@ -98,20 +98,6 @@ void expect_held(const Solid& solid, const Vector3& point, const std::string& na
   EXPECT_NE(judge_verdict({solid, {point, {0, 0, 1}, 0, 0, 0}}).verdict, Verdict::disjoint) << name;
 }
 
-TEST(RobotBounds, HoldTheCornersOfTheirBoxes) {
-  std::size_t boxes = 0;
-  for (const char* file : {"crane.urdf", "arm.urdf", "porter.urdf", "hand.xml"}) {
-    const Scene scene = read_scene(folder + file);
-    for (const Body& body : scene.bodies) {
-      if (!body.box || body.box->shape != "box") continue;
-      ++boxes;
-      for (const Vector3& corner : corners_of(body.box->size))
-        expect_held(body.solid, body.box->pose * corner, body.name);
-    }
-  }
-  EXPECT_EQ(boxes, 9u);
-}
-
 std::vector<Vector3> vertices_of(const std::string& mesh) {
   return read_mesh(mesh, NamedFiles(folder + mesh).read(folder + mesh, NamedBy::user));
 }
