@@ -114,7 +114,8 @@ TEST(Files, JsonLinesAndCsvSayTheSame) {
 }
 
 TEST(Files, JsonLinesHaveAllSolids) {
-  const Scene scene = read_text(".jsonl", R"({"shape":"half_space","point":[0,0,0],"normal":[0,0,2],"name":"floor"}
+  const Scene scene =
+      read_text(".jsonl", R"({"shape":"half_space","point":[0,0,0],"normal":[0,0,2],"name":"floor"}
     {"shape":"half_space","point":[0,0,9],"normal":[0,0,-1]}
     {"shape":"box","center":[0,0,3],"edges":[1,2,3],"quaternion":[1,1e-17,0,0],"rounding":0.5}
     {"shape":"sphere","center":[0,0,0.5],"radius":0.5})");
@@ -148,7 +149,8 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".jsonl", "{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1e-999,\"height\":2}")
                 .find("line 1: 1e-999 underflows a double"),
             std::string::npos);
-  EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("line 1: centre is not a field of a solid; "), std::string::npos);
+  EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("line 1: centre is not a field of a solid; "),
+            std::string::npos);
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n0,0,0,0,0,1,one,2").find("radius is 'one'"),
             std::string::npos);
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius\n").find("no column 'height'"), std::string::npos);
@@ -199,16 +201,21 @@ TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
   const Scene scene = read_text(
       ".urdf", "<robot name='r'><link name='a'>" + shape("<mesh filename='a.stl' scale='1 1 1 1'/>") +
                    shape("<box size='1 2'/>") + shape("<box size='1 2 x'/>") + shape("<mesh/>") +
-                   shape("<box size='1 2 3'/>") + shape("<box size='1 2 -3'/>") + shape("<sphere radius='1'/>") + "</link><link name='b'>" +
-                   shape("<sphere radius='1'/>") + shape("<sphere radius='1'/>", "0 0") +
+                   shape("<box size='1 2 3'/>") + shape("<box size='1 2 -3'/>") +
+                   shape("<sphere radius='1'/>") + "</link><link name='b'>" + shape("<sphere radius='1'/>") +
+                   shape("<sphere radius='1'/>", "0 0") +
                    "</link><joint name='j' type='ball'><parent link='a'/><child link='b'/></joint></robot>");
   ASSERT_EQ(scene.bodies.size(), 2u);
   EXPECT_EQ(scene.bodies[0].name, "a/5");
   EXPECT_EQ(scene.bodies[0].solid.edges, (std::array{1.0, 2.0, 3.0}));
   EXPECT_EQ(scene.bodies[1].solid.rounding, 1);
-  EXPECT_EQ(scene.left_out,
-            (std::vector<LeftOut>{
-                {"mesh", "a"}, {"box", "a"}, {"box", "a"}, {"mesh", "a"}, {"box", "a"}, {"sphere", "b"}, {"sphere", "b"}}));
+  EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"mesh", "a"},
+                                                  {"box", "a"},
+                                                  {"box", "a"},
+                                                  {"mesh", "a"},
+                                                  {"box", "a"},
+                                                  {"sphere", "b"},
+                                                  {"sphere", "b"}}));
   EXPECT_TRUE(scene.links.at(1).held);
 }
 

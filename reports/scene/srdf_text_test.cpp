@@ -5,10 +5,9 @@
 #include <map>
 
 #include "base/files.hpp"
-#include "base/scratch_test.hpp"
 #include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/read/scene_files.hpp"
+#include "scenes/read/read_text_test.hpp"
 
 namespace cyl {
 namespace {
@@ -96,6 +95,31 @@ TEST(SrdfText, NoNeverAcrossAJointThatWasNotMoved) {
                                               scene.links[scene.bodies[pair.b].link].name)));
   }
   EXPECT_GT(held, 0u);
+}
+
+// Two fixed links overlap for ever. The third is clear of the first. The last always overlaps the first two,
+// but a joint moves it.
+TEST(SrdfText, PartsOfOneRigidBodyThatOverlapAreDisabled) {
+  const auto link = [](const std::string& name, const std::string& x) {
+    return "<link name='" + name + "'><collision><origin xyz='" + x +
+           " 0 0'/><geometry><box size='1 1 1'/></geometry></collision></link>";
+  };
+  const auto joint = [](const std::string& type, const std::string& to) {
+    return "<joint name='to_" + to + "' type='" + type + "'><parent link='base'/><child link='" + to +
+           "'/><axis xyz='1 0 0'/></joint>";
+  };
+  const Scene scene = read_text(".urdf", "<robot name='r'><link name='base'/>" + link("a", "0") +
+                                             link("b", "0.9") + link("c", "1.5") + link("spun", "0.2") +
+                                             joint("fixed", "a") + joint("fixed", "b") + joint("fixed", "c") +
+                                             joint("continuous", "spun") + "</robot>");
+  const std::string text = text_of(scene);
+  const auto reasons = read_back(scene, text);
+  EXPECT_EQ(reasons.at({"a", "b"}), "Default");
+  EXPECT_EQ(reasons.at({"b", "c"}), "Default");
+  EXPECT_EQ(reasons.at({"a", "c"}), "Never");
+  EXPECT_EQ(reasons.at({"c", "spun"}), "Never");
+  EXPECT_EQ(reasons.size(), 4u);
+  EXPECT_NE(text.find("<!-- proved: of one rigid body, distance -0.1 as it stands -->"), text.npos) << text;
 }
 
 // Pairs that its own SRDF disables come back only if they are proved, not if they are refuted or open.

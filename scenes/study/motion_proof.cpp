@@ -23,10 +23,6 @@ constexpr double wanted_share = 0.5;
 /// The boxes spent on a better bound if a pair is proved with fewer.
 constexpr std::size_t better_boxes_cap = 500;
 
-/// The error that is allowed for in a distance that the referee measures, relative to all lengths. The
-/// referee proves each gap and each contact, so it only has to be large enough.
-constexpr double measured_tol = 1e-12;
-
 /// Whether the referee proves that the direction separates the solids, even if one grows by the gap. Only its
 /// normal separates a half-space, but no double may have that direction and length 1.
 bool separates(const Vector3& direction, Pair pair, double gap) {
@@ -288,7 +284,8 @@ Distance signed_distance(const Pair& pair) {
   Distance d;
   d.value = measured.value;
   d.direction = measured.direction;
-  d.error = measured_tol * (size_of(pair) + (pair.b.center - pair.a.center).norm());
+  // A gap is measured with the same width as a depth. The referee proves what follows from it.
+  d.error = depth_width_tol * (size_of(pair) + (pair.b.center - pair.a.center).norm());
   return d;
 }
 
