@@ -40,8 +40,9 @@ TEST(SceneJson, KeepsToItsSchema) {
   EXPECT_EQ(parse_json(proofs)["exemptions"].size(), 1u);
   const json good = parse_json(document);
   for (const char* planted :
-       {R"([{"op":"remove","path":"/bodies/0/solid/axis"}])",
-        R"([{"op":"replace","path":"/bodies/0/solid/radius","value":-1}])",
+       {R"([{"op":"remove","path":"/bodies/1/solid/axis"}])",
+        R"([{"op":"replace","path":"/bodies/1/solid/radius","value":-1}])",
+        R"([{"op":"replace","path":"/bodies/0/solid/edges","value":[1,2]}])",
         R"([{"op":"replace","path":"/pairs/0/needs","value":"inner capsule"}])",
         R"([{"op":"remove","path":"/pairs/0/models/5"}])", R"([{"op":"remove","path":"/bodies/0/solid"}])",
         R"([{"op":"remove","path":"/pairs/0/known"}])", R"([{"op":"add","path":"/colour","value":"red"}])"})
