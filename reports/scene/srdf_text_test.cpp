@@ -47,7 +47,7 @@ TEST(SrdfText, DisablesWhatIsProvedOrJoinedByOneJoint) {
   const auto reasons = read_back(scene, text);
   EXPECT_EQ(reasons.at({"elbow", "upper"}), "Adjacent");
   EXPECT_EQ(reasons.at({"camera", "hand"}), "Adjacent") << "a fixed joint";
-  EXPECT_FALSE(reasons.contains({"fore", "hand"})) << "two joints, and they overlap";
+  EXPECT_EQ(reasons.at({"fore", "hand"}), "Default") << "two fixed joints, and they overlap";
   EXPECT_EQ(reasons.at({"base", "upper"}), "Never");
   EXPECT_FALSE(reasons.contains({"left_finger", "right_finger"})) << "they meet with the joints at 0";
   EXPECT_FALSE(reasons.contains({"hand", "table"})) << "they meet at times";
