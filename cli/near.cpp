@@ -38,7 +38,8 @@ NearStudy read_cylinders(const NearArguments& arguments) {
   }
   const Scene scene = read_scene(arguments.file, "");
   if (!stands_still(scene))
-    throw UsageError(arguments.file + " describes bodies that move or are bounded: use 'daylight scene'");
+    throw UsageError(arguments.file +
+                     " describes bodies that move, are bounded or are no cylinders: use 'daylight scene'");
   study.file = arguments.file;
   study.cylinders = place(scene, joints_at(scene));
   for (const Body& body : scene.bodies) study.names.push_back(body.name);

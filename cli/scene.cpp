@@ -131,7 +131,8 @@ void add_scene(Program& program) {
       "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
       "Exit code 2 of scene means that a proof refutes a recommended answer, or that --prove shows\n"
       "contact of links that the SRDF disables as \"Never\". 3 also means that --prove left a pair open,\n"
-      "shapes were not examined, only a bounding solid of a box or mesh is known to be near, or joints\n"
+      "shapes were not examined, only a bounding solid of a mesh or ellipsoid is known to be near, or "
+      "joints\n"
       "were not moved.");
   command.run([arguments] { return study(*arguments); });
 }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "base/usage_error.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
 namespace cyl {
@@ -62,6 +63,11 @@ Pose motion_of(const Link& link, double value) {
   return moved;
 }
 
+std::array<double, 4> turned(const Pose& pose, const std::array<double, 4>& q) {
+  const Eigen::Quaterniond r = Eigen::Quaterniond(pose.linear()) * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  return {r.w(), r.x(), r.y(), r.z()};
+}
+
 }  // namespace
 
 PairRule::PairRule(const Scene& scene)
@@ -71,6 +77,7 @@ PairRule::PairRule(const Scene& scene)
       disabled_(sorted(scene.disabled)) {}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
+  if (!is_legal({a.solid, b.solid})) return Reason::disabled;
   if (std::ranges::find(a.paired, b.name) != a.paired.end()) return Reason::checked;
   if (rigid_[a.link] == rigid_[b.link]) return Reason::same_body;
   if (!may_collide(a, b)) return Reason::disabled;
@@ -194,9 +201,16 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
 bool moves(const Scene& scene) { return std::any_of(scene.links.begin(), scene.links.end(), is_free); }
 
 bool stands_still(const Scene& scene) {
-  const auto is_bound = [](const Body& body) { return body.box.has_value(); };
+  const auto is_other = [](const Body& body) { return body.box || body.solid.shape != Shape::cylinder; };
   return scene.links.size() == scene.bodies.size() && scene.left_out.empty() && !moves(scene) &&
-         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_bound);
+         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_other);
+}
+
+Solid box_at(const Pose& pose, const Vector3& edges) {
+  return {.center = pose.translation(),
+          .shape = Shape::box,
+          .edges = {edges.x(), edges.y(), edges.z()},
+          .quaternion = turned(pose, {1, 0, 0, 0})};
 }
 
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints) {
@@ -212,9 +226,13 @@ std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints)
 void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed) {
   placed.resize(scene.bodies.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Solid& c = scene.bodies[i].solid;
+    const Solid& c = placed[i] = scene.bodies[i].solid;
     const Pose& pose = poses[scene.bodies[i].link];
-    placed[i] = {pose * c.center, pose.linear() * c.axis, c.radius, c.height, c.rounding};
+    placed[i].center = pose * c.center;
+    if (is_box(c))
+      placed[i].quaternion = turned(pose, c.quaternion);
+    else
+      placed[i].axis = pose.linear() * c.axis;
   }
 }
 

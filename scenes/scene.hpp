@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: cylinders, capsules and spheres, and bounds of a box or mesh. They move with the links of a
-// mechanism, or stand still. Files of every format become a Scene.
+// A scene: cylinders, capsules, spheres, boxes and half-spaces, and bounds of meshes. They move with the
+// links of a mechanism, or stand still. Files of every format become a Scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -44,9 +44,9 @@ struct Link {
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not
 };
 
-/// A box, or the box of a mesh or an ellipsoid.
+/// The box of a mesh or an ellipsoid.
 struct BoxShape {
-  std::string shape;  ///< "box", "mesh", "ellipsoid"
+  std::string shape;  ///< "mesh", "ellipsoid"
   Pose pose;          ///< in the link's frame
   Vector3 size;
 };
@@ -67,7 +67,7 @@ struct Body {
 
 /// A collision shape that was not examined: it is not a solid of ours, and does not have a bound.
 struct LeftOut {
-  std::string shape, link;  ///< "box", "base_link"
+  std::string shape, link;  ///< "mesh", "base_link"
   bool operator==(const LeftOut&) const = default;
 };
 
@@ -92,9 +92,9 @@ struct Scene {
 };
 
 /// The pairs of bodies that are checked. Pairs of one rigid body (a link and the links fixed to it), of
-/// adjacent links, and of links that the description disables are not. A link is adjacent to the link that
-/// carries it, also through links without shapes. As in MoveIt, a link is not adjacent to a link that is only
-/// fixed to its neighbour, unless the scene welds.
+/// adjacent links, of links that the description disables, and of two half-spaces are not. A link is adjacent
+/// to the link that carries it, also through links without shapes. As in MoveIt, a link is not adjacent to a
+/// link that is only fixed to its neighbour, unless the scene welds.
 class PairRule {
  public:
   enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
@@ -131,8 +131,11 @@ std::vector<double> joints_at(const Scene& scene,
 void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);
-/// Returns whether nothing moves and every shape is a solid of its own.
+/// Returns whether nothing moves and every shape is a cylinder of its own, rounded or not.
 bool stands_still(const Scene& scene);
+
+/// Returns a box around the middle of a pose, with edges of these lengths along its axes.
+Solid box_at(const Pose& pose, const Vector3& edges);
 
 /// Forward kinematics: the pose of every link, and the bodies in the root's frame.
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);

@@ -24,8 +24,7 @@ const Body& body(const Scene& scene, const std::string& name) {
 TEST(Urdf, ShapesHaveTheirNamesAndSizes) {
   const Scene crane = read_scene(folder + "crane.urdf");
   EXPECT_EQ(crane.links.size(), 7u);
-  ASSERT_TRUE(body(crane, "ground/1").box);
-  EXPECT_EQ(body(crane, "ground/1").box->shape, "box");
+  EXPECT_EQ(body(crane, "ground/1").solid.edges, (std::array{4.0, 4.0, 0.1}));
   EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
   EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
 }
@@ -84,7 +83,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
-  EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}}));
+  EXPECT_TRUE(mjcf.left_out.empty());
 }
 
 // A link that is welded to the world is the world. A link that floats on it is not a part.
@@ -114,6 +113,24 @@ TEST(Files, JsonLinesAndCsvSayTheSame) {
   EXPECT_FALSE(moves(a));
 }
 
+TEST(Files, JsonLinesHaveAllSolids) {
+  const Scene scene =
+      read_text(".jsonl", R"({"shape":"half_space","point":[0,0,0],"normal":[0,0,2],"name":"floor"}
+    {"shape":"half_space","point":[0,0,9],"normal":[0,0,-1]}
+    {"shape":"box","center":[0,0,3],"edges":[1,2,3],"quaternion":[1,1e-17,0,0],"rounding":0.5}
+    {"shape":"sphere","center":[0,0,0.5],"radius":0.5})");
+  ASSERT_EQ(scene.bodies.size(), 4u);
+  EXPECT_EQ(scene.bodies[0].name, "floor");
+  const std::vector<Solid> placed = place(scene, joints_at(scene));
+  EXPECT_EQ(placed[0].axis, Vector3(0, 0, 2));
+  EXPECT_EQ(placed[2].quaternion, (std::array{1.0, 1e-17, 0.0, 0.0})) << "what stands still is not rounded";
+  EXPECT_EQ(placed[2].rounding, 0.5);
+  EXPECT_EQ(placed[3].rounding, 0.5);
+  EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::disabled);
+  EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[3]), PairRule::Reason::checked);
+  EXPECT_FALSE(stands_still(scene)) << "near takes cylinders alone";
+}
+
 std::string error_of(const std::string& ending, const std::string& text) {
   const Scratch scratch;
   const std::string file = scratch.write("scene" + ending, text);
@@ -132,7 +149,8 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".jsonl", "{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1e-999,\"height\":2}")
                 .find("line 1: 1e-999 underflows a double"),
             std::string::npos);
-  EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("'centre' is none of"), std::string::npos);
+  EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("line 1: centre is not a field of a solid; "),
+            std::string::npos);
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n0,0,0,0,0,1,one,2").find("radius is 'one'"),
             std::string::npos);
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius\n").find("no column 'height'"), std::string::npos);
@@ -183,17 +201,21 @@ TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
   const Scene scene = read_text(
       ".urdf", "<robot name='r'><link name='a'>" + shape("<mesh filename='a.stl' scale='1 1 1 1'/>") +
                    shape("<box size='1 2'/>") + shape("<box size='1 2 x'/>") + shape("<mesh/>") +
-                   shape("<box size='1 2 3'/>") + shape("<sphere radius='1'/>") + "</link><link name='b'>" +
-                   shape("<sphere radius='1'/>") + shape("<sphere radius='1'/>", "0 0") +
+                   shape("<box size='1 2 3'/>") + shape("<box size='1 2 -3'/>") +
+                   shape("<sphere radius='1'/>") + "</link><link name='b'>" + shape("<sphere radius='1'/>") +
+                   shape("<sphere radius='1'/>", "0 0") +
                    "</link><joint name='j' type='ball'><parent link='a'/><child link='b'/></joint></robot>");
   ASSERT_EQ(scene.bodies.size(), 2u);
   EXPECT_EQ(scene.bodies[0].name, "a/5");
-  ASSERT_TRUE(scene.bodies[0].box);
-  EXPECT_EQ(scene.bodies[0].box->size, Vector3(1, 2, 3));
-  EXPECT_FALSE(scene.bodies[1].box);
-  EXPECT_EQ(scene.left_out,
-            (std::vector<LeftOut>{
-                {"mesh", "a"}, {"box", "a"}, {"box", "a"}, {"mesh", "a"}, {"sphere", "b"}, {"sphere", "b"}}));
+  EXPECT_EQ(scene.bodies[0].solid.edges, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_EQ(scene.bodies[1].solid.rounding, 1);
+  EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"mesh", "a"},
+                                                  {"box", "a"},
+                                                  {"box", "a"},
+                                                  {"mesh", "a"},
+                                                  {"box", "a"},
+                                                  {"sphere", "b"},
+                                                  {"sphere", "b"}}));
   EXPECT_TRUE(scene.links.at(1).held);
 }
 

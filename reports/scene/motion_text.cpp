@@ -32,7 +32,7 @@ std::string why_open(const std::vector<MotionProof>& proofs) {
   }
   std::vector<std::string> reasons;
   if (left > 0) reasons.push_back(fmt::format("{} after up to {}", left, counted(boxes, "box")));
-  if (bounded > 0) reasons.push_back(fmt::format("{} near a bounding solid of a box or mesh", bounded));
+  if (bounded > 0) reasons.push_back(fmt::format("{} near a bounding solid of a mesh or ellipsoid", bounded));
   if (held > 0) reasons.push_back(fmt::format("{} with a joint that is held", held));
   return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, ", "));
 }
@@ -74,7 +74,7 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
     return fmt::format("a configuration is nearer than proved ({:.3g}), which is a fault of daylight",
                        proof.least);
   if (proof.bounded)
-    return fmt::format("only the bounding solid of a box or mesh comes near: {:.3g}{}", proof.least,
+    return fmt::format("only the bounding solid of a mesh or ellipsoid comes near: {:.3g}{}", proof.least,
                        joints_text(scene, proof));
   if (proof.held)
     return fmt::format("a joint between them can move farther than it does here ({:.3g} seen)", proof.least);

@@ -40,26 +40,26 @@ TEST(SceneJson, KeepsToItsSchema) {
   EXPECT_EQ(parse_json(proofs)["exemptions"].size(), 1u);
   const json good = parse_json(document);
   for (const char* planted :
-       {R"([{"op":"remove","path":"/bodies/0/solid/axis"}])",
-        R"([{"op":"replace","path":"/bodies/0/solid/radius","value":-1}])",
+       {R"([{"op":"remove","path":"/bodies/1/solid/axis"}])",
+        R"([{"op":"replace","path":"/bodies/1/solid/radius","value":-1}])",
+        R"([{"op":"replace","path":"/bodies/0/solid/edges","value":[1,2]}])",
         R"([{"op":"replace","path":"/pairs/0/needs","value":"inner capsule"}])",
         R"([{"op":"remove","path":"/pairs/0/models/5"}])", R"([{"op":"remove","path":"/bodies/0/solid"}])",
         R"([{"op":"remove","path":"/pairs/0/known"}])", R"([{"op":"add","path":"/colour","value":"red"}])"})
     EXPECT_FALSE(keeps_to("scene.json", good.patch(parse_json(planted)).dump())) << planted;
 }
 
-// A box has its middle and its directions in the frame of its link. This one is the crane's ground.
-TEST(SceneJson, HoldsTheSolidsAndTheBoxesInThem) {
+// The crane's ground is a box.
+TEST(SceneJson, HoldsTheSolids) {
   const Scene scene = crane();
   const json all = parse_json(written(scene, question("crane.urdf")));
   std::size_t ground = 0;
-  while (!all["bodies"].at(ground).contains("holds")) ++ground;
-  EXPECT_EQ(all["bodies"][ground]["holds"],
-            parse_json(R"({"shape":"box","size":[4.0,4.0,0.1],"pose":{"center":[0.0,0.0,-0.05],
-                           "axes":[[1.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]]}})"));
+  while (!all["bodies"].at(ground)["solid"].contains("shape")) ++ground;
+  EXPECT_EQ(all["bodies"][ground]["solid"], parse_json(R"({"shape":"box","center":[0.0,0.0,-0.05],
+            "edges":[4.0,4.0,0.1],"quaternion":[1.0,0.0,0.0,0.0]})"));
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     EXPECT_EQ(all["bodies"][i]["name"], scene.bodies[i].name);
-    EXPECT_EQ(all["bodies"][i]["solid"]["radius"], scene.bodies[i].solid.radius);
+    EXPECT_EQ(all["bodies"][i]["solid"].value("radius", 0.0), scene.bodies[i].solid.radius);
   }
 }
 

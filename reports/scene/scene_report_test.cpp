@@ -130,7 +130,7 @@ TEST(Study, SaysItInWords) {
   const SceneOptions q = question(0, 0, 30);
   const std::string text = study_text(scene, q, study_scene(scene, q));
   for (const char* words : {"seed 1\n",
-                            "1 sphere, 7 cylinders, 1 box (as a bounding solid), 0 not tested; 7 links, 3 "
+                            "1 sphere, 7 cylinders, 1 box, 0 not tested; 7 links, 3 "
                             "free joints, 1 that mimic",
                             "recommended: ", " suffice for ", "closest call: ", "referee: ", " 0 wrong"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
@@ -154,37 +154,38 @@ std::string recommended(const Scene& scene, const SceneOptions& q) {
   return std::regex_replace(text.substr(from, text.rfind("\n  ", cost) - from), std::regex("\n  "), "; ");
 }
 
-// A pole stands 0.1 beside a box's bound: it is clear of it, or nothing is known. Never "spheres suffice".
+// A pole stands 0.1 beside a mesh's bound: it is clear of it, or nothing is known. Never "spheres suffice".
 TEST(Study, NearABoundNothingIsKnown) {
   Scene scene = still_scene({{"pole", {{1.6, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
-  scene.bodies[1] = bounded_body("crate", 1, "box", bound_of(corners_of({2, 2, 2})), Pose::Identity());
+  scene.bodies[1] = bounded_body("crate", 1, "mesh", bound_of(corners_of({2, 2, 2})), Pose::Identity());
   EXPECT_NEAR(scene.bodies[1].solid.radius, std::sqrt(2), 1e-12);
   EXPECT_EQ(recommended(scene, question(0, 0, 1)), "capsules for 1 pair");
   const SceneStudy near = study_scene(scene, question(0.2, 0, 1));
   ASSERT_EQ(near.pairs.size(), 1u);
   EXPECT_FALSE(is_known(scene, near.pairs[0]));
-  EXPECT_EQ(
-      recommended(scene, question(0.2, 0, 1)),
-      "nothing; NOT KNOWN: 1 pair, because the bounding solid of a box or mesh comes within the clearance "
-      "(pole - crate)");
+  EXPECT_EQ(recommended(scene, question(0.2, 0, 1)),
+            "nothing; NOT KNOWN: 1 pair, because the bounding solid of a mesh or ellipsoid comes within the "
+            "clearance "
+            "(pole - crate)");
   const std::string text = study_text(scene, question(0.2, 0, 1), near);
   EXPECT_EQ(total_of(scene, near, Level::cylinder, 0).suffices, 0u);
   EXPECT_EQ(text.find("suffice for"), text.npos) << text;
-  EXPECT_NE(text.find("1 cylinder, 1 box (as a bounding solid), 0 not tested; 2 links"), text.npos) << text;
+  EXPECT_NE(text.find("1 cylinder, 1 mesh (as a bounding solid), 0 not tested; 2 links"), text.npos) << text;
   EXPECT_NE(text.find("0 pairs clear in all of them, 0 within the clearance in all, 0 in some, 1 not known"),
             text.npos)
       << text;
 }
 
-// If no sample comes near the bound of a box, the text states no more than that.
-TEST(Study, SaysWhatRestsOnDrawsNearNoBox) {
+// If no sample comes near the bound of a mesh, the text states no more than that.
+TEST(Study, SaysWhatRestsOnDrawsNearNoMesh) {
   Scene scene = still_scene({{"pole", {{3, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
-  scene.bodies[1] = bounded_body("crate", 1, "box", bound_of(corners_of({2, 2, 2})), Pose::Identity());
+  scene.bodies[1] = bounded_body("crate", 1, "mesh", bound_of(corners_of({2, 2, 2})), Pose::Identity());
   scene.links[1].motion = Motion::turn;
   scene.links[1].high = 1;
-  EXPECT_EQ(recommended(scene, question(0, 0, 20)),
-            "capsules for 1 pair; 1 of these pairs has a box or mesh, whose bounding solid is clear in all "
-            "configurations");
+  EXPECT_EQ(
+      recommended(scene, question(0, 0, 20)),
+      "capsules for 1 pair; 1 of these pairs has a mesh or ellipsoid, whose bounding solid is clear in all "
+      "configurations");
 }
 
 // Samples never prove "never".

@@ -33,7 +33,7 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-/// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (as a bounding solid),
+/// Returns "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 mesh (as a bounding solid),
 /// ..".
 std::string shapes_words(const Scene& scene) {
   std::array<std::size_t, words_of(SolidKind{}).size()> counts{};
@@ -44,7 +44,10 @@ std::string shapes_words(const Scene& scene) {
   for (const SolidKind kind : enum_values<SolidKind>) {
     const std::size_t count = counts[static_cast<std::size_t>(kind)];
     if (count == 0) continue;
-    words.push_back(counted(count, kind == SolidKind::rounded ? "rounded cylinder" : to_string(kind)));
+    words.push_back(counted(count, kind == SolidKind::rounded       ? "rounded cylinder"
+                                   : kind == SolidKind::half_space  ? "half-space"
+                                   : kind == SolidKind::rounded_box ? "rounded box"
+                                                                    : to_string(kind)));
     if (kind == SolidKind::capsule && scene.folded > 0)
       words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
   }
@@ -185,9 +188,8 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
 
 /// The level of the cylinders stands for the shapes of the file themselves.
 std::string plural_of(Level level, const Scene& scene) {
-  const auto is_rounded = [](const Body& body) { return body.solid.rounding > 0; };
-  if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_rounded))
-    return "the shapes themselves";
+  const auto is_other = [](const Body& body) { return kind_of(body.solid) != SolidKind::cylinder; };
+  if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_other)) return "the shapes themselves";
   return std::array{
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
@@ -203,11 +205,11 @@ std::string not_known_words(const Scene& scene, const SceneStudy& s) {
   if (count == 0) return "";
   if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
   return fmt::format(
-      "NOT KNOWN: {}, because the bounding solid of a box or mesh comes within the clearance ({})",
+      "NOT KNOWN: {}, because the bounding solid of a mesh or ellipsoid comes within the clearance ({})",
       counted(count, "pair"), fmt::join(named, ", "));
 }
 
-/// For a box or mesh, samples show only that its bounding solid is clear in all of them.
+/// For a mesh or ellipsoid, samples show only that its bounding solid is clear in all of them.
 std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
   const auto rests_on_draws = [&](const PairStudy& pair) {
     return is_known(scene, pair) && (scene.bodies[pair.a].box || scene.bodies[pair.b].box);
@@ -215,7 +217,7 @@ std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
   const auto count = static_cast<std::size_t>(std::ranges::count_if(s.pairs, rests_on_draws));
   if (!s.drawn || count == 0) return "";
   return fmt::format(
-      "{} of these pairs {} a box or mesh, whose bounding solid is clear in all configurations",
+      "{} of these pairs {} a mesh or ellipsoid, whose bounding solid is clear in all configurations",
       grouped(count), count == 1 ? "has" : "have");
 }
 

@@ -39,7 +39,8 @@ std::string comment_text(const std::string& words) {
 
 class SrdfWriter {
  public:
-  SrdfWriter(const Scene& scene, const SceneOptions& q, const SceneStudy& s) : scene_(scene), q_(q) {
+  SrdfWriter(const Scene& scene, const SceneOptions& q, const SceneStudy& s)
+      : scene_(scene), q_(q), rule_(scene) {
     for (const Exemption& e : scene.exemptions) exempt_[std::minmax(e.a, e.b)] = &e;
     for (const PairStudy& pair : s.pairs) checked_.insert(links_of(pair.a, pair.b));
     if (!s.motions) return;
@@ -54,7 +55,8 @@ class SrdfWriter {
         "<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
         comment_text(fmt::format(
             "Pairs of links of {} that need no check, because one carries the other, or because they "
-            "are proved never to touch in any motion. The clearance is {}.",
+            "are proved never to touch in any motion, or because they overlap in all as parts of one rigid "
+            "body. The clearance is {}.",
             q_.file, q_.clearance)),
         attribute_text(scene_.name.empty() ? "robot" : scene_.name));
     for (std::size_t b = 0; b < scene_.links.size(); ++b)
@@ -68,13 +70,23 @@ class SrdfWriter {
     return std::minmax(scene_.bodies[a].link, scene_.bodies[b].link);
   }
 
+  /// Whether a pair of shapes belongs to one rigid body and overlaps. Then it does so in every configuration.
+  bool overlaps_for_ever(const MotionProof& proof) const {
+    const Body &a = scene_.bodies[proof.a], &b = scene_.bodies[proof.b];
+    return proof.verdict == MotionVerdict::refuted && rule_.reason(a, b) == PairRule::Reason::same_body;
+  }
+
   /// Returns the line that disables two links, or a comment why not. Empty if a checked pair meets.
   std::string line(const LinkPair& links) const {
     if (carries_directly(scene_, links.first, links.second) && !are_paired(links))
       return disabled(links, "Adjacent", "one carries the other");
+    const auto found = proofs_.find(links);
+    if (found != proofs_.end())
+      for (const MotionProof* proof : found->second)
+        if (overlaps_for_ever(*proof))
+          return disabled(links, "Default", "proved: of one rigid body, " + proof_text(scene_, *proof));
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "some shapes were not tested");
-    const auto found = proofs_.find(links);
     // Links are disabled only if each pair of their shapes has a proof.
     if (found == proofs_.end() || found->second.size() < bodies_on(links.first) * bodies_on(links.second))
       return enabled(links, "nothing is proved");
@@ -118,6 +130,7 @@ class SrdfWriter {
 
   const Scene& scene_;
   const SceneOptions& q_;
+  const PairRule rule_;
   std::set<LinkPair> checked_;
   std::map<LinkPair, std::vector<const MotionProof*>> proofs_;
   std::map<LinkPair, const Exemption*> exempt_;

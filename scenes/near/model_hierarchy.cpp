@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
+#include "scenes/near/verification.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -17,6 +20,7 @@ Proximity proximity_of(Verdict verdict) noexcept {
 
 /// Answers as within() does for two balls, but without the call, which costs more than the answer.
 bool balls_apart(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  if (a.defect != Defect::none || b.defect != Defect::none) return false;
   const Vector3 way = b.center - a.center;
   const double far = a.rounding + b.rounding + clearance;
   return way.x() * way.x() + way.y() * way.y() + way.z() * way.z() > far * far;
@@ -34,9 +38,30 @@ Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double cl
   return d.value + d.error <= clearance ? Proximity::within : Proximity::unclear;
 }
 
+/// The capsules are along the longest edge.
+ProxyModels models_of_box(const Solid& c) noexcept {
+  const double margin = model_margin * (edges_of(c) + c.rounding);
+  const auto longest = static_cast<std::size_t>(std::ranges::max_element(c.edges) - c.edges.begin());
+  const double x = c.edges[longest], y = c.edges[(longest + 1) % 3], z = c.edges[(longest + 2) % 3];
+  const auto [ax, ay, az] = edge_directions<double>(c.quaternion)[longest];
+  const auto model = [&](double height, double rounding) {
+    return prepare({c.center, {ax, ay, az}, 0, height, rounding});
+  };
+  const double inside = std::min(y, z);
+  return {prepare(c), model(0, std::hypot(x, y, z) / 2 + c.rounding + margin),
+          model(x, std::hypot(y, z) / 2 + c.rounding + margin),
+          model(x - inside, inside / 2 + c.rounding - margin), c};
+}
+
 }  // namespace
 
+bool needs_referee(const ProxyModels& a, const ProxyModels& b) noexcept {
+  return a.shape.shape != Shape::cylinder || b.shape.shape != Shape::cylinder;
+}
+
 ProxyModels make_models(const Solid& c) noexcept {
+  if (is_box(c)) return models_of_box(c);
+  if (is_half_space(c)) return {prepare(c), prepare(c), prepare(c), prepare(c), c};
   const double margin = model_margin * (c.radius + c.height + c.rounding);
   const double inside = std::min(c.radius, c.height / 2);
   const auto model = [&](double height, double rounding) {
@@ -45,7 +70,7 @@ ProxyModels make_models(const Solid& c) noexcept {
   return {prepare(c),
           model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
           model(c.height, c.radius + c.rounding + margin),
-          model(c.height - 2 * inside, inside + c.rounding - margin)};
+          model(c.height - 2 * inside, inside + c.rounding - margin), c};
 }
 
 std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
@@ -57,6 +82,10 @@ std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
 
 Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
   // The clearance acts as a rounding of the models, so it gets their margin.
+  if (level >= Level::cylinder && needs_referee(a, b)) {
+    const std::optional<bool> said = referee_within({a.shape, b.shape}, clearance);
+    return !said ? Proximity::unclear : *said ? Proximity::within : Proximity::apart;
+  }
   const double wide = clearance * (1 + model_margin), narrow = clearance * (1 - model_margin);
   switch (level) {
     case Level::sphere:
@@ -79,9 +108,8 @@ bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double cl
   switch (level) {
     case Level::inner:
       return proximity(level, a, b, clearance) == Proximity::within;
-    case Level::cylinder:
-      return cyl::within(a.solid, b.solid, clearance) != Verdict::disjoint;
     case Level::distance:
+      if (needs_referee(a, b)) return proximity(level, a, b, clearance) != Proximity::apart;
       return !(distance(a.solid, b.solid).value > clearance);
     default:
       return proximity(level, a, b, clearance) != Proximity::apart;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rounded solid around points, the outer model of a box or a mesh. If a solid is clear of it, it is clear
+// A rounded solid around points, the outer model of a mesh. If a solid is clear of it, it is clear
 // of them. If a solid is near it, nothing is known.
 #pragma once
 

@@ -241,6 +241,10 @@ class MjcfBuilder {
     if (shape == "mesh") return mesh_of(geom, pose, std::move(body));
     if (!geom.text("mesh").empty()) return std::nullopt;  // a primitive that MuJoCo fits to a mesh
     const bool round = shape == "capsule" || shape == "cylinder";
+    if (shape == "plane") {  // one without end, whatever its size
+      body.solid = {.center = pose.translation(), .axis = pose.linear().col(2), .shape = Shape::half_space};
+      return body;
+    }
     if (!round && shape != "sphere" && shape != "box" && shape != "ellipsoid") return std::nullopt;
     std::vector<double> size;
     const std::vector<double> ends = geom.numbers("fromto");
@@ -254,24 +258,16 @@ class MjcfBuilder {
       size = sizes(geom, shape == "sphere" ? 1 : round ? 2 : 3);
     }
     size.resize(round ? 2 : shape == "sphere" ? 1 : 3);
-    if (shape == "box") return box_of(size, pose, body);
     if (shape == "ellipsoid") return ellipsoid_of(size, pose, std::move(body));
-    body.solid = {pose.translation(), pose.linear().col(2), 0, round ? 2 * size[1] : 0, 0};
-    (shape == "cylinder" ? body.solid.radius : body.solid.rounding) = size[0];
+    if (shape == "box") {
+      body.solid = box_at(pose, 2 * Vector3(size[0], size[1], size[2]));
+    } else {
+      body.solid = {pose.translation(), pose.linear().col(2), 0, round ? 2 * size[1] : 0, 0};
+      (shape == "cylinder" ? body.solid.radius : body.solid.rounding) = size[0];
+    }
     if (const Defect defect = find_defect(body.solid); defect != Defect::none)
       throw std::runtime_error(to_string(defect));
     return body;
-  }
-
-  static Body with_bits(Body bound, const Body& body) {
-    bound.type = body.type;
-    bound.affinity = body.affinity;
-    return bound;
-  }
-
-  static Body box_of(const std::vector<double>& half, const Pose& pose, const Body& body) {
-    const Bound bound = bound_of(corners_of(2 * Vector3(half[0], half[1], half[2])));
-    return with_bits(bounded_body(body.name, body.link, "box", bound, pose), body);
   }
 
   /// An ellipsoid with half axes a >= b >= c is in the capsule of radius b and length 2a. Its point (a cos
@@ -291,7 +287,10 @@ class MjcfBuilder {
     try {
       auto bound = bounds_.find(name);
       if (bound == bounds_.end()) bound = bounds_.emplace(name, bound_of(mesh_points(name))).first;
-      return with_bits(bounded_body(body.name, body.link, "mesh", bound->second, pose), body);
+      Body held = bounded_body(body.name, body.link, "mesh", bound->second, pose);
+      held.type = body.type;
+      held.affinity = body.affinity;
+      return held;
     } catch (const std::runtime_error& error) {
       scene_.notes.push_back(fmt::format("A mesh of {} cannot be read: {}: {}.", scene_.links[body.link].name,
                                          name, error.what()));

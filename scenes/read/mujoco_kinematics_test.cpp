@@ -15,7 +15,9 @@
 #include <utility>
 
 #include "base/scratch_test.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/solid_kind.hpp"
+#include "corpus/pairs/support.hpp"
 #include "scenes/read/scene_files.hpp"
 
 namespace cyl {
@@ -39,8 +41,21 @@ bool same_shape(const Body& body, const Solid& c, const Pose& link, const mjMode
   const mjtNum* size = model.geom_size + 3 * g;
   const Vector3 center(data.geom_xpos[3 * g], data.geom_xpos[3 * g + 1], data.geom_xpos[3 * g + 2]);
   const Columns turn = Eigen::Map<const Columns>(data.geom_xmat + 9 * g);
-  if (type == mjGEOM_BOX || type == mjGEOM_ELLIPSOID) {
-    if (!body.box || body.box->shape != (type == mjGEOM_BOX ? "box" : "ellipsoid")) return false;
+  if (type == mjGEOM_PLANE)
+    return is_half_space(c) && (c.center - center).norm() < 1e-12 && (c.axis - turn.col(2)).norm() < 1e-12;
+  if (type == mjGEOM_BOX) {
+    if (kind_of(c) != SolidKind::box || (c.center - center).norm() >= 1e-12) return false;
+    const auto edges = edge_directions<double>(c.quaternion);
+    for (int k = 0; k < 3; ++k) {
+      const auto& [x, y, z] = edges[static_cast<std::size_t>(k)];
+      if ((Vector3(x, y, z) - turn.col(k)).norm() >= 1e-12 ||
+          std::fabs(c.edges[static_cast<std::size_t>(k)] - 2 * size[k]) >= 1e-15)
+        return false;
+    }
+    return true;
+  }
+  if (type == mjGEOM_ELLIPSOID) {
+    if (!body.box || body.box->shape != "ellipsoid") return false;
     const Pose box = link * body.box->pose;
     return (body.box->size - 2 * Vector3(size[0], size[1], size[2])).norm() < 1e-15 &&
            (box.translation() - center).norm() < 1e-12 && (box.linear() - turn).norm() < 1e-12;
@@ -87,7 +102,7 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
     place(scene, poses, placed);
     std::size_t met = 0;
     for (int g = 0; g < model->ngeom; ++g) {
-      if (model->geom_type[g] == mjGEOM_PLANE || model->geom_contype[g] == 0) continue;
+      if (model->geom_contype[g] == 0) continue;
       const char* const given = mj_id2name(model.get(), mjOBJ_GEOM, g);
       const std::string name = given ? given : "geom " + std::to_string(g);
       std::size_t found = 0;
@@ -121,8 +136,7 @@ void expect_pairs_like_mujoco(const std::string& file) {
     return given ? std::string(given) : "geom " + std::to_string(g);
   };
   for (const mjContact& contact : std::span(data->contact, static_cast<std::size_t>(data->ncon)))
-    if (model->geom_type[contact.geom1] != mjGEOM_PLANE && model->geom_type[contact.geom2] != mjGEOM_PLANE)
-      theirs.insert(std::minmax(name_of(contact.geom1), name_of(contact.geom2)));
+    theirs.insert(std::minmax(name_of(contact.geom1), name_of(contact.geom2)));
   const PairRule rule(scene);
   const auto last = [](const Body& body) { return body.name.substr(body.name.find('/') + 1); };
   for (const Body& a : scene.bodies)

@@ -25,11 +25,6 @@ using Named = std::pair<std::string, Solid>;
 constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
                                                   "az", "radius", "height", "rounding"};
 
-Vector3 vector_of(const nlohmann::json& list) {
-  if (!list.is_array() || list.size() != 3) throw std::runtime_error("a vector has 3 numbers");
-  return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
-}
-
 /// Throws std::runtime_error if a number is not 0 but smaller than any double.
 struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
   bool number_float(double x, const std::string& text) {
@@ -40,7 +35,7 @@ struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
 };
 
 Named parse_json_line(const std::string& text) {
-  const auto object = parse_json(text);
+  auto object = parse_json(text);
   UnderflowCheck check;
   nlohmann::json::sax_parse(text, &check);
   if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
@@ -48,17 +43,14 @@ Named parse_json_line(const std::string& text) {
     throw std::runtime_error(
         "this is a pair, but a line of a scene is one solid: center, axis, radius, height; `daylight check` "
         "answers pairs");
-  Named named;
-  for (const auto& [key, value] : object.items()) {
-    if (key == "name")
-      named.first = value.get<std::string>();
-    else if (key != "center" && key != "axis" && key != "radius" && key != "height" && key != "rounding")
-      throw std::runtime_error("'" + key + "' is none of center, axis, radius, height, rounding, name");
-  }
-  named.second = {vector_of(object.at("center")), vector_of(object.at("axis")),
-                  object.at("radius").get<double>(), object.at("height").get<double>(),
-                  object.value("rounding", 0.0)};
-  return named;
+  const std::string name = object.value("name", "");
+  object.erase("name");
+  // The solids of a scene have the fields of those of pairs.
+  const CaseLine read =
+      parse_case(R"({"a":)" + object.dump() + R"(,"b":{"shape":"sphere","center":[0,0,0],"radius":1}})", 1);
+  if (read.value) return {name, read.value->pair.a};
+  const std::size_t place = read.error.find(": ") + 2;  // in the line that was made of it
+  throw std::runtime_error(read.error.substr(place + (read.error.compare(place, 2, "a.") == 0 ? 2 : 0)));
 }
 
 std::vector<std::string> fields_of(const std::string& text) {

@@ -208,15 +208,16 @@ void fold_capsules(Scene& scene, std::size_t first) {
 }
 
 /// Returns the corners of a box or the vertices of a mesh. Throws std::runtime_error with the reason if none.
-std::vector<Vector3> points_of(const KeptShape& shape, NamedFiles& files) {
+/// Returns the size of a box, or the scale of a mesh.
+Vector3 size_or_scale(const KeptShape& shape) {
   std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
   if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
   if (x.size() != 3) throw std::runtime_error("'" + shape.numbers + "' is not 3 numbers");
-  const Vector3 by(x[0], x[1], x[2]);
-  if (shape.kind == "box") {
-    const auto corners = corners_of(by);
-    return {corners.begin(), corners.end()};
-  }
+  return {x[0], x[1], x[2]};
+}
+
+std::vector<Vector3> points_of(const KeptShape& shape, NamedFiles& files) {
+  const Vector3 by = size_or_scale(shape);
   std::vector<Vector3> points;
   try {
     points = read_mesh(shape.file, files.read(files.find(shape.file), NamedBy::file));
@@ -285,7 +286,7 @@ class UrdfBuilder {
     add_bodies(index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second);
   }
 
-  /// Returns a shape as a body, with its bound if it is a box or mesh. If it fails, a note states the reason.
+  /// Returns a shape as a body, with its bound if it is a mesh. If it fails, a note states the reason.
   std::optional<Body> body_of(const urdf::Collision& collision, const KeptShape& shape, Body body) {
     const Pose pose = urdf_pose(collision.origin);
     if (shape.kind != "box" && shape.kind != "mesh") {
@@ -293,6 +294,12 @@ class UrdfBuilder {
       return body;
     }
     try {
+      if (shape.kind == "box") {
+        body.solid = box_at(pose, size_or_scale(shape));
+        if (const Defect defect = find_defect(body.solid); defect != Defect::none)
+          throw std::runtime_error(to_string(defect));
+        return body;
+      }
       auto bound = bounds_.find(shape);
       if (bound == bounds_.end()) bound = bounds_.emplace(shape, bound_of(points_of(shape, files_))).first;
       return bounded_body(body.name, body.link, shape.kind, bound->second, pose);
@@ -335,7 +342,7 @@ class UrdfBuilder {
   const std::map<std::string, std::size_t>& shapes_;
   const KeptShapes& kept_;
   NamedFiles& files_;
-  std::map<KeptShape, Bound> bounds_;  ///< of boxes and meshes, each found once
+  std::map<KeptShape, Bound> bounds_;  ///< of meshes, each found once
   std::vector<bool> is_world_;         ///< by link: whether it is the root, or fixed to it
   std::map<std::string, std::size_t> joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;

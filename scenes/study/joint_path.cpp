@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/support.hpp"
 
 // This derives how far the bodies can come towards each other. The joints between them are in order from a
 // to b. Let s be any place of this path. The joints before s move a, and the others move b, both seen from
@@ -29,17 +33,24 @@
 // joints do the same. Anywhere in the box, the gap along n, turned with the link at s, is at least that in
 // the middle less both sums. Any s is right, and the one with the least sums is taken.
 //
+// A box is the hull of its corners, without a disk. The support of a half-space is bounded along its normal
+// alone, so s is its own place: only the other solid moves.
+//
 // Rounding: a joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into. If
 // the parts of the path are L long together, k links put a point within 32 k u L of its place. For two
-// bodies this is 64 k u L, and twice as much for how far an end lies behind. Reach and moment of each of m
-// joints add as much twice, times min(d, 2) and 2: 256 k m u L. Their own rounding is less than 64 u of sums
-// of at most 2 m L. The gap proved in the middle was added to a rounding, which costs u L. Together this is
-// less than 512 (k + 1) (m + 1) u L.
+// bodies this is 64 k u L. The normal of a half-space is as far off, for which this doubles. A box is turned
+// by a quaternion made of such a matrix: if that is within e of a rotation, its own is within 6 e, and then a
+// corner is within 224 k u L of its place. Of 256 k u L for two bodies, twice as much counts for how far an
+// end lies behind. Reach and moment of each of m joints add as much twice, times min(d, 2) and 2: 1024 k m u
+// L. Their own rounding is less than 64 u of sums of at most 2 m L. The gap proved in the middle was added to
+// a rounding, which costs u L. Together this is less than 2048 (k + 1) (m + 1) u L.
 
 namespace cyl {
 namespace {
 
-double length_of_solid(const Solid& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
+double length_of_solid(const Solid& c) {
+  return c.center.norm() + c.height / 2 + c.radius + c.rounding + edges_of(c) / 2;
+}
 
 bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
 
@@ -156,46 +167,70 @@ const Pair& JointPath::place_middle(const JointBox& box) {
 }
 
 JointPath::Side JointPath::side_of(const Solid& solid) {
-  const Vector3 unit = solid.axis.normalized(), half = solid.height / 2 * unit;
-  return {unit, {solid.center - half, solid.center + half}, solid.radius};
+  Side side;
+  side.still = is_half_space(solid);
+  if (is_box(solid)) {
+    side.count = side.ends.size();
+    const auto edges = edge_directions<double>(solid.quaternion);
+    for (std::size_t i = 0; i < side.count; ++i) {
+      side.ends[i] = solid.center;
+      for (std::size_t k = 0; k < edges.size(); ++k)
+        side.ends[i] +=
+            ((i >> k & 1) != 0 ? 0.5 : -0.5) * solid.edges[k] * Vector3(edges[k].x, edges[k].y, edges[k].z);
+    }
+    return side;
+  }
+  side.unit = solid.axis.normalized();
+  side.radius = solid.radius;
+  const Vector3 half = solid.height / 2 * side.unit;
+  side.ends[0] = solid.center - half;
+  side.ends[1] = solid.center + half;
+  return side;
 }
 
 JointPath::Seen JointPath::see(const Move& move, const Side& side) {
-  const auto from_axis = [&](const Vector3& x) { return (x - move.at).cross(move.axis).norm(); };
-  return {{from_axis(side.ends[0]), from_axis(side.ends[1])},
-          side.radius * side.unit.cross(move.axis).norm()};
+  Seen seen;
+  for (std::size_t i = 0; i < side.count; ++i)
+    seen.reach[i] = (side.ends[i] - move.at).cross(move.axis).norm();
+  seen.tilt = side.radius * side.unit.cross(move.axis).norm();
+  return seen;
 }
 
 JointPath::Step JointPath::step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n,
                                    double turned) {
+  Step step;
   if (!move.turns) {
-    const double by = move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned);
-    return {{by, by}, 0};
+    step.ends.fill(move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned));
+    return step;
   }
   const Vector3 v = n.cross(move.axis);
   const double chord = std::min(move.half, 2.0), bend = move.half / 2 + turned, r = side.radius;
-  const auto end = [&](std::size_t i) {
+  for (std::size_t i = 0; i < side.count; ++i) {
     const double moment = std::fabs(v.dot(side.ends[i] - move.at));
-    return chord * std::min(seen.reach[i], moment + bend * seen.reach[i]);
-  };
+    step.ends[i] = chord * std::min(seen.reach[i], moment + bend * seen.reach[i]);
+  }
   const double beside = (v - v.dot(side.unit) * side.unit).norm();
-  return {{end(0), end(1)}, chord * std::min({seen.tilt, r, r * (beside + bend)})};
+  step.disk = chord * std::min({seen.tilt, r, r * (beside + bend)});
+  return step;
 }
 
 double JointPath::advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts) {
   const Side& side = of_b ? b_ : a_;
-  const double ahead = (of_b ? -1 : 1) * n.dot(side.ends[0] - side.ends[1]);
-  std::array<double, 2> sums{std::min(0.0, ahead), std::min(0.0, -ahead)};
+  std::array<double, ends_cap> sums{};  // how far an end lies behind the foremost, and its advance
+  for (std::size_t i = 0; i < side.count; ++i) sums[i] = (of_b ? -1 : 1) * n.dot(side.ends[i] - side.ends[0]);
+  const auto own = std::span(sums).first(side.count);
+  const double foremost = std::ranges::max(own);
+  for (double& sum : own) sum -= foremost;
   double disks = 0, turned = 0;
   const std::size_t count = of_b ? moves_.size() - s : s;
   for (std::size_t k = 0; k < count; ++k) {
     const Move& move = moves_[of_b ? s + k : s - 1 - k];
     steps_[k] = step_of(move, side, of_b ? move.b : move.a, n, turned);
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += steps_[k].ends[i];
+    for (std::size_t i = 0; i < side.count; ++i) sums[i] += steps_[k].ends[i];
     disks += steps_[k].disk;
     if (move.turns) turned += move.half;
   }
-  const std::size_t most = sums[1] > sums[0];
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(own) - own.begin());
   for (std::size_t k = 0; k < count; ++k)
     parts[of_b ? s + k : s - 1 - k] = steps_[k].ends[most] + steps_[k].disk;
   return sums[most] + disks;
@@ -206,9 +241,10 @@ Travel JointPath::travel(const Vector3& direction) {
   std::vector<double> best(count), parts(count);
   steps_.resize(count);
   double least = 0;
-  for (std::size_t s = 0; s <= count; ++s) {
+  const std::size_t first = b_.still ? count : 0, last = a_.still ? 0 : count;
+  for (std::size_t s = first; s <= last; ++s) {
     const double sum = advance(false, s, direction, parts) + advance(true, s, direction, parts);
-    if (s > 0 && !(sum < least)) continue;
+    if (s > first && !(sum < least)) continue;
     least = sum;
     best = parts;
   }

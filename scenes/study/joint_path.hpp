@@ -14,7 +14,7 @@ namespace cyl {
 
 /// Rounding errors in the positions of two bodies and in their travel. They are at most this times (links +
 /// 1) (moving joints + 1) and times the length of everything between them. joint_path.cpp derives it.
-inline constexpr double motion_error = 512 * unit_roundoff_error;
+inline constexpr double motion_error = 2048 * unit_roundoff_error;
 /// Bound of rounding in half of a joint's range, relative to the values in it.
 inline constexpr double range_error = 8 * unit_roundoff_error;
 
@@ -50,20 +50,24 @@ class JointPath {
   Travel travel(const Vector3& direction);
 
  private:
-  /// A solid's axis and disk.
+  static constexpr std::size_t ends_cap = 8;
+  /// A solid: the hull of some points, grown by a disk and a ball. The points are the ends of its axis, the
+  /// corners of a box, or a point of the plane of a half-space.
   struct Side {
     Vector3 unit{0, 0, 1};
-    std::array<Vector3, 2> ends;
+    std::size_t count = 2;
+    std::array<Vector3, ends_cap> ends;
     double radius = 0;
+    bool still = false;  ///< a half-space: nothing bounds how far it may reach, so the other moves
   };
   /// A solid as a turning joint has it.
   struct Seen {
-    std::array<double, 2> reach{};  ///< of the ends of its axis from that of the joint
-    double tilt = 0;                ///< largest change of the tilt of its disk per radian
+    std::array<double, ends_cap> reach{};  ///< of its ends from the axis of the joint
+    double tilt = 0;                       ///< largest change of the tilt of its disk per radian
   };
   /// The most that a joint adds to the reach of a solid.
   struct Step {
-    std::array<double, 2> ends{};
+    std::array<double, ends_cap> ends{};
     double disk = 0;
   };
   /// A joint that moves, as it stands in the middle of the box.

@@ -11,7 +11,6 @@
 #include "oracles/referee/referee.hpp"
 #include "scenes/study/joint_path.hpp"
 #include "scenes/study/scene_study.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -23,6 +22,18 @@ constexpr std::size_t drawn_cap = 200, descents_cap = 4, descent_rounds_cap = 24
 constexpr double wanted_share = 0.5;
 /// The boxes spent on a better bound if a pair is proved with fewer.
 constexpr std::size_t better_boxes_cap = 500;
+
+/// Whether the referee proves that the direction separates the solids, even if one grows by the gap. Only its
+/// normal separates a half-space, but no double may have that direction and length 1.
+bool separates(const Vector3& direction, Pair pair, double gap) {
+  (is_half_space(pair.b) ? pair.a : pair.b).rounding += gap;
+  if (has_half_space(pair)) return judge_verdict(pair).verdict == Verdict::disjoint;
+  MethodAnswer witness;
+  witness.status = Status::answered;
+  witness.verdict = Verdict::disjoint;
+  witness.set_direction(direction);
+  return check_witness(pair, witness) == Verdict::disjoint;
+}
 
 struct Cell {
   JointBox box;
@@ -95,7 +106,7 @@ class Prover {
     JointBox box;
     for (const double x : point) box.push_back({x, x});
     const Pair& placed = path_.place_middle(box);
-    const Distance d = distance(placed.a, placed.b);
+    const Distance d = signed_distance(placed);
     refuted_ |= look(d, box);
     return d.value;
   }
@@ -144,7 +155,7 @@ class Prover {
     ++proof_.boxes;
     cell.number = proof_.boxes;
     const Pair& placed = path_.place_middle(cell.box);
-    const Distance d = distance(placed.a, placed.b);
+    const Distance d = signed_distance(placed);
     refuted_ = look(d, cell.box);
     if (proof_.verdict <= MotionVerdict::within) return true;
     const Travel travel = path_.travel(d.direction);
@@ -153,13 +164,7 @@ class Prover {
                  excess = scene_.bodies[proof_.a].excess + scene_.bodies[proof_.b].excess,
                  bound = gap - travel.length - excess;
     if (!(bound > cell.bound) || !(bound > q_.clearance)) return false;
-    Pair wider = placed;
-    wider.b.rounding += gap;
-    MethodAnswer witness;
-    witness.status = Status::answered;
-    witness.verdict = Verdict::disjoint;
-    witness.set_direction(d.direction);
-    if (check_witness(wider, witness) == Verdict::disjoint) cell.bound = bound;
+    if (separates(d.direction, placed, gap)) cell.bound = bound;
     return false;
   }
 
@@ -272,6 +277,17 @@ void conclude(ExemptionProof& proof) {
 }
 
 }  // namespace
+
+Distance signed_distance(const Pair& pair) {
+  if (!has_box(pair) && !has_half_space(pair)) return distance(pair.a, pair.b);
+  const MeasuredDistance measured = approximate_distance(pair);
+  Distance d;
+  d.value = measured.value;
+  d.direction = measured.direction;
+  // A gap is measured with the same width as a depth. The referee proves what follows from it.
+  d.error = depth_width_tol * (size_of(pair) + (pair.b.center - pair.a.center).norm());
+  return d;
+}
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   MotionProof proof = Prover(scene, a, b, question).run();

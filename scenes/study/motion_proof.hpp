@@ -13,6 +13,7 @@
 
 #include "base/enum_words.hpp"
 #include "scenes/scene.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 
@@ -45,8 +46,8 @@ struct MotionProof {
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
-  bool bounded = false;       ///< `open`: within the clearance, but of a solid that only holds a box or mesh
-  bool held = false;          ///< a joint between them moves farther in truth than here: it is never `never`
+  bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a mesh or ellipsoid
+  bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
   bool contradicted = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
@@ -81,6 +82,10 @@ using BodyPairs = std::vector<BodyPair>;
 /// Does this for all these pairs of bodies, for those that the scene's SRDF disables, and for others.
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
                           const BodyPairs& others = {});
+
+/// Returns the distance by the solver. If the pair has a box or a half-space, returns what the referee
+/// measures: `value`, `direction`, and an `error` that is not proved.
+Distance signed_distance(const Pair& pair);
 
 /// Takes back what was proved of two bodies if they are seen nearer.
 void contradict(MotionProof& proof, double seen);

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/support.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/joint_path.hpp"
 #include "scenes/study/scene_study.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -30,9 +31,7 @@ std::vector<std::pair<std::size_t, std::size_t>> checked_pairs(const Scene& scen
 /// Returns the gap along a direction, which is the referee's f up to rounding.
 double gap_along(const Pair& pair, const Vector3& n) {
   const auto reach = [&](const Solid& c) {
-    const Vector3 axis = c.axis.normalized();
-    const double straight = n.dot(axis);
-    return std::fabs(straight) * c.height / 2 + c.radius * (n - straight * axis).norm() + c.rounding;
+    return is_half_space(c) ? 0 : support(terms_of<double>(c), lifted<double>(n));
   };
   return n.dot(pair.b.center - pair.a.center) - reach(pair.a) - reach(pair.b);
 }
@@ -66,6 +65,40 @@ TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
   EXPECT_EQ(met.verdict, MotionVerdict::within);
   EXPECT_LE(met.least, 0.201);
   EXPECT_EQ(prove_motion(sweeper(0.3, 6), 0, 1, q).verdict, MotionVerdict::never) << "it never points there";
+}
+
+// The same arm as a board that is 1 long, 0.2 wide and 0.1 thick: a corner goes farthest, sqrt(1.01). It also
+// turns above a floor, with its lowest corner at 0.5 - sqrt(1.0025).
+TEST(MotionProof, BoxesReachAsFarAsTheirCorners) {
+  const double reach = std::sqrt(1.01), lowest = 0.5 - std::sqrt(1.0025);
+  Scene scene = sweeper(-std::numbers::pi, std::numbers::pi);
+  scene.bodies[1].solid = box_at(Pose(Eigen::Translation3d(0.5, 0, 0)), {1, 0.2, 0.1});
+  MotionQuestion q;
+  for (const double beside : {-1e-6, 1e-6}) {
+    scene.bodies[0].solid.center.x() = 0.3 + reach + beside;
+    const MotionProof post = prove_motion(scene, 0, 1, q);
+    EXPECT_EQ(post.verdict, beside < 0 ? MotionVerdict::refuted : MotionVerdict::never);
+    EXPECT_NEAR(post.least, beside, 1e-6);
+  }
+  for (const double z : {0.0, 0.05, lowest - 1e-6, lowest + 1e-6}) {
+    Scene above = scene;
+    above.bodies[0].solid = {.center = {7, 5, z}, .shape = Shape::half_space};
+    above.links[1].origin = Eigen::Translation3d(0, 0, 0.5);
+    above.links[1].axis = {0, 1, 0};
+    for (const bool moved : {false, true}) {
+      if (moved) {  // the floor turns about the board
+        std::swap(above.links[0].motion, above.links[1].motion);
+        std::swap(above.links[0].low, above.links[1].low);
+        std::swap(above.links[0].high, above.links[1].high);
+        above.links[0].joint = "floor";
+        above.links[0].axis = {0, 1, 0};
+        above.links[0].origin = Eigen::Translation3d(0, 0, 0.5);
+        above.bodies[0].solid.center.z() -= 0.5;
+      }
+      const MotionProof floor = prove_motion(above, 0, 1, q);
+      EXPECT_EQ(floor.verdict, z > lowest ? MotionVerdict::refuted : MotionVerdict::never) << z << moved;
+    }
+  }
 }
 
 // The arm above turns three times as far as its leader, and back. The leader is on no path between the two.
@@ -113,7 +146,8 @@ TEST(MotionProof, ShowsWhatIsLeftOpen) {
 // In boxes of all sizes, the bodies never come nearer than the bound states, and they come almost as near. A
 // signed distance is the greatest gap along any direction.
 TEST(JointPath, NothingComesNearerThanItsTravel) {
-  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+  for (const char* file :
+       {"twenty.urdf", "crane.urdf", "arm.urdf", "porter.urdf", "walker.xml", "crane.xml"}) {
     const Scene scene = read_scene(folder + file);
     const auto pairs = checked_pairs(scene);
     double most_used = 0;
@@ -130,8 +164,8 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
         range.high = range.low + width;
       }
       const Pair middle = path.place_middle(box);
-      Vector3 n = distance(middle.a, middle.b).direction;
-      if (stream.coin()) n = stream.unit_vector();
+      Vector3 n = signed_distance(middle).direction;
+      if (stream.coin() && !has_half_space(middle)) n = stream.unit_vector();
       const double travel = path.travel(n).length, before = gap_along(middle, n);
       for (int i = 0; i < 10; ++i) {
         JointBox other = box;
@@ -142,7 +176,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
                                               : stream.between(range.low, range.high);
         }
         const Pair moved = path.place_middle(other);
-        const Distance d = distance(moved.a, moved.b);
+        const Distance d = signed_distance(moved);
         if (d.value <= 0) continue;
         const double used = before - (d.value + d.error);
         ASSERT_LE(used, travel) << file << ": " << scene.bodies[a].name << " - " << scene.bodies[b].name;
@@ -157,12 +191,14 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
 void contradict_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
   for (std::size_t k = 0; k < 2000; ++k) {
     const std::vector<Solid> placed = place(scene, draw_joints(scene, 7, k));
-    for (MotionProof& proof : proofs) contradict(proof, distance(placed[proof.a], placed[proof.b]).value);
+    for (MotionProof& proof : proofs)
+      contradict(proof, signed_distance({placed[proof.a], placed[proof.b]}).value);
   }
 }
 
 TEST(MotionProof, NoConfigurationContradictsIt) {
-  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+  for (const char* file :
+       {"twenty.urdf", "crane.urdf", "arm.urdf", "porter.urdf", "walker.xml", "crane.xml"}) {
     const Scene scene = read_scene(folder + file);
     MotionQuestion q;
     q.clearance = 0.01;
@@ -171,7 +207,7 @@ TEST(MotionProof, NoConfigurationContradictsIt) {
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
       const std::vector<Solid> placed = place(scene, proof.joints);
-      EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-12);
+      EXPECT_NEAR(signed_distance({placed[a], placed[b]}).value, proof.least, 1e-11);
       EXPECT_EQ(proof.verdict <= MotionVerdict::within || proof.bounded,
                 referee_within({placed[a], placed[b]}, q.clearance) == true);
       EXPECT_EQ(proof.verdict == MotionVerdict::refuted,
@@ -211,8 +247,8 @@ TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   EXPECT_EQ(denied.contradicted, 2u);
 }
 
-// Only the bound around a box or mesh comes near, which refutes nothing.
-TEST(MotionProof, ABoundOfABoxRefutesNothing) {
+// Only the bound around a mesh comes near, which refutes nothing.
+TEST(MotionProof, ABoundOfAMeshRefutesNothing) {
   const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/porter.urdf");
   std::size_t bounded = 0, refuted = 0;
   for (std::size_t a = 0; a < scene.bodies.size(); ++a) {

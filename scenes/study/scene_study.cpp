@@ -8,7 +8,6 @@
 #include "base/stopwatch.hpp"
 #include "base/usage_error.hpp"
 #include "oracles/referee/referee.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -58,11 +57,20 @@ class Study {
 
   void observe(PairStudy& pair, std::size_t configuration) {
     const ProxyModels &a = models_[pair.a], &b = models_[pair.b];
+    const bool refereed = needs_referee(a, b);
     std::optional<bool> truth;
+    if (refereed && proximity(Level::sphere, a, b, q_.clearance) == Proximity::apart)
+      truth = false;
+    else if (refereed)
+      truth = referee_within({a.shape, b.shape}, q_.clearance);
+    const auto seen_of = [&](Level level) {
+      if (!refereed || level < Level::cylinder) return proximity(level, a, b, q_.clearance);
+      return !truth ? Proximity::unclear : *truth ? Proximity::within : Proximity::apart;
+    };
     std::size_t set = 0;
     bool decided = false;
     for (const Level level : enum_values<Level>) {
-      const Proximity seen = proximity(level, a, b, q_.clearance);
+      const Proximity seen = seen_of(level);
       if (seen == Proximity::unclear) continue;
       if (index_of(level) < 3) set |= std::size_t{1} << index_of(level);
       if (!std::exchange(decided, true)) ++pair.decided[index_of(level)];
@@ -71,13 +79,16 @@ class Study {
     ++pair.outcomes[set];
     if (!truth) {
       ++result_.asked_referee;
-      truth = referee_within({placed_[pair.a], placed_[pair.b]}, q_.clearance);
+      if (!refereed) truth = referee_within({a.shape, b.shape}, q_.clearance);
       if (!truth) ++result_.undecided;
     }
     const bool is_within = truth.value_or(true);
-    const double d = distance(a.solid, b.solid).value;
-    for (const Level level : enum_values<Level>)
-      score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
+    const double d = signed_distance({a.shape, b.shape}).value;
+    for (const Level level : enum_values<Level>) {
+      const bool by_truth = refereed && level >= Level::cylinder;
+      score(pair.alone[index_of(level)], by_truth ? is_within : accepted(level, a, b, q_.clearance),
+            is_within, d, configuration);
+    }
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
@@ -121,7 +132,8 @@ class Study {
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
-        if (one != other && !carries_directly(scene_, one, other) &&
+        if (one != other && is_legal({scene_.bodies[a].solid, scene_.bodies[b].solid}) &&
+            !carries_directly(scene_, one, other) &&
             std::ranges::none_of(pairs, [&](const BodyPair& p) { return p.a == a && p.b == b; }))
           others.push_back({a, b});
       }

@@ -84,8 +84,8 @@ SceneStudy study_scene(const Scene& scene, const SceneOptions& question);
 /// All pairs of so many bodies are asked about one by one.
 inline constexpr std::size_t study_cap = 1000;
 
-/// Returns whether the samples describe the pair itself. They do not if one body is a bound of a box or mesh
-/// and comes within the clearance.
+/// Returns whether the samples describe the pair itself. They do not if one body is a bound of a mesh or
+/// ellipsoid and comes within the clearance.
 bool is_known(const Scene& scene, const PairStudy& pair);
 
 /// Returns the links whose joints are held here, move in truth and lie between the two.
