@@ -150,7 +150,7 @@ TEST(BoxDistance, NoDirectionSeparatesMore) {
   EXPECT_GT(overlapping, 100);
 }
 
-// Whatever the verdict and the width. The solids of the first two pairs touch, or their cores do.
+// For every verdict and width. The solids of the first two pairs touch, or their cores do.
 TEST(BoxDistance, IsShownByItsDirection) {
   const Solid plate = box({-5, -2, -1}, {98, 0, 98}, 0, {6, 2, 3, 0}),
               rod = box({26, 10, -37}, {0, 0, 50}, 0, {3, 4, 0, 0});

@@ -241,7 +241,7 @@ class MjcfBuilder {
     if (shape == "mesh") return mesh_of(geom, pose, std::move(body));
     if (!geom.text("mesh").empty()) return std::nullopt;  // a primitive that MuJoCo fits to a mesh
     const bool round = shape == "capsule" || shape == "cylinder";
-    if (shape == "plane") {  // one without end, whatever its size
+    if (shape == "plane") {  // without end, even if the file has a size
       body.solid = {.center = pose.translation(), .axis = pose.linear().col(2), .shape = Shape::half_space};
       return body;
     }

@@ -45,11 +45,11 @@ Named parse_json_line(const std::string& text) {
         "answers pairs");
   const std::string name = object.value("name", "");
   object.erase("name");
-  // The solids of a scene have the fields of those of pairs.
+  // The solids of a scene have the same fields as the solids of pairs.
   const CaseLine read =
       parse_case(R"({"a":)" + object.dump() + R"(,"b":{"shape":"sphere","center":[0,0,0],"radius":1}})", 1);
   if (read.value) return {name, read.value->pair.a};
-  const std::size_t place = read.error.find(": ") + 2;  // in the line that was made of it
+  const std::size_t place = read.error.find(": ") + 2;  // in the line made above
   throw std::runtime_error(read.error.substr(place + (read.error.compare(place, 2, "a.") == 0 ? 2 : 0)));
 }
 

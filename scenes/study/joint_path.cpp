@@ -39,11 +39,12 @@
 // Rounding: a joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into. If
 // the parts of the path are L long together, k links put a point within 32 k u L of its place. For two
 // bodies this is 64 k u L. The normal of a half-space is as far off, for which this doubles. A box is turned
-// by a quaternion made of such a matrix: if that is within e of a rotation, its own is within 6 e, and then a
-// corner is within 224 k u L of its place. Of 256 k u L for two bodies, twice as much counts for how far an
-// end lies behind. Reach and moment of each of m joints add as much twice, times min(d, 2) and 2: 1024 k m u
-// L. Their own rounding is less than 64 u of sums of at most 2 m L. The gap proved in the middle was added to
-// a rounding, which costs u L. Together this is less than 2048 (k + 1) (m + 1) u L.
+// by a quaternion made of such a matrix. If the matrix is within e of a rotation, the rotation of the
+// quaternion is within 6 e of the matrix. So a corner is within 224 k u L of its place. For two boxes this is
+// 448 k u L, and twice as much counts for how far an end lies behind. Reach and moment of each of m joints
+// add as much twice, times min(d, 2) and 2: 1024 k m u L. Their own rounding is less than 64 u of sums of at
+// most 2 m L. The gap proved in the middle was added to a rounding, which costs u L. Together this is less
+// than 2048 (k + 1) (m + 1) u L.
 
 namespace cyl {
 namespace {
