@@ -22,7 +22,7 @@ struct Prepared {
   bool ball;      ///< `moderate`, and a point or a sphere
   Shape shape;    ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
   double rounding;               ///< as given
-  Vector3 second_axis{0, 0, 0};  ///< the second edge of a box, or `axis` of a half-space as given
+  Vector3 second_axis{0, 0, 0};  ///< the second edge of a box, or a positive multiple of the normal, exactly
   Vector3 edges{0, 0, 0};        ///< of a box: as given
 };
 

@@ -36,13 +36,14 @@ Prepared prepare(const Solid& c) noexcept {
   }
   // Scales by powers of two. The largest coordinate comes to [1, 2), of the largest doubles to [2, 4), and
   // of subnormal ones to [2^-51, 1]. So squares neither overflow nor vanish.
-  const Vector3 w = c.axis * unit_of(exponent_of(max_abs(c.axis)));
+  const double unit = unit_of(exponent_of(max_abs(c.axis)));
+  const Vector3 w = c.axis * unit;
   // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
   // A half-space does.
   double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
   if (c.shape == Shape::half_space) {
     first = 1;
-    p.second_axis = c.axis;
+    p.second_axis = w / unit == c.axis ? w : c.axis;
   }
   p.unit_axis = w / std::copysign(length(w), first);
   // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
