@@ -102,8 +102,9 @@ class MeasureDistance final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  /// The depth of a box and a cylinder is not proved.
-  bool supports(SolidKind kind) const override { return kind < SolidKind::box; }
+  /// The depth of a box and a cylinder is not proved. A half-space may be far from its own point, and then
+  /// the error is far above 1e-13 of the size.
+  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });

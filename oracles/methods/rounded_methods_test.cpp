@@ -35,14 +35,20 @@ Kinds kinds_of(const Method& method) {
 }
 
 TEST(RoundedMethods, HaveTheShapesOfTheirLibraries) {
-  std::map<std::string, Kinds> expected{
-      {"intersect", of_the_solver},    {"exact", all},
-      {"fcl-libccd", with_half_space}, {"fcl-distance-libccd", without_rounded},
-      {"bullet-cylinder", all},        {"bullet-gjkepa2", sharp},
-      {"bullet-hull-16", sharp},       {"bullet-box", boxes_alone},
-      {"libccd-gjk", bounded},         {"nlopt-direct-600", bounded},
-      {"ode", with_half_space},        {"mujoco", with_half_space},
-      {"seedbook", cylinders_alone}};
+  std::map<std::string, Kinds> expected{{"intersect", all},
+                                        {"exact", all},
+                                        {"distance", of_the_solver},
+                                        {"fcl-libccd", with_half_space},
+                                        {"fcl-distance-libccd", without_rounded},
+                                        {"bullet-cylinder", all},
+                                        {"bullet-gjkepa2", sharp},
+                                        {"bullet-hull-16", sharp},
+                                        {"bullet-box", boxes_alone},
+                                        {"libccd-gjk", bounded},
+                                        {"nlopt-direct-600", bounded},
+                                        {"ode", with_half_space},
+                                        {"mujoco", with_half_space},
+                                        {"seedbook", cylinders_alone}};
   for (const auto& method : all_methods()) {
     const auto found = expected.find(std::string(method->name()));
     if (found == expected.end()) continue;
