@@ -276,7 +276,7 @@ TEST_F(Campaign, EveryPairIsInOneCellOfEachPlane) {
     meet += gap < 0;
     in_cell += gap < 0 && -gap / 8 <= 1e-2 && -gap / 8 > 1e-3;
   }
-  for (const char* plane : {"angle-margin", "aspect-margin", "scale-offset", "shapes-margin"}) {
+  for (const char* plane : {"angle-margin", "aspect-margin", "scale-offset", "margin-shapes"}) {
     const std::vector<CellCounts> sums = on_plane(run, plane);
     ASSERT_EQ(sums.size(), methods.size()) << plane;
     EXPECT_EQ(sums[0], (CellCounts{.asked = pairs})) << plane;

@@ -103,14 +103,7 @@ CellAxis margin_axis() {
 
 CellAxis x_axis(Plane plane) {
   if (plane == Plane::scale_offset) return {"size, in the unit of length", upper_ends(scales)};
-  if (plane == Plane::shapes_margin) {
-    CellAxis axis{"shapes, at ordinary sizes", {}};
-    for (std::size_t i = 0; i < words_of(SolidKind{}).size(); ++i)
-      for (std::size_t j = i; j < words_of(SolidKind{}).size(); ++j)
-        axis.labels.push_back(fmt::format("{} {}", words_of(SolidKind{})[i], words_of(SolidKind{})[j]));
-    axis.labels.push_back("other sizes");
-    return axis;
-  }
+  if (plane == Plane::margin_shapes) return margin_axis();
   if (plane == Plane::aspect_margin) {
     CellAxis axis{"largest ratio of diameter, height or sizes", upper_ends(powers)};
     axis.labels.push_back("flat, thin or a point");
@@ -125,6 +118,14 @@ CellAxis x_axis(Plane plane) {
 }
 
 CellAxis y_axis(Plane plane) {
+  if (plane == Plane::margin_shapes) {
+    CellAxis axis{"shapes, at ordinary sizes", {}};
+    for (std::size_t i = 0; i < words_of(SolidKind{}).size(); ++i)
+      for (std::size_t j = i; j < words_of(SolidKind{}).size(); ++j)
+        axis.labels.push_back(fmt::format("{}, {}", words_of(SolidKind{})[i], words_of(SolidKind{})[j]));
+    axis.labels.push_back("other sizes");
+    return axis;
+  }
   if (plane != Plane::scale_offset) return margin_axis();
   CellAxis axis{"largest coordinate of a centre over size", upper_ends(powers)};
   axis.labels.insert(axis.labels.begin(), power_label(0));
@@ -135,7 +136,7 @@ std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth) {
   const double size = size_of(pair);
   const int margin = margin_bin(pair, truth, size);
   return {Cell{angle_bin(pair), margin}, Cell{aspect_bin(pair), margin},
-          Cell{bin_of(size, scales), offset_bin(pair, size)}, Cell{shapes_bin(pair), margin}};
+          Cell{bin_of(size, scales), offset_bin(pair, size)}, Cell{margin, shapes_bin(pair)}};
 }
 
 }  // namespace cyl

@@ -17,12 +17,12 @@
 
 namespace cyl {
 
-enum class Plane : unsigned char { angle_margin, aspect_margin, scale_offset, shapes_margin };
+enum class Plane : unsigned char { angle_margin, aspect_margin, scale_offset, margin_shapes };
 constexpr auto words_of(Plane) noexcept {
-  return std::array{"angle-margin", "aspect-margin", "scale-offset", "shapes-margin"};
+  return std::array{"angle-margin", "aspect-margin", "scale-offset", "margin-shapes"};
 }
 inline constexpr std::array planes{Plane::angle_margin, Plane::aspect_margin, Plane::scale_offset,
-                                   Plane::shapes_margin};
+                                   Plane::margin_shapes};
 
 /// Bins are numbered from 0, and each but the open ones is named by its upper end.
 struct CellAxis {

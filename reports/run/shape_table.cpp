@@ -20,20 +20,20 @@ struct OfShapes {
 }  // namespace
 
 std::string format_shapes(const RunData& run) {
-  const std::vector<std::string> shapes = x_axis(Plane::shapes_margin).labels, margins = margin_axis().labels;
+  const std::vector<std::string> shapes = y_axis(Plane::margin_shapes).labels, margins = margin_axis().labels;
   std::map<std::pair<std::size_t, std::size_t>, OfShapes> rows;  // by method and shapes
   for (const CellRecord& cell : run.cells) {
-    if (cell.plane != to_string(Plane::shapes_margin)) continue;
-    const auto x = static_cast<std::size_t>(cell.x);
-    if (x + 1 >= shapes.size()) continue;
+    if (cell.plane != to_string(Plane::margin_shapes)) continue;
+    const auto of = static_cast<std::size_t>(cell.y);
+    if (of + 1 >= shapes.size()) continue;
     for (std::size_t m = 0; m < cell.methods.size(); ++m) {
       const CellCounts& c = cell.methods[m];
       const std::uint64_t within = c.within_disjoint + c.within_intersecting,
                           wrong = c.wrong_disjoint + c.wrong_intersecting - within;
-      OfShapes& row = rows[{m, x}];
+      OfShapes& row = rows[{m, of}];
       row.answered += c.asked - c.declined;
       row.wrong += wrong;
-      if (wrong > 0) row.widest = std::min(row.widest, cell.y);
+      if (wrong > 0) row.widest = std::min(row.widest, cell.x);
     }
   }
   std::string text;

@@ -12,7 +12,7 @@ const planes = [
   ["angle-margin", "Angle of the axes and margin"],
   ["aspect-margin", "Aspect and margin"],
   ["scale-offset", "Scale and offset"],
-  ["shapes-margin", "Shapes and margin"],
+  ["margin-shapes", "Margin and shapes"],
 ] as const;
 
 function outcomesOf(c: MapCell): Outcomes {
@@ -43,14 +43,15 @@ const describeCell = ({ x, y }: FailureMap, c: MapCell) =>
 export function mapPlot(map: FailureMap, o: Options): Element {
   const visited = map.cells.filter((c) => c.asked > 0);
   const across = { type: "band", padding: 0.06, tickSize: 0 } as const;
-  const letters = Math.max(...map.x.labels.map((label) => label.length)),
-    skip = Math.max(1, Math.ceil((map.x.labels.length * (7 * letters + 6)) / (o.width - 104)));
+  const longest = (labels: string[]) => 7 * Math.max(...labels.map((label) => label.length)),
+    left = Math.max(74, longest(map.y.labels) + 34),
+    skip = Math.max(1, Math.ceil((map.x.labels.length * (longest(map.x.labels) + 6)) / (o.width - left - 30)));
   const words = (c: MapCell) => describeCell(map, c),
     edgeOf = (c: MapCell) => cellColours(outcomesOf(c)).edge,
     link = (c: MapCell) => (c.finding === undefined ? null : o.link!(String(c.finding)));
   return Plot.plot(
     common(o, heightOf(map), {
-      marginLeft: 74,
+      marginLeft: left,
       marginBottom: 44,
       x: {
         ...across,
