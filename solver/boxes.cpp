@@ -325,8 +325,11 @@ bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
 ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept {
   const auto longest = [](const Prepared& c) { return larger(larger(c.radius, c.height), max_abs(c.edges)); };
   const double widest = larger(larger(longest(a), longest(b)), contact);
+  // The point of a plane may be far away. Its difference from the other centre would be rounded.
+  const bool plane = a.shape == Shape::half_space;
+  const double farthest = larger(max_abs(a.center), max_abs(b.center));
   Vector3 delta = b.center - a.center;
-  double most = larger(widest, max_abs(delta));
+  double most = larger(widest, plane ? farthest : max_abs(delta));
   int shift = 0;  // as in scale()
   if (!(most < 0x1p1000))
     shift = -200;
@@ -334,7 +337,7 @@ ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept
     shift = 200;
   const double before = power_of_two(shift);
   delta = shift < 0 ? Vector3(b.center * before - a.center * before) : Vector3(delta * before);
-  most = larger(widest * before, max_abs(delta));
+  most = larger(widest * before, plane ? farthest * before : max_abs(delta));
   const int exponent = most > 0 ? exponent_of(most) : 0;
   const double unit = power_of_two(-exponent);
   ShapePair p{a, b, contact * before * unit, exponent - shift};
@@ -343,10 +346,10 @@ ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept
     c->height = c->height * before * unit;
     c->rounding = c->rounding * before * unit;
     c->edges = c->edges * before * unit;
-    c->center = {0, 0, 0};
+    c->center = plane ? Vector3(c->center * before * unit) : Vector3(0, 0, 0);
     c->moderate = true;
   }
-  p.b.center = delta * unit;
+  if (!plane) p.b.center = delta * unit;
   return p;
 }
 

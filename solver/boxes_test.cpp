@@ -188,7 +188,8 @@ void expect_shown(const Pair& p, const Answer& answer) {
   }
   if (answer.proof == Proof::direction && plane) {
     const Solid& of = is_half_space(p.a) ? p.a : p.b;
-    EXPECT_EQ(answer.direction, is_half_space(p.a) ? of.axis : Vector3(-of.axis));
+    const auto to_size_1 = [](const Vector3& v) { return Vector3(v / v.cwiseAbs().maxCoeff()); };
+    EXPECT_EQ(to_size_1(answer.direction), to_size_1(is_half_space(p.a) ? of.axis : Vector3(-of.axis)));
   }
   if (answer.proof == Proof::points && !plane) {
     const Long3 x = lifted<Long>(answer.point_head), y = lifted<Long>(answer.point_tail);

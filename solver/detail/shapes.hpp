@@ -34,7 +34,7 @@ struct ShapePair {
   double contact;  ///< both roundings and the clearance
   int exponent;    ///< one unit is 2^exponent units of the scene
 };
-/// The first centre goes to 0, and the largest length is in [1, 2).
+/// The first centre goes to 0 if it is not of a half-space, and the largest length is in [1, 2).
 ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept;
 inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) noexcept {
   return a.moderate & b.moderate & (contact <= power_of_two(moderate_exponent));
