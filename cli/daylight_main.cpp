@@ -19,7 +19,7 @@ void say(const std::exception& error) {
 
 int run(int argc, char** argv) {
   cyl::Program program("daylight",
-                       "Is there daylight between two cylinders? Answers with a proof, and finds the methods "
+                       "Is there daylight between two solids? Answers with a proof, and finds the methods "
                        "that get it wrong.",
                        cyl::build_info().text());
   for (const auto add :
