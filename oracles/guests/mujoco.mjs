@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// MuJoCo's mj_geomDistance. `mujoco.mjs --contacts`: whether mj_forward makes a contact. `mujoco.mjs --libccd`: the same, with its
+// older algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
+import { readFileSync } from 'node:fs';
+import load from '@mujoco/mujoco';
+import { serve } from './lines.mjs';
+
+const { version } = JSON.parse(readFileSync(new URL('node_modules/@mujoco/mujoco/package.json', import.meta.url)));
+const MuJoCo = await load(), option = ['contacts', 'libccd'].find((word) => process.argv.includes(`--${word}`));
+
+const sizes = {
+  sphere: (s) => [s.rounding],
+  capsule: (s) => [s.rounding, s.halfHeight],
+  cylinder: (s) => [s.radius, s.halfHeight],
+  half_space: () => [0, 0, 1], // without end
+  box: (s) => s.half,
+};
+const quarter = Math.SQRT1_2; // from its z to y, but not for boxes
+const turnOf = ({ half, turn: t }) => half
+  ? [t.w, t.x, t.y, t.z]
+  : [(t.w + t.x) * quarter, (t.x - t.w) * quarter, (t.y - t.z) * quarter, (t.z + t.y) * quarter];
+const posed = (s) => `pos="${Object.values(s.position).join(' ')}" quat="${turnOf(s).join(' ')}"`;
+const geom = (s) => `geom type="${s.kind.replace('half_space', 'plane')}" size="${sizes[s.kind](s).join(' ')}"`;
+const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
+
+const name = option ? `mujoco3-${option}` : 'mujoco3';
+const claim = { relative: 1e-12, absolute: 1e-6, source: 'ccd_tolerance, 1e-6: tolerance of the convex collision algorithm' };
+serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space', 'box'], sizes: { zero: false } }, (a, b) => {
+  if (b.kind === 'half_space') [a, b] = [b, a];
+  // The second moves, since solids that are fixed to the world make no contact.
+  MuJoCo.FS.writeFile('/pair.xml', `<mujoco><option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option><worldbody>
+    <${geom(a)} ${posed(a)}/>
+    <body ${posed(b)}><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><${geom(b)}/></body>
+  </worldbody></mujoco>`);
+  const model = MuJoCo.MjModel.mj_loadXML('/pair.xml'), data = new MuJoCo.MjData(model);
+  try {
+    MuJoCo.mj_forward(model, data);
+    if (option) return { verdict: data.ncon > 0 ? 'intersecting' : 'disjoint' };
+    const far = Math.hypot(...[0, 1, 2].map((i) => data.geom_xpos[i] - data.geom_xpos[i + 3])) + reach(a) + reach(b);
+    const distance = MuJoCo.mj_geomDistance(model, data, 0, 1, far, new Float64Array(6));
+    return { verdict: distance <= 0 ? 'intersecting' : 'disjoint', distance };
+  } finally {
+    data.delete();
+    model.delete();
+  }
+});
