@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Jolt's CollideShape of two solids. `jolt.mjs --default`: cylinders and boxes as its default makes them, whose edges it rounds.
-import { readFileSync } from 'node:fs';
 import initJolt from 'jolt-physics';
 import { serve } from './lines.mjs';
 
 const Jolt = await initJolt();
 const engine = new Jolt.JoltInterface(engineSettings()); // registers the shapes
-const { version } = JSON.parse(readFileSync(new URL('node_modules/jolt-physics/package.json', import.meta.url)));
 const plane = new Jolt.Plane(new Jolt.Vec3(0, 1, 0), 0), scale = new Jolt.Vec3(1, 1, 1), origin = new Jolt.RVec3(0, 0, 0);
 const half = new Jolt.Vec3(0, 0, 0), settings = new Jolt.CollideShapeSettings(), filter = new Jolt.ShapeFilter();
 
@@ -49,7 +47,9 @@ function placed(s) {
 
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
 const name = rounds ? 'jolt-default' : 'jolt';
-serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space', 'box'], rounded_rims }, (a, b) => {
+serve({
+  name, npm: 'jolt-physics', call: 'TransformedShape.CollideShape', claim, takes: Object.keys(shapes), rounded_rims,
+}, (a, b) => {
   const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
   one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
   const meet = hit.HadHit();

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// MuJoCo's mj_geomDistance. `mujoco.mjs --contacts`: whether mj_forward makes a contact. `mujoco.mjs --libccd`: the same, with its
-// older algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
-import { readFileSync } from 'node:fs';
+// MuJoCo's mj_geomDistance. `mujoco.mjs --contacts`: whether mj_forward makes a contact. `mujoco.mjs --libccd`: the same, with
+// its older algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
 import load from '@mujoco/mujoco';
 import { serve } from './lines.mjs';
 
-const { version } = JSON.parse(readFileSync(new URL('node_modules/@mujoco/mujoco/package.json', import.meta.url)));
 const MuJoCo = await load(), option = ['contacts', 'libccd'].find((word) => process.argv.includes(`--${word}`));
 
 const sizes = {
@@ -25,14 +23,24 @@ const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
 
 const name = option ? `mujoco3-${option}` : 'mujoco3';
 const claim = { relative: 1e-12, absolute: 1e-6, source: 'ccd_tolerance, 1e-6: tolerance of the convex collision algorithm' };
-serve({ name, version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space', 'box'], sizes: { zero: false } }, (a, b) => {
+serve({
+  name, npm: '@mujoco/mujoco', call: option ? 'mj_forward' : 'mj_geomDistance', claim, takes: Object.keys(sizes),
+  sizes: { zero: false },
+}, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   // The second moves, since solids that are fixed to the world make no contact.
-  MuJoCo.FS.writeFile('/pair.xml', `<mujoco><option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option><worldbody>
+  MuJoCo.FS.writeFile('/pair.xml', `<mujoco><option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option>
+  <worldbody>
     <${geom(a)} ${posed(a)}/>
     <body ${posed(b)}><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><${geom(b)}/></body>
   </worldbody></mujoco>`);
-  const model = MuJoCo.MjModel.mj_loadXML('/pair.xml'), data = new MuJoCo.MjData(model);
+  let model;
+  try {
+    model = MuJoCo.MjModel.mj_loadXML('/pair.xml');
+  } catch (error) {
+    return { error: String(error) }; // it refuses 5e-324 as too large
+  }
+  const data = new MuJoCo.MjData(model);
   try {
     MuJoCo.mj_forward(model, data);
     if (option) return { verdict: data.ncon > 0 ? 'intersecting' : 'disjoint' };
