@@ -45,9 +45,7 @@ void check_length(const char* option, double length) {
 void check_count(const Scene& scene) {
   const std::size_t cylinders = scene.bodies.size();
   if (cylinders > study_cap)
-    throw UsageError(
-        fmt::format("{} cylinders: a study has up to {}{}", cylinders, study_cap,
-                    stands_still(scene) ? ". 'daylight near' finds the close pairs of more cylinders" : ""));
+    throw UsageError(fmt::format("{} cylinders: a study has up to {}", cylinders, study_cap));
 }
 
 int study(SceneArguments& arguments) {

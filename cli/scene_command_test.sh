@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scene as a person calls it: robots, lists of cylinders, generated ones; exit codes, what is written.
+# scene as a person calls it: robots, lists of solids; exit codes, what is written.
 set -euo pipefail
 # shellcheck source=SCRIPTDIR/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
@@ -25,25 +25,9 @@ holds 'which' err 'none/crane.json cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
 for i in {1..5}; do cat many.jsonl; done >more.jsonl
 expect 64 'too many for a study' "$daylight" scene more.jsonl
-holds 'what to do' err "^daylight: .*1005 cylinders: a study has up to 1000. 'daylight near' finds the close pairs"
-expect 0 'close pairs' "$daylight" near many.jsonl --clearance 0.3 --verify --json many.json --csv many.csv
-holds 'counts' out '^200 pairs with boxes that meet: 200 within 0.3, 0 undecided$'
-holds 'its names' many.json '"names":\["1","2",'
-holds 'as a table' many.csv '^1,2,0\.19'
 printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
 expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
 holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, but a line of a scene is one solid: .*`daylight check` answers'
-expect 0 'generated' "$daylight" near --generate rods --count 2000 --verify --list 3 --json rods.json
-holds 'counted' out '^2425 pairs with boxes that meet: '
-holds 'the referee' out '^referee: 2425 pairs judged, 0 wrong, 0 not proved, [0-9]+ ms$'
-holds 'the certificates' out '^certificates: 2425 checked, 0 failed, 0 pairs without one, [0-9]+ ms$'
-equal 'the nearest' 3 "$(grep -c ' - ' out)"
-holds 'the pairs' rods.json '"within":\[\['
-expect 64 'a robot' "$daylight" near "$scenes/crane.urdf"
-holds 'what to take' err "bodies that move, are bounded or are no cylinders: use 'daylight scene'"
-expect 64 'no cylinders' "$daylight" near
-expect 64 'two sources' "$daylight" near many.jsonl --generate rods
-expect 64 'nothing of that kind' "$daylight" near --generate bricks
 : >empty.jsonl
 expect 0 'nothing in it' "$daylight" scene empty.jsonl --json empty.json
 holds 'nothing to do' out '^nothing to check$'

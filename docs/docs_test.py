@@ -45,7 +45,6 @@ ELSEWHERE = {
     '--pairs 1000000000': 'docs/results.md',
     '--pairs 200000': 'docs/results.md',
     'runs/readme/run': 'compared, see check_numbers',
-    'near --generate': 'scene_command_test',
     'daylight COMMAND': 'no command but a pattern',
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }

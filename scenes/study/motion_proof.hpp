@@ -83,10 +83,6 @@ using BodyPairs = std::vector<BodyPair>;
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
                           const BodyPairs& others = {});
 
-/// Returns the distance by the solver. If the pair has a box or a half-space, returns what the referee
-/// measures: `value`, `direction`, and an `error` that is not proved.
-Distance signed_distance(const Pair& pair);
-
 /// Takes back what was proved of two bodies if they are seen nearer.
 void contradict(MotionProof& proof, double seen);
 
