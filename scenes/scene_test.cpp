@@ -192,6 +192,19 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"nothing", "a"}}));
 }
 
+// Its links are not there before the macros are expanded. What is expanded may still name the namespace.
+TEST(Urdf, MacrosAreToBeExpandedFirst) {
+  const std::string robot = "<robot name='r' xmlns:xacro='x'><link name='a'/>",
+                    command = ": it has macros, so expand it first: xacro ";
+  for (const auto& [ending, inside] :
+       {std::pair(".urdf", "<xacro:arm/>"), {".urdf.xacro", ""}, {".xacro", ""}}) {
+    const std::string why = error_of(ending, robot + inside + "</robot>");
+    EXPECT_TRUE(why.starts_with(command)) << why;
+    EXPECT_TRUE(why.ends_with("/expanded.urdf")) << why;
+  }
+  EXPECT_EQ(error_of(".urdf", robot + "</robot>"), "none");
+}
+
 // urdfdom drops a shape that it cannot parse, and at most reports it. Here it counts as not looked at.
 TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
   const auto shape = [](const std::string& geometry, const std::string& place = "0 0 0") {

@@ -10,6 +10,7 @@
 #include "base/stopwatch.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/study/joint_path.hpp"
+#include "scenes/study/overlap_proof.hpp"
 #include "scenes/study/scene_study.hpp"
 
 namespace cyl {
@@ -289,6 +290,7 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
   }
+  proof.always = proof.verdict == MotionVerdict::refuted && overlap_always(scene, a, b);
   return proof;
 }
 

@@ -48,6 +48,7 @@ struct MotionProof {
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
   bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a mesh or ellipsoid
   bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
+  bool always = false;   ///< `refuted`: they are proved to overlap in every configuration
   bool contradicted = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
