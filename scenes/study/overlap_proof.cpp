@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "corpus/pairs/support.hpp"
-#include "scenes/near/verification.hpp"
+#include "scenes/study/verification.hpp"
 #include "scenes/study/joint_path.hpp"
 
 namespace cyl {
