@@ -3,7 +3,6 @@
 # may link the solver (library.cmake) and two more libraries:
 #   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
 #   oracles   every method, compare and the readers behind them; everything
-# The fifth, `python`, is in python/python.cmake.
 # Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
 # "solver/solid.hpp" in it are both found.
 
@@ -40,8 +39,6 @@ foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
 endforeach()
-install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/gate/feature.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/daylight-gate COMPONENT program)
 
 # The portable archive (ninja portable): the program with the libraries that it needs, except those of the C and C++
 # compilers, which plug-ins share; vectors. It runs on any machine with a glibc as new as this one's.
