@@ -25,7 +25,6 @@
 #include "base/process/stop_signals.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
-#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -38,14 +37,13 @@
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
 #include "reports/gate/gate_writers.hpp"
-#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 namespace {
 
 struct GateArguments {
   std::string cap, methods, junit, json, against, keep;
-  std::optional<std::string> cases, suppressions;
+  std::optional<std::string> cases;
   std::string corpus;
   std::optional<std::uint64_t> seed, pairs;
   bool laws = false;
@@ -107,12 +105,6 @@ std::string replay_options(const JudgedGate& gate, std::span<const std::unique_p
   return options;
 }
 
-/// The earlier results that a gate is compared with.
-struct Known {
-  GateBase base;
-  std::vector<Suppression> suppressions;
-};
-
 /// Reads the place at which a guest's failures are shown: "FILE:LINE" for all, or "NAME=FILE:LINE". Throws
 /// UsageError if there is no guest or no such file.
 std::map<std::string, SourceLine> places_of(std::span<const std::string> options,
@@ -137,15 +129,12 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
   return places;
 }
 
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone`
-/// may be empty if nothing is suppressed.
-JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> everyone,
-                 std::span<const Guest> guests, std::span<const Case> cases,
+/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
+JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests,
                  const std::map<std::string, SourceLine>& places) {
   JudgedGate gate = judged(std::move(report));
-  mark_known(gate, known.base);
-  note_gaps(gate, known.base);
-  judge_suppressions(gate, everyone, cases, known.suppressions, today());
+  mark_known(gate, base);
+  note_gaps(gate, base);
   for (const Guest& guest : guests)
     for (JudgedFailure& failure : gate.failures) {
       if (failure.method != guest.name) continue;
@@ -187,14 +176,13 @@ int gate(const GateArguments& arguments) {
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
   const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  Known known;
+  GateBase base;
   if (!arguments.against.empty()) {
-    known.base = read_base(arguments.against);
-    options.seed = known.base.seed;
-    options.pairs = known.base.pairs;
-    options.amount = known.base.amount;
+    base = read_base(arguments.against);
+    options.seed = base.seed;
+    options.pairs = base.pairs;
+    options.amount = base.amount;
   }
-  known.suppressions = read_suppressions(arguments.suppressions, in_source_tree("suppressions.jsonl"));
   if (!arguments.corpus.empty()) add_corpus(cases, arguments.corpus, options.seed);
   const StopSignals signals;  // before the first line, after which a caller may stop the gate
   fmt::print("seed {}\n", options.seed);
@@ -202,9 +190,7 @@ int gate(const GateArguments& arguments) {
 
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
-  std::vector<std::unique_ptr<Method>> everyone;
-  if (!known.suppressions.empty()) everyone = with_guests(arguments.guests).methods;
-  const JudgedGate judged = judge(std::move(report), known, everyone, guests, cases, places);
+  const JudgedGate judged = judge(std::move(report), base, guests, places);
   const char* actions = std::getenv("GITHUB_ACTIONS");
   if (actions && actions == std::string_view("true")) fmt::print("{}", gate_github(judged));
   fmt::print("{}", gate_text(judged));
@@ -257,17 +243,12 @@ void add_gate(Program& program) {
               "rerun the pairs of this earlier gate's JSON, and fail only on new or more frequent causes")
       .excludes("--pairs")
       .excludes("--seed");
-  command
-      .option("--suppressions FILE", arguments->suppressions,
-              "file of known causes; their failures do not change the exit code")
-      .default_text("suppressions.jsonl");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
       "With GITHUB_ACTIONS=true in the environment, gate prints annotations for the log of GitHub Actions.\n"
-      "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
-      "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
-      "than half of its pairs.");
+      "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes or hangs. 3 can\n"
+      "also mean that a method gave no verdict on more than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

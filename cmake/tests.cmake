@@ -25,7 +25,7 @@ endfunction()
 # them, ctest -L FOLDER both.
 set(process_suites Batch Bench Campaign Child Confine Contained
     Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
-    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Suppressed Triage Worker
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Triage Worker
     Worst WorstOfCause)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)

@@ -19,7 +19,6 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "reports/triage/recurrence.hpp"
-#include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {
@@ -69,7 +68,6 @@ struct Cause {
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
   std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
-  std::optional<Suppression> suppressed;
 };
 
 /// The findings of one method, kind, severity and family: their number, the number examined, and how many
@@ -100,8 +98,8 @@ struct TriagedRun {
 /// In the form of the page's Cause, in which it is stored too.
 nlohmann::json to_json(const Cause& cause);
 nlohmann::json to_json(const std::vector<Cause>& causes);
-/// Reads the output of to_json(), except for the suppression, the chance and the runs. Throws
-/// nlohmann::json::exception if the value has another form.
+/// Reads the output of to_json(), except for the chance and the runs. Throws nlohmann::json::exception if the
+/// value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, by key. Status, first and last seen are not set. The
@@ -142,9 +140,6 @@ using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 
-/// Marks what is suppressed, by its key.
-void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,
-              std::string_view today);
 /// Returns "libccd-mpr.wrong_disjoint" for that key with '/': the name of the files of a cause's pairs,
 /// without the ending. Characters that a file name should not have are replaced, and letters distinguish such
 /// names.

@@ -161,7 +161,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
-  suppress(triage.causes, options.suppressions, options.today);
   context.store().set_summary(to_json(triage.causes).dump(), part);
   if (!earlier.empty())
     triage.remarks.push_back(fmt::format("compared with {}, the last of them {} of {}",
@@ -175,13 +174,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
   }
-  if (!options.suppressions.empty()) {
-    std::set<std::string> seen = causes_of(context.grouped(), options.cases, options.suppressions);
-    for (const Cause& b : triage.causes)
-      if (b.count > 0) seen.insert(b.key);
-    for (GateRemark& remark : suppression_remarks(options.suppressions, options.today, seen))
-      triage.remarks.push_back(std::move(remark.text));
-  }
   triage.findings = std::move(context.findings);
   return triage;
 }
@@ -194,7 +186,7 @@ Json causes_json(const std::string& run_folder) {
 int exit_code(const Triage& triage) {
   bool undecided = triage.progress.classified < triage.progress.findings;
   for (const Cause& b : triage.causes) {
-    if (b.status == Recurrence::gone || b.suppressed) continue;
+    if (b.status == Recurrence::gone) continue;
     if (b.severity == Severity::contract) return exit_findings;
     undecided |= b.severity == Severity::unresolved;
   }

@@ -60,7 +60,6 @@ Triage triage(const std::string& folder, std::chrono::milliseconds budget = std:
   TriageOptions options;
   options.folder = folder;
   options.budget = budget;
-  options.today = "2026-11-22";
   options.build = "test";
   return run_triage(options, quick_methods());
 }
