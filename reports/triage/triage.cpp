@@ -19,7 +19,6 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
-#include "reports/triage/changed_guests.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 #include "reports/triage/triage_context.hpp"
@@ -30,10 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which each step ends: the classification, the questions about pairs of earlier
-/// runs, the simplification, then the search for worse pairs. The rest is for questions about the shown
-/// pairs.
-constexpr double classify_part = 0.35, again_part = 0.4, simplify_part = 0.5, search_part = 0.6;
+/// Parts of the budget after which each step ends: the classification, the simplification, then the search
+/// for worse pairs. The rest is for questions about the shown pairs.
+constexpr double classify_part = 0.4, simplify_part = 0.5, search_part = 0.6;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
@@ -41,9 +39,7 @@ TriagedRun read_triaged(const std::string& folder) {
                  fs::canonical(folder).filename().string(),
                  value_of(store.config(), "started"),
                  store.methods(),
-                 store.tallies(),
                  {},
-                 examined_groups(store.groups(), store.finding_heads(), stored_causes(folder)),
                  stored_part(folder)};
   for (const Json& stored : causes_json(folder)) run.causes.push_back(cause_from_json(stored));
   return run;
@@ -124,7 +120,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   for (const TriagedRun& past : earlier)
     for (const Cause& b : past.causes) known.insert(b.key);
   classify_findings(context, classify_part);
-  const std::vector<ChangedGuest> changed = ask_earlier_pairs(context, earlier, again_part);
   simplify_findings(context, known, simplify_part);
   search_worst(context, search_part);
   simplify_findings(context, known, search_part);
@@ -145,20 +140,9 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
                             context.simples(), context.store().worsts()},
                            context.grouped(), run.causes, out_of_time);
-  check_shown_findings(context, run.methods, run.causes);
-  std::set<std::string> certainly_new;
-  for (const ChangedGuest& guest : changed) {
-    for (const auto& [key, fault] : guest.newly_wrong) {
-      certainly_new.insert(key);
-      if (std::ranges::find(run.causes, key, &Cause::key) == run.causes.end())
-        run.causes.push_back(make_cause(key, fault, context.grouped(), options.folder, out_of_time));
-    }
-    if (const std::string remark = in_words(guest); !remark.empty()) triage.remarks.push_back(remark);
-  }
-  compare_with_earlier(
-      run, earlier,
-      [&](const Cause& b) { return context.out_of_time() ? std::nullopt : fails_today(b, methods); },
-      certainly_new);
+  compare_with_earlier(run, earlier, [&](const Cause& b) {
+    return context.out_of_time() ? std::nullopt : fails_today(b, methods);
+  });
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
   context.store().set_summary(to_json(triage.causes).dump(), part);
