@@ -52,8 +52,8 @@ int triage(const TriageArguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("{} of {} findings have a cause, {} simplified, {} searched", p.classified, p.findings,
-                      p.simplified, counted(p.searched, "cause")));
+          fmt::format("{} of {} findings have a cause, {} simplified", p.classified, p.findings,
+                      p.simplified));
     });
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
@@ -72,8 +72,7 @@ int triage(const TriageArguments& arguments) {
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(p.classified, "stored finding"));
   if (others > 0) fmt::print(", and {} only in other runs", counted(others, "cause"));
-  fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
-             counted(p.simplified, "pair"), counted(p.searched, "cause"));
+  fmt::print("\n{} simplified (--for gives more time)\n", counted(p.simplified, "pair"));
   if (remaining > 0)
     fmt::print("the time was over, and {} findings remain: run triage again to continue\n", remaining);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
@@ -105,8 +104,7 @@ void add_triage(Program& program) {
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/causes/ has a pair of each cause, the simplest if there was time. If a search\n"
-      "found a pair worse than every finding of the cause, KEY.worst.jsonl has it.\n"
+      "RUN/causes/ has a pair of each cause, the simplest if there was time.\n"
       "Plug-ins and commands are those of the run, unless you give some.\n"
       "Exit code 3 of triage also means that findings remain to be examined.");
   command.run([arguments] {

@@ -26,7 +26,7 @@ endfunction()
 set(process_suites Batch Bench Campaign Child Confine Contained
     Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Triage Worker
-    Worst WorstOfCause)
+    Worst)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
 

@@ -83,10 +83,7 @@ Cause cause_from_json(const Json& j) {
   Cause b;
   visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
   b.simplest = case_of(j.at("simplest"));
-  if (const Json& worst = j.at("worst"); !worst.is_null()) {
-    b.worst = case_of(worst);
-    b.worst_was_searched = worst.contains("note");
-  }
+  if (const Json& worst = j.at("worst"); !worst.is_null()) b.worst = case_of(worst);
   b.kind = word_of<FindingKind>(j.at("kind"));
   b.severity = word_of<Severity>(j.at("severity"));
   if (const Json& margin = j.at("margin"); !margin.is_null())

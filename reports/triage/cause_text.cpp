@@ -29,7 +29,6 @@ std::string format_cause(const Cause& b) {
                                      counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
-  if (b.worst_was_searched) text += fmt::format(", at least {:.1e} by search", b.worst->margin->lo);
   return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
                             pair_to_json(b.simplest.pair).dump());
 }

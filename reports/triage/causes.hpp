@@ -54,7 +54,6 @@ struct Cause {
   std::optional<ShownCase> worst;    ///< empty if the worst finding is another pair that hangs
   bool simplified = false;           ///< the simplest is; else it is as it was found
   bool seen_again = false;           ///< its method, asked alone, failed on the simplest
-  bool worst_was_searched = false;   ///< it comes from a search and is not a finding
   std::string description;           ///< in words
   std::vector<std::string> labels;   ///< the cause and further labels
   std::optional<Recurrence> status;  ///< empty if there is no earlier run
@@ -78,11 +77,10 @@ nlohmann::json to_json(const std::vector<Cause>& causes);
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, by key. Status, first and last seen are not set. The
-/// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
-/// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
-/// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
-/// pair of each cause. Once `out_of_time()`, a cause is as in `last`, the result of the last triage, and of a
-/// new one only the own method is asked, about the simplest pair.
+/// worst pair is that of the findings. The simplest pair is one on which its method, asked alone, fails now.
+/// If there is none, it is the first that was found, with its stored answer. Asks every method about the
+/// simplest and the worst pair of each cause. Once `out_of_time()`, a cause is as in `last`, the result of
+/// the last triage, and of a new one only the own method is asked, about the simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time);
 

@@ -29,9 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which each step ends: the classification, the simplification, then the search
-/// for worse pairs. The rest is for questions about the shown pairs.
-constexpr double classify_part = 0.4, simplify_part = 0.5, search_part = 0.6;
+/// Parts of the budget after which each step ends: the classification, then the simplification. The rest is
+/// for questions about the shown pairs.
+constexpr double classify_part = 0.4, simplify_part = 0.6;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
@@ -88,15 +88,7 @@ std::optional<bool> fails_today(const Cause& cause, std::span<const std::unique_
   return fails_alone(methods, {*method, cause.kind}, cause.simplest.pair);
 }
 
-void write_pair(const fs::path& file, const Cause& cause, const Pair& shown) {
-  Json line = pair_to_json(shown);
-  line["id"] = cause.key;
-  line["note"] = cause.description;
-  replace_file(file, line.dump() + '\n');
-}
-
-/// Writes FOLDER/causes/: the simplest pair of each cause, and the worst if a search found it. Each file
-/// holds one case.
+/// Writes FOLDER/causes/: the simplest pair of each cause, each in a file.
 void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes) {
   const fs::path folder = fs::path(run_folder) / "causes";
   if (fs::is_symlink(fs::symlink_status(folder)))
@@ -104,9 +96,10 @@ void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes
   fs::create_directories(folder);
   for (const Cause& b : causes) {
     if (b.status == Recurrence::gone) continue;
-    const std::string name = file_name_of(b.key);
-    write_pair(folder / (name + ".jsonl"), b, b.simplest.pair);
-    if (b.worst_was_searched) write_pair(folder / (name + ".worst.jsonl"), b, b.worst->pair);
+    Json line = pair_to_json(b.simplest.pair);
+    line["id"] = b.key;
+    line["note"] = b.description;
+    replace_file(folder / (file_name_of(b.key) + ".jsonl"), line.dump() + '\n');
   }
 }
 
@@ -121,8 +114,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     for (const Cause& b : past.causes) known.insert(b.key);
   classify_findings(context, classify_part);
   simplify_findings(context, known, simplify_part);
-  search_worst(context, search_part);
-  simplify_findings(context, known, search_part);
   Triage triage;
   triage.progress = context.progress();
   TriagedRun run = read_triaged(options.folder);
@@ -137,9 +128,9 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (on_progress) on_progress(shown);
     return context.out_of_time();
   };
-  run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
-                            context.simples(), context.store().worsts()},
-                           context.grouped(), run.causes, out_of_time);
+  run.causes = make_causes(
+      {options.folder, context.findings, context.finding_groups, context.causes(), context.simples()},
+      context.grouped(), run.causes, out_of_time);
   compare_with_earlier(run, earlier, [&](const Cause& b) {
     return context.out_of_time() ? std::nullopt : fails_today(b, methods);
   });

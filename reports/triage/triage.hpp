@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Triage finds the causes of the findings of a run. It classifies each stored finding
 // (oracles/trial/mechanism.hpp). While there is time, it simplifies findings, with the kind of failure, the
-// contact feature and the cause unchanged. For each cause it searches for a worse pair
-// (reports/triage/worst_pair.hpp). It stores every result in FOLDER/triage.sqlite at once. So a triage that
-// is killed continues, and one that is run again simplifies more.
+// contact feature and the cause unchanged. It stores every result in FOLDER/triage.sqlite at once. So a
+// triage that is killed continues, and one that is run again simplifies more.
 #pragma once
 
 #include <chrono>
@@ -38,7 +37,6 @@ struct TriageProgress {
   std::size_t findings = 0, classified = 0;  ///< kept, and those whose cause is known
   std::size_t absent = 0;  ///< kept, of guests of the run that are not among the methods: not classified
   std::size_t simplified = 0;
-  std::size_t searched = 0;  ///< causes, for a worse pair
   std::chrono::milliseconds elapsed{0};
 };
 

@@ -79,7 +79,7 @@ export function expand({ cases, names, ...packed }: Packed): Report {
     libraries: librariesOf(b.methods),
     libraries_of_kind: librariesOf(b.methods_of_kind),
     simplest: withEnds(b.simplest),
-    worst: withEnds(b.worst ?? b.simplest), // a hang is not searched for a worse one
+    worst: withEnds(b.worst ?? b.simplest), // no hang is worse than another
   }));
   return {
     ...packed,
