@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,7 +44,6 @@ struct GateArguments {
   std::optional<std::uint64_t> seed, pairs;
   bool laws = false;
   GuestOptions guests;
-  std::vector<std::string> annotate;
 };
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
@@ -105,42 +100,14 @@ std::string replay_options(const JudgedGate& gate, std::span<const std::unique_p
   return options;
 }
 
-/// Reads the place at which a guest's failures are shown: "FILE:LINE" for all, or "NAME=FILE:LINE". Throws
-/// UsageError if there is no guest or no such file.
-std::map<std::string, SourceLine> places_of(std::span<const std::string> options,
-                                            std::span<const Guest> guests) {
-  std::map<std::string, SourceLine> places;
-  for (const std::string& option : options) {
-    bool used = false;
-    const auto place = [&](const Guest& guest, std::string_view text) {
-      places[guest.name] = source_line(text);
-      used = true;
-    };
-    for (const Guest& guest : guests)
-      if (option.starts_with(guest.name + '='))
-        place(guest, std::string_view(option).substr(guest.name.size() + 1));
-    if (!used)
-      for (const Guest& guest : guests) place(guest, option);
-    if (!used) throw UsageError("--annotate needs a guest: give --plugin or --command");
-  }
-  for (const auto& [name, place] : places)
-    if (!std::filesystem::is_regular_file(place.file))
-      throw UsageError("--annotate: '" + place.file + "' is not a file");
-  return places;
-}
-
 /// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
-JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests,
-                 const std::map<std::string, SourceLine>& places) {
+JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests) {
   JudgedGate gate = judged(std::move(report));
   mark_known(gate, base);
   note_gaps(gate, base);
   for (const Guest& guest : guests)
-    for (JudgedFailure& failure : gate.failures) {
-      if (failure.method != guest.name) continue;
-      failure.options = options_for(guest);
-      if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
-    }
+    for (JudgedFailure& failure : gate.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
   return gate;
 }
 
@@ -170,7 +137,6 @@ int gate(const GateArguments& arguments) {
   MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
-  const auto places = places_of(arguments.annotate, guests);
   options.seed = arguments.seed.value_or(options.seed);
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
@@ -190,9 +156,7 @@ int gate(const GateArguments& arguments) {
 
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
-  const JudgedGate judged = judge(std::move(report), base, guests, places);
-  const char* actions = std::getenv("GITHUB_ACTIONS");
-  if (actions && actions == std::string_view("true")) fmt::print("{}", gate_github(judged));
+  const JudgedGate judged = judge(std::move(report), base, guests);
   fmt::print("{}", gate_text(judged));
   write_files(arguments, judged);
   if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
@@ -230,10 +194,6 @@ void add_gate(Program& program) {
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
   command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
-  command
-      .option("--annotate FILE:LINE", arguments->annotate,
-              "source line to blame in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
-      .one_each();
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.flag("--laws", arguments->laws, "only list the laws");
@@ -246,7 +206,6 @@ void add_gate(Program& program) {
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
-      "With GITHUB_ACTIONS=true in the environment, gate prints annotations for the log of GitHub Actions.\n"
       "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes or hangs. 3 can\n"
       "also mean that a method gave no verdict on more than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });

@@ -92,11 +92,6 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   add(add_properties(suite, gate), "property", {{"name", "version"}, {"value", one_line(method.version)}});
   for (const TestCase& test : tests) {
     pugi::xml_node node = add(suite, "testcase", {{"classname", name}, {"name", one_line(test.name)}});
-    if (!test.failures.empty() && test.failures.front()->at) {
-      const SourceLine place = *view_of(*test.failures.front()).place;
-      node.append_attribute("file") = xml(one_line(place.file)).c_str();
-      node.append_attribute("line") = place.line;
-    }
     for (const JudgedFailure* f : test.failures) {
       const FailureView view = view_of(*f);
       add(node, "failure",

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,18 +12,11 @@
 
 namespace cyl {
 
-/// A place in a text.
-struct SourceLine {
-  std::string file;
-  unsigned line = 1;  ///< from 1
-};
-
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
-  bool known = false;                 ///< excused: the base has it on as many pairs
-  std::uint64_t in_base = 0;          ///< pairs of the base that failed like this, be it within the claim
-  std::string options = {};           ///< options that add a guest, else empty
-  std::optional<SourceLine> at = {};  ///< for a guest: its source line, if one was given
+  bool known = false;         ///< excused: the base has it on as many pairs
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this, be it within the claim
+  std::string options = {};   ///< options that add a guest, else empty
 };
 
 /// A line about the gate as a whole, such as a doubt, and the exit code that it leads to.
