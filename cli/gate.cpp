@@ -21,6 +21,7 @@
 #include "base/process/stop_signals.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"

@@ -12,6 +12,7 @@
 
 #include "base/files.hpp"
 #include "base/safe_text.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
