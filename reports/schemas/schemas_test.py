@@ -103,8 +103,6 @@ def main():
             write = 'import("./reports/web/run/sample.mjs").then((m) => console.log(JSON.stringify(m.sample(60))))'
             made_up = subprocess.run(['node', '-e', write], cwd=ROOT, check=True, capture_output=True).stdout
             hold('report_data.json', [json.loads(made_up)])
-        hold('suppression.json', [{'cause': 'fcl-libccd/wrong_disjoint', 'reason': 'thin rods', 'owner': 'ada',
-                                   'link': 'https://example.org/1', 'expires': '2999-12-31'}])
         gate = ('gate', '--method', 'libccd-mpr', '--cases', '')
         run(*gate, '--pairs', 100, '--json', folder / 'base.json')
         run(*gate, '--against', folder / 'base.json', '--json', folder / 'gate.json')

@@ -12,14 +12,11 @@ namespace cyl {
 namespace {
 
 constexpr const char* note_table = "CREATE TABLE note(key TEXT PRIMARY KEY, value TEXT NOT NULL);";
-constexpr const char* cause_table =
-    "CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
-    "  labels TEXT NOT NULL);";
 constexpr const char* other_tables = R"(
+CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,
+  labels TEXT NOT NULL);
 CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
-CREATE TABLE worst(cause TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
-  pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
 std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
@@ -48,7 +45,7 @@ std::string stored_note(const std::string& folder, const std::string& key) {
 
 /// Opens or creates the file. The tables are made anew if another build made them, or a stranger.
 std::unique_ptr<SqliteFile> open_or_create(const std::string& name) {
-  const std::string tables = std::string(note_table) + cause_table + other_tables;
+  const std::string tables = std::string(note_table) + other_tables;
   const auto open = [&] {
     auto file = std::make_unique<SqliteFile>(name, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     file->write_ahead();
@@ -72,7 +69,7 @@ TriageStore::TriageStore(const std::string& folder, const std::string& asked)
     : file_(open_or_create(file_of(folder))) {
   if (note(*file_, "asked") == asked) return;
   file_->transaction([&] {
-    for (const char* table : {Note::table, CauseRecord::table, SimpleRecord::table, WorstRecord::table})
+    for (const char* table : {Note::table, CauseRecord::table, SimpleRecord::table})
       file_->script(std::string("DELETE FROM ") + table);
     file_->replace(Note{"asked", {asked}});
   });
@@ -87,7 +84,6 @@ void TriageStore::expect(const std::string& guest, const std::string& version,
       Query drop = file_->query(std::string("DELETE FROM ") + table + " WHERE finding = ?");
       for (const std::int64_t finding : findings) drop.run(finding);
     }
-    file_->run("DELETE FROM worst WHERE method = ?", guest);
     file_->replace(Note{key, {version}});
   });
 }
@@ -97,7 +93,6 @@ TriageStore::~TriageStore() = default;
 
 std::vector<CauseRecord> TriageStore::causes() const { return file_->all<CauseRecord>("finding"); }
 std::vector<SimpleRecord> TriageStore::simples() const { return file_->all<SimpleRecord>("finding"); }
-std::vector<WorstRecord> TriageStore::worsts() const { return file_->all<WorstRecord>("cause"); }
 
 void TriageStore::add(std::span<const CauseRecord> causes) {
   file_->transaction([&] {
@@ -107,7 +102,6 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 }
 
 void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
-void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 
 std::string TriageStore::summary() const { return note(*file_, "causes"); }
 void TriageStore::set_summary(const std::string& json, double part) {
@@ -118,12 +112,6 @@ void TriageStore::set_summary(const std::string& json, double part) {
 }
 
 std::string stored_summary(const std::string& folder) { return stored_note(folder, "causes"); }
-
-std::vector<CauseRecord> stored_causes(const std::string& folder) {
-  SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);
-  file.check_schema(cause_table, true);
-  return file.all<CauseRecord>("finding");
-}
 
 double stored_part(const std::string& folder) {
   const std::string text = stored_note(folder, "part");

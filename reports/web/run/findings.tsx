@@ -7,7 +7,7 @@ import type { Cause, Finding, Report } from "./data.ts";
 import { Severity, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
-import { isOfNewFamilies, kindLabel, sentenceOf, severityLabels } from "./words.ts";
+import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
 const selections = ["library", "kind", "family"] as const;
 type Selection = (typeof selections)[number];
@@ -48,9 +48,9 @@ export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
     .map(({ row }) => row);
 
 const CauseRow = ({ b }: { b: Cause }) => (
-  <tr class={b.suppressed ? "suppressed" : ""}>
+  <tr>
     <td title={about(b.status ?? "")}>
-      <b class={b.status === "new" || b.status === "back" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
+      <b class={b.status === "new" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
     </td>
     <td class="wrap">
       <div class="cause">
@@ -60,8 +60,6 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
-            {isOfNewFamilies(b) && "; no earlier run tested this method on these families"}
-            {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>
       </div>

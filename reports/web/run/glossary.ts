@@ -7,9 +7,7 @@ export const glossary: Record<string, string> = {
   answer: "The answer of a method to the pair.",
   asked: "The number of pairs that the method was asked about.",
   "assumed by us": "The library states no tolerance, so this project assumes one.",
-  back: "A cause that was gone in the previous run and is seen again.",
   "beyond its claim": "Wrong by more than the claim of the method: a fault.",
-  begun: "The time at which the run started.",
   cause: "A group of findings with the same reason. Its key names the method and what makes it fail.",
   causes: "The number of causes with findings in this run. The table also lists causes that only earlier runs had.",
   claim: "The tolerance of a method.",
@@ -40,18 +38,16 @@ export const glossary: Record<string, string> = {
   "of ours": "The number of our own methods among them.",
   "pairs judged": "The number of pairs that the methods were asked about.",
   path: "A sequence of pairs, each a little different from the previous one.",
-  "per million": "Wrong pairs per million pairs asked, with bounds at 95 % confidence.",
   "near points": "A certificate: a point in each core. Their distance is at most the sum of the roundings.",
   "point near both":
     "A certificate for touching: a point at most 2^-200 times the size away from either solid. Along the direction, " +
     "any gap or overlap is at most as wide.",
-  rare: "Too rare to judge. So few pairs show the cause that its absence from other runs may be chance.",
   run: "The folder of a campaign: its pairs, methods and answers.",
   seen: "The first and the last run that have the cause.",
   "separating direction": "A certificate: a plane perpendicular to it has one solid on each side.",
   severity: "Whether the answer is wrong by more than the method's own claim allows.",
   "signed distance": "The gap between the solids, or minus the depth of their overlap.",
-  "since earlier runs": "The comparison of the cause with earlier runs: new, known, back, gone or rare.",
+  "since earlier runs": "The comparison of the cause with earlier runs: new, known or gone.",
   size: "The sum of the radii, heights, edges and roundings of both solids.",
   stated: "The library itself states the claim, and the page names the line.",
   steps: "The number of pairs on the path.",
@@ -61,6 +57,5 @@ export const glossary: Record<string, string> = {
   undecided: "The method answered neither yes nor no.",
   versions: "The versions of the library in the first and the last run that have the cause.",
   "within its claim": "Wrong, but the claim of the method covers the error.",
-  "wrong pairs": "The number of pairs on which one method of the cause is wrong, estimated if not all are stored.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
