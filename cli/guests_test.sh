@@ -98,6 +98,34 @@ assert method['rounded']['pairs'] >= 2800 and method['counts']['declined'] == 0,
 END
 expect 0 'campaign of spheres' "$daylight" campaign --plugin ./libballs.so --methods balls --pairs 300 --seed 1 --cases '' --table --out runs/of_balls
 holds 'campaign of spheres' out '^balls +300 '
+# A new version is asked about the pairs that an earlier run drew: the eight of its own run are right.
+mkdir -p nights
+sed 's/  return more\[0\] >/  if (a[8] > 5 * b[8]) return DAYLIGHT_DISJOINT;\n&/' balls.c >newer.c
+cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 newer.c -lm -o libnewer.so
+for night in balls:1000:1 newer:8:2; do
+  IFS=: read -r version pairs seed <<<"$night"
+  expect 0 "a night of $version" "$daylight" campaign --plugin "balls=./lib$version.so" --methods balls --cases '' --pairs "$pairs" --seed "$seed" \
+    --out "nights/$version"
+done
+expect 0 'a night' "$daylight" triage nights/balls
+expect 2 'a fault of the new version' "$daylight" triage nights/newer
+holds 'a fault of the new version' out '^1 new cause$'
+holds 'a fault of the new version' out '^balls \([0-9a-f]+\) is wrong beyond its claim on [1-9][0-9]+ of the [0-9]+ pairs of balls that were asked again, on which version \([0-9a-f]+\) was right$'
+# A fault that is wrong on more pairs of the same kind is new too, although the run kept only the first of them.
+sed 's/5 \* b\[8\]/3 * b[8]/' newer.c >newest.c
+cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 newest.c -lm -o libnewest.so
+mkdir -p more
+for version in newer newest; do
+  expect 2 "a night of $version" "$daylight" campaign --plugin "balls=./lib$version.so" --methods balls --cases '' --pairs 1000 --seed 1 \
+    --out "more/$version"
+  expect 2 "triage of $version" "$daylight" triage "more/$version" --new-only
+done
+holds 'more of a known fault' out '^1 new cause'
+holds 'more of a known fault' out 'is wrong beyond its claim on [1-9][0-9]+ of the [0-9]+ pairs of newer that were asked again'
+expect 0 'its pair' "$daylight" export nights/newer balls/wrong_disjoint --out newer
+expect 0 'the same cause' "$daylight" explain nights/newer balls/wrong_disjoint
+grep -qxFf newer/case.jsonl out || failed 'explain and export take another pair of one cause'
+expect 0 'the version before' "$daylight" replay newer/case.jsonl --methods balls --plugin balls=./libballs.so
 # A claim does not excuse a normal that is square to the right one, or zero.
 for normal in 'b[0] - a[0], more[2] = b[1] - a[1], more[3] = b[2] - a[2]' 'b[1] - a[1], more[2] = a[0] - b[0], more[3] = 0' \
     '0, more[2] = 0, more[3] = 0'; do
@@ -194,14 +222,12 @@ page_data runs/three/report.html | grep -F -- "--plugin bad=" >/dev/null || fail
 expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/causes/*.jsonl | head -n 1)" --methods bad
 expect 0 'explain' "$daylight" explain runs/three bad/wrong_disjoint
 holds 'explain' out '^bad '
-cp out explained
 sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
 expect 0 'export' "$daylight" export runs/three bad/wrong_disjoint --out sent
 holds 'export' out ': sent/case.jsonl, exact.py, issue.md$'
 holds 'export' out '^ask it again: .* replay sent/case.jsonl --methods bad --plugin bad=/.*/libbad.so$'
-grep -qxFf sent/case.jsonl explained || failed 'explain and export take another pair of one cause'
 expect 0 'sent/exact.py' python3 sent/exact.py
 ! grep -rIF -- "$PWD" sent || failed 'what is sent knows this machine'
 again=$(sed -n 's/^    daylight //p' sent/issue.md)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,11 +18,14 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/stored_answers.hpp"
+#include "oracles/trial/contact.hpp"
 #include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
+#include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/cause_words.hpp"
 #include "reports/triage/group_findings.hpp"
@@ -32,6 +36,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr Caps share_caps = attended_caps(2);
+/// The seed of the sample of a stratum.
+constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
@@ -139,25 +146,63 @@ void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest,
                        fmt::format("{}:{}", folder, group.worst->id));
 }
 
-/// Fills in what is seen of the simplest pair.
+/// Returns the drawn pair scaled to the size of the model and, if `moved`, moved to its place.
+Pair like(const Pair& drawn, const Pair& model, bool moved) {
+  const auto exponent = [](const Pair& p) { return size_of(p) > 0 ? std::ilogb(size_of(p)) : 0; };
+  Pair pair = scaled(drawn, exponent(model) - exponent(drawn));
+  if (moved)
+    for (Solid* c : {&pair.a, &pair.b}) c->center += model.a.center;
+  return pair;
+}
+
+/// Counts how often the method fails in the same way on drawn pairs of the same stratum. They have the size
+/// of the simplest pair and, if that matters, its place.
+std::optional<Cause::Share> share_of(const Pair& simplest, double margin, ContactFeature feature, bool moved,
+                                     const std::unique_ptr<Method>& method, FindingKind kind) {
+  std::vector<Pair> pairs;
+  for (std::uint64_t index = 0; index < share_sample; ++index)
+    if (const auto drawn = draw_in_stratum(feature, margin_decade(margin), share_seed, index))
+      pairs.push_back(like(*drawn, simplest, moved));
+  if (pairs.empty()) return {};
+  Cause::Share share;
+  for (const Trial& trial : try_method(method, pairs, share_caps)) {
+    if (trial.answer().status == Status::declined || trial.truth.verdict == Verdict::undecided) continue;
+    ++share.asked;
+    share.wrong += trial.fails(kind);
+  }
+  return share;
+}
+
+/// Fills in what is seen of the simplest pair and its stratum.
 void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
-                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
+                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
   const Trial& now = shown.trial;
   const Pair& pair = group.simplest->pair;
+  const auto distance = distance_of(now);
   const std::string file = fmt::format("{}/causes/{}.jsonl", folder, file_name_of(b.key));
-  b.simplest = shown_case(shown, distance_of(now), group.simplest->as_found ? group.simplest->of : nullptr,
-                          methods, file);
+  b.simplest =
+      shown_case(shown, distance, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
   b.simplified = group.simplest->finished;
   b.seen_again = group.seen_again;
+  std::optional<double> margin;
+  if (distance && distance->margin)
+    margin = std::min(distance->margin->hi, std::numeric_limits<double>::max());
+  const auto feature = contact_feature(pair, now.truth);
   const auto m = position_of(methods, b.method);
-  if (!m || b.kind != FindingKind::bad_witness) return;
-  if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
-    b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
+  if (!m) return;
+  if (b.kind == FindingKind::bad_witness)
+    if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
+      b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
+  // If the method hangs, each question would cost a second or two.
+  const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
+  const bool moved = group.mechanism() == Mechanism::offset;
+  if (drawn && answers && margin && feature)
+    b.share = share_of(pair, *margin, *feature, moved, methods[*m], b.kind);
 }
 
 /// Sums up the findings of a cause. `shown` is its simplest pair.
 Cause sum_up(const std::string& key, const CauseFindings& group, std::uint64_t count, const ShownPair& shown,
-             const GroupedMethods& of, const std::string& folder) {
+             const GroupedMethods& of, const std::string& folder, bool drawn) {
   Cause b;
   b.key = key;
   b.method = group.first().method;
@@ -176,7 +221,7 @@ Cause sum_up(const std::string& key, const CauseFindings& group, std::uint64_t c
     b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
   b.description = cause_in_words(key, group.mechanism(), reasons);
-  show_simplest(b, group, shown, of.methods, folder);
+  show_simplest(b, group, shown, of.methods, folder, drawn);
   b.labels = labels_of(b, group, shown, of);
   return b;
 }
@@ -195,6 +240,25 @@ std::string file_name_of(std::string_view key) {
   return replaced ? name + '.' + letter_hash(key) : name;
 }
 
+Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMethods& of,
+                 const std::string& run_folder, const std::function<bool()>& out_of_time) {
+  FindingRecord found;
+  found.method = of.methods[fault.method]->name();
+  found.kind = fault.finding.kind;
+  found.severity = fault.finding.severity;
+  found.family = fault.family;
+  found.margin = fault.finding.margin;
+  const FailingMethod failing{fault.method, found.kind};
+  CauseFindings group;
+  group.findings = {&found};
+  group.simplest = ShownCandidate{true, false, complexity(fault.pair), &found, fault.pair};
+  const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
+  group.seen_again = shown.fails(failing);
+  Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder, !out_of_time());
+  b.findings.clear();
+  return b;
+}
+
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& of,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time) {
   std::map<std::string, CauseFindings> groups = group_by_cause(records);
@@ -206,7 +270,8 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const auto shown_last = std::ranges::find(last, key, &Cause::key);
     if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
       causes.push_back(*shown_last);
-      causes.back().status.reset();  // compare_with_earlier() sets it
+      causes.back().history.clear();  // compare_with_earlier() makes both
+      causes.back().status.reset();
       continue;
     }
     std::optional<ShownPair> shown = choose_simplest(group, of.methods, shower, out_of_time);
@@ -217,7 +282,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
     if (!shown) shown = shower.show(group.simplest->pair, failing);
     Cause b = sum_up(key, group, counted != counts.end() ? counted->second : group.findings.size(), *shown,
-                     of, records.folder);
+                     of, records.folder, !out_of_time());
     show_worst(b, group, *shown, shower, of.methods, records.folder);
     causes.push_back(std::move(b));
   }

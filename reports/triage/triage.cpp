@@ -19,6 +19,7 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
 #include "reports/triage/causes.hpp"
+#include "reports/triage/changed_guests.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 #include "reports/triage/triage_context.hpp"
@@ -29,9 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which each step ends: the classification, then the simplification. The rest is
-/// for questions about the shown pairs.
-constexpr double classify_part = 0.4, simplify_part = 0.6;
+/// Parts of the budget after which each step ends: the classification, the questions about pairs of earlier
+/// runs, then the simplification. The rest is for questions about the shown pairs.
+constexpr double classify_part = 0.35, again_part = 0.4, simplify_part = 0.6;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
@@ -39,7 +40,9 @@ TriagedRun read_triaged(const std::string& folder) {
                  fs::canonical(folder).filename().string(),
                  value_of(store.config(), "started"),
                  store.methods(),
+                 store.tallies(),
                  {},
+                 examined_groups(store.groups(), store.finding_heads(), stored_causes(folder)),
                  stored_part(folder)};
   for (const Json& stored : causes_json(folder)) run.causes.push_back(cause_from_json(stored));
   return run;
@@ -113,6 +116,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   for (const TriagedRun& past : earlier)
     for (const Cause& b : past.causes) known.insert(b.key);
   classify_findings(context, classify_part);
+  const std::vector<ChangedGuest> changed = ask_earlier_pairs(context, earlier, again_part);
   simplify_findings(context, known, simplify_part);
   Triage triage;
   triage.progress = context.progress();
@@ -128,12 +132,23 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (on_progress) on_progress(shown);
     return context.out_of_time();
   };
-  run.causes = make_causes(
-      {options.folder, context.findings, context.finding_groups, context.causes(), context.simples()},
-      context.grouped(), run.causes, out_of_time);
-  compare_with_earlier(run, earlier, [&](const Cause& b) {
-    return context.out_of_time() ? std::nullopt : fails_today(b, methods);
-  });
+  run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
+                            context.simples()},
+                           context.grouped(), run.causes, out_of_time);
+  check_shown_findings(context, run.methods, run.causes);
+  std::set<std::string> certainly_new;
+  for (const ChangedGuest& guest : changed) {
+    for (const auto& [key, fault] : guest.newly_wrong) {
+      certainly_new.insert(key);
+      if (std::ranges::find(run.causes, key, &Cause::key) == run.causes.end())
+        run.causes.push_back(make_cause(key, fault, context.grouped(), options.folder, out_of_time));
+    }
+    if (const std::string remark = in_words(guest); !remark.empty()) triage.remarks.push_back(remark);
+  }
+  compare_with_earlier(
+      run, earlier,
+      [&](const Cause& b) { return context.out_of_time() ? std::nullopt : fails_today(b, methods); },
+      certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
   context.store().set_summary(to_json(triage.causes).dump(), part);

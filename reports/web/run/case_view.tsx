@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A pair with its picture, its truth, the answers and the certificate.
+// A pair with its picture, its truth, the answers and the certificate, which the reader may edit and have proved again.
 import { group, sort } from "d3-array";
 import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
 import type { Answer, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
-import { full, range, safe, shellQuoted } from "../parts/words.ts";
+import { prove, type Proof } from "../parts/prove.ts";
+import { full, range, safe } from "../parts/words.ts";
 import type { Case } from "./data.ts";
 import { Fact, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
@@ -73,21 +75,55 @@ const describeCertificate = (t: Truth): [string, string] =>
               "Along the direction, any gap or overlap is at most as wide.",
           ];
 
-/** The certificate, and the command that proves it with code that shares nothing with ours. */
-function Certificate({ shown: { pair, truth } }: { shown: Case }) {
-  const [kind, why] = describeCertificate(truth);
-  const { distance: _, stage: __, ...certificate } = truth;
-  const file = (content: unknown) => `<(echo ${shellQuoted(safe(JSON.stringify(content)))})`;
+function Prover({ shown }: { shown: Case }) {
+  const [kind, why] = describeCertificate(shown.truth);
+  const { distance: _, stage: __, ...certificate } = shown.truth,
+    given = JSON.stringify(certificate);
+  const [{ text, proof }, set] = useState<{ text: string; proof: Proof | null }>({ text: given, proof: null });
+  const check = () => {
+    try {
+      set({ text, proof: prove(shown.pair, JSON.parse(text) as Truth) });
+    } catch {
+      set({ text, proof: { holds: false, text: "Refuted: this is not JSON.", steps: [] } });
+    }
+  };
   return (
-    <section class="certificate">
+    <section class="prover">
       <h3>
         Certificate: <span title={about(kind)}>{kind}</span>
       </h3>
       <p>{why}</p>
-      <Copy
-        label="Prove it again in exact arithmetic, with Python alone"
-        text={`python3 vectors/exact.py ${file(pair)} ${file(certificate)}`}
+      <textarea
+        spellcheck={false}
+        rows={Math.min(6, Math.ceil(text.length / 62))}
+        value={text}
+        aria-label="The certificate; change it to see the proof fail"
+        onInput={(event) => set({ text: event.currentTarget.value, proof: null })}
       />
+      <p class="tools">
+        <button type="button" class="prove" onClick={check}>
+          Prove again
+        </button>
+        {text !== given && (
+          <button type="button" onClick={() => set({ text: given, proof: null })}>
+            Reset
+          </button>
+        )}
+        <span class="soft">This page checks it in exact integers. Change a digit to see it fail.</span>
+      </p>
+      {proof && (
+        <div
+          class={`proof ${proof.holds === true ? "ok" : proof.holds === false ? "bad" : "warn"}`}
+          role="status"
+          data-holds={String(proof.holds)}>
+          <b>{proof.text}</b>
+          <ul>
+            {proof.steps.map((s) => (
+              <li key={s}>{s}</li>
+            ))}
+          </ul>
+        </div>
+      )}
     </section>
   );
 }
@@ -118,7 +154,7 @@ export function CaseView({ shown, method, story }: { shown: Case; method: string
         <div>
           {facts}
           {story}
-          {isProved ? <Certificate shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>}
+          {isProved ? <Prover shown={shown} /> : <p class="warn">No truth is proved for this pair.</p>}
         </div>
       </div>
       <Answers shown={shown} method={method} />

@@ -27,7 +27,8 @@ export interface Tally
   extends Doer, Counts<"asked" | "declined" | "failed" | "contract" | "resolution" | "undecided"> {
   family: string;
 }
-export type Status = "new" | "known" | "gone";
+/** "rare" means on so few pairs that its absence from the other runs may be chance. */
+export type Status = "new" | "back" | "rare" | "known" | "gone";
 
 /** A pair with its truth and all answers. */
 export interface Case extends Shown {
@@ -57,6 +58,7 @@ export interface Cause {
   first_seen: string;
   last_seen: string; // run ids
   status: Status | null;
+  asked_before: boolean; // an earlier run tested its method on its families; else it may not be really new
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   simplest: Case;
   worst: Case;
@@ -65,6 +67,8 @@ export interface Cause {
   methods_of_kind: string[]; // those that fail in the way that `kind` names
   libraries: string[]; // of these methods; expand() adds them
   libraries_of_kind: string[];
+  /** The number of pairs in each run, the oldest first and this run last. The rate is per million, with its bounds. */
+  runs: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
@@ -113,6 +117,7 @@ export interface Report {
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];
+  against: string[]; // the earlier runs that the causes were compared with
   causes: Cause[];
   findings: Finding[];
   findings_total: number;

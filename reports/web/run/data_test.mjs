@@ -9,7 +9,7 @@ import { charts, daylight } from "../chart.mjs";
 import { sourcesHash } from "../stamp.mjs";
 import { sample, untriaged } from "./sample.mjs";
 
-const { chosen, expand, full, glossary, pareto, rowsOf, sentenceOf, shellQuoted, whyNoExport } = daylight;
+const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted, whyNoExport } = daylight;
 
 test("the committed page was built from the committed sources", () => {
   const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
@@ -28,6 +28,10 @@ test("findings get back the pair, the answers and the command", () => {
     const [[answer]] = said.filter(([, who]) => who.some((n) => packed.names[n] === method));
     assert.deepEqual(f.answers[method], answer);
   }
+});
+
+test("every certificate of the sample holds", () => {
+  for (const f of expand(sample()).findings) assert.notEqual(prove(f.pair, f.truth).holds, false, f.id);
 });
 
 test("a filter is a text and three selections", () => {

@@ -7,7 +7,7 @@ import type { Cause, Finding, Report } from "./data.ts";
 import { Severity, Table } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Thumbnail } from "./pair_view.tsx";
-import { kindLabel, sentenceOf, severityLabels } from "./words.ts";
+import { isOfNewFamilies, kindLabel, sentenceOf, severityLabels } from "./words.ts";
 
 const selections = ["library", "kind", "family"] as const;
 type Selection = (typeof selections)[number];
@@ -50,7 +50,7 @@ export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
 const CauseRow = ({ b }: { b: Cause }) => (
   <tr>
     <td title={about(b.status ?? "")}>
-      <b class={b.status === "new" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
+      <b class={b.status === "new" || b.status === "back" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
     </td>
     <td class="wrap">
       <div class="cause">
@@ -60,6 +60,7 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div>{safe(sentenceOf(b))}.</div>
           <div class="soft">
             {safe(b.cause)}
+            {isOfNewFamilies(b) && "; no earlier run tested this method on these families"}
           </div>
         </div>
       </div>

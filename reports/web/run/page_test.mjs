@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A reader of the page: opens it from disk in a browser without network, filters, opens findings and causes, looks at
-// the drawing, and proves again.
+// the drawing, proves again and tampers.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -73,15 +73,18 @@ async function shown(page) {
 }
 const copied = (page, label) => page.locator(".copy", { hasText: label }).locator("code").innerText();
 
-/** The page begins with its answer: red if something is new, else green. The table of causes begins with these. */
+/** The page begins with its answer: red if something is new, amber if chance cannot be excluded, else green. The table
+ *  of causes begins with these. */
 async function beginsWithTheAnswer() {
-  for (const [status, kind, head] of [
-    ["new", "bad", /^6 new faults: \S+.* Compared with earlier runs\.$/],
-    ["known", "ok", /^Nothing is new and wrong\. Compared with earlier runs/],
+  for (const [status, kind, head, change = {}] of [
+    ["new", "bad", /^6 new faults: \S+.* Compared with 1 earlier run\.$/],
+    ["new", "bad", / For 6 new faults, no earlier run tested the method/, { asked_before: false }],
+    ["rare", "warn", /^6 causes were not seen before, perhaps by chance:/],
+    ["known", "ok", /^Nothing is new and wrong\. Compared with 1 earlier run/],
   ]) {
     const report = sample();
     for (const b of report.causes)
-      b.status = b.severity === "contract" ? status : "known";
+      Object.assign(b, { status: b.severity === "contract" ? status : "known" }, change);
     await read(report, async (page) => {
       assert.match(await textOf(page, ".band"), head);
       assert.equal(await page.locator(`#new .band.${kind}`).count(), 1, kind);
@@ -139,6 +142,11 @@ async function filters(page, report) {
   await click(page, button(page, "Clear"));
 }
 
+async function holds(page) {
+  await click(page, page.locator(".prove"));
+  return page.locator(".proof").getAttribute("data-holds");
+}
+
 async function looksAndProves(page) {
   const picture = page.locator(".stage .projection"),
     whole = await picture.innerHTML(),
@@ -150,9 +158,16 @@ async function looksAndProves(page) {
   await click(page, button(page, "Whole pair"));
   assert.equal(await picture.innerHTML(), whole);
 
-  const command = await copied(page, "Prove it again"),
-    { status, stdout } = spawnSync("bash", ["-c", command], { cwd: new URL("../../..", import.meta.url), encoding: "utf8" });
-  assert.equal(status, 0, `${command}: ${stdout}`);
+  assert.equal(await holds(page), "true");
+  const certificate = page.locator(".prover textarea"),
+    { verdict } = JSON.parse(await certificate.inputValue());
+  const forged = verdict === "disjoint" ? { direction: [0, 0, 0] } : { point: [1e300, 5, 0] };
+  await certificate.fill(JSON.stringify({ verdict, ...forged }));
+  await settled(page);
+  assert.equal(await page.locator(".proof").count(), 0, "an old proof does not stand beside a new certificate");
+  assert.equal(await holds(page), "false");
+  await click(page, button(page, "Reset"));
+  assert.equal(await holds(page), "true");
 }
 
 async function readsACause(page, report) {
@@ -163,6 +178,7 @@ async function readsACause(page, report) {
   await click(page, worst);
   assert.equal(await worst.getAttribute("aria-selected"), "true");
   assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${b.key} --out upstream`);
+  assert.equal(await page.locator(".runs tbody tr").count(), b.runs.length);
   const facts = await page.locator(".detail dl.facts").allInnerTexts();
   assert.doesNotMatch(facts.join(), /\bpairs?\b/, "only the table of runs counts the pairs");
 
@@ -211,7 +227,7 @@ async function explainsItsWords(page, report) {
   for (const hash of hashes(report)) {
     await go(page, hash);
     const silent = await page.evaluate(() =>
-      [...document.querySelectorAll("main:not([hidden]) :is(thead th, dl.facts dt, .certificate h3 span)")]
+      [...document.querySelectorAll("main:not([hidden]) :is(thead th, dl.facts dt, .prover h3 span)")]
         .filter((e) => e.textContent.trim() !== "" && !e.title)
         .map((e) => e.textContent),
     );
@@ -241,7 +257,7 @@ async function fits(page, report, width) {
   }
 }
 
-/** By keyboard alone from the top to a cause, and back to the link. */
+/** By keyboard alone from the top to a proved finding, and back to the link. */
 async function goesByKeyboard(page) {
   const tabTo = async (what, most) => {
     for (let i = 0; !what.test(await focusedOn(page, "outerHTML")); ++i) {
@@ -255,7 +271,8 @@ async function goesByKeyboard(page) {
   };
   const address = await tabTo(/^<a [^>]*#\/cause\//, 8);
   assert.match(await focusedOn(page, "outerHTML"), /^<h2/);
-  await tabTo(/>Whole pair</, 15);
+  await tabTo(/class="prove"/, 15);
+  assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
   await page.goBack();
   await settled(page);
   assert.equal(await focusedOn(page, "href"), address, "back at the link");
@@ -271,9 +288,11 @@ async function showsHostileTextAsText() {
   spoil(report.methods[0], "name");
   spoil(report.methods[0].claim, "source");
   for (const c of report.cases) spoil(c, "note");
+  report.changes.against = [hostile];
   for (const b of report.causes) {
     spoil(b, "method", "cause", "first_version");
     Object.assign(b, { key: `${b.key}${hostile}`, methods: [hostile], labels: [hostile] });
+    for (const night of b.runs) spoil(night, "run", "started");
   }
   report.findings[0].cause = report.causes[0].key;
   await read(report, async (page) => {

@@ -31,6 +31,9 @@ export function formatCoordinate(x: Coordinate): string {
 
 const areCylinders = ({ a, b }: Pair) => ![a, b].some((s) => "shape" in s || s.rounding);
 
+/** Whether it is new, but no earlier run tested its method on its families. It may then be old. */
+export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_before === false;
+
 /** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
  *  come from any of them. */
 function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
