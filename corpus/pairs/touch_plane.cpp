@@ -121,7 +121,7 @@ void draw_center(Solid& c, RandomStream& s) {
   for (int i = 0; i < 3; ++i) c.center[i] = s.coin() ? 0 : s.between(-1, 1);
 }
 
-Frame draw_frame(RandomStream& s) {
+ContactFrame draw_frame(RandomStream& s) {
   if (s.below(4) != 0) {
     const Vector3 n = s.unit_vector();
     return {n, s.perpendicular(n)};

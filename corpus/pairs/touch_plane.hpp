@@ -51,10 +51,10 @@ double draw_decade(RandomStream& s, std::size_t first, std::size_t last);
 void draw_center(Solid& c, RandomStream& s);
 
 /// Two directions square to each other, one time in four coordinate axes.
-struct Frame {
+struct ContactFrame {
   Vector3 n, u;
 };
-Frame draw_frame(RandomStream& s);
+ContactFrame draw_frame(RandomStream& s);
 
 /// Puts the contacts of the cores apart along n by the roundings and the margin.
 void put_beside(Pair& p, const Vector3& on_a, const Vector3& on_b, const Vector3& n, double margin,
