@@ -198,7 +198,7 @@ def commands_of(text):
 
 def shortened(words, number):
     """The same with less to do; a run without a name gets one, for two of them may begin within a second."""
-    least = {'--for': '1s', '--tier': 'smoke', '--pairs': '300', '--evaluations': '300', '--configurations': '10'}
+    least = {'--for': '1s', '--count': '300', '--pairs': '300', '--evaluations': '300', '--configurations': '10'}
     words = [least.get(before, word) if before in least else word for before, word in zip([''] + words, words)]
     patterns = {'KEY': 'fcl-libccd/overflow', 'CASE': 'one.jsonl', 'FOLDER': 'sent', 'METHOD': 'ode',
                 'libccd-mpr/wrong_disjoint': 'fcl-libccd/overflow'}
