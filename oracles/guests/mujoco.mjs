@@ -17,7 +17,8 @@ const quarter = Math.SQRT1_2; // from its z to y, but not for boxes
 const turnOf = ({ half, turn: t }) => half
   ? [t.w, t.x, t.y, t.z]
   : [(t.w + t.x) * quarter, (t.x - t.w) * quarter, (t.y - t.z) * quarter, (t.z + t.y) * quarter];
-const posed = (s) => `pos="${Object.values(s.position).join(' ')}" quat="${turnOf(s).join(' ')}"`;
+const shown = (numbers) => numbers.map((x) => (Math.abs(x) < 1e-300 ? 0 : x)).join(' '); // MJCF refuses denormal numbers
+const posed = (s) => `pos="${shown(Object.values(s.position))}" quat="${shown(turnOf(s))}"`;
 const geom = (s) => `geom type="${s.kind.replace('half_space', 'plane')}" size="${sizes[s.kind](s).join(' ')}"`;
 const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
 
@@ -34,13 +35,7 @@ serve({
     <${geom(a)} ${posed(a)}/>
     <body ${posed(b)}><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><${geom(b)}/></body>
   </worldbody></mujoco>`);
-  let model;
-  try {
-    model = MuJoCo.MjModel.mj_loadXML('/pair.xml');
-  } catch (error) {
-    return { error: String(error) }; // it refuses 5e-324 as too large
-  }
-  const data = new MuJoCo.MjData(model);
+  const model = MuJoCo.MjModel.mj_loadXML('/pair.xml'), data = new MuJoCo.MjData(model);
   try {
     MuJoCo.mj_forward(model, data);
     if (option) return { verdict: data.ncon > 0 ? 'intersecting' : 'disjoint' };
