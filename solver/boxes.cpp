@@ -11,8 +11,6 @@ namespace {
 
 constexpr int next_of[] = {1, 2, 0}, last_of[] = {2, 0, 1};
 
-Verdict verdict_of(bool meets) noexcept { return meets ? Verdict::intersecting : Verdict::disjoint; }
-
 // e_k and the vectors v_j of the other box: the product D = e_k x v_j, of the length s = |(v_j)_l, (v_j)_m|,
 // and -f(D). Each term is proportional to s, rounding too.
 double product_gap(const BoxView& v, int k, int j) noexcept {

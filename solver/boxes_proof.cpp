@@ -87,9 +87,7 @@ class BoxProof {
     const double size = length(d), along = dot(d, delta_);
     const double f = core_support(p_.a, d) + core_support(p_.b, d) + p_.contact * size - std::fabs(along);
     if (!(f < -error_ * size)) return false;
-    answer_.verdict = Verdict::disjoint;
-    answer_.proof = Proof::direction;
-    answer_.direction = along < 0 ? Vector3(-d) : d;
+    hand_out(along < 0 ? Vector3(-d) : d, answer_);
     return true;
   }
 
@@ -109,11 +107,7 @@ class BoxProof {
     const Vector3 tail = times_power(view_.edges.world(seen), p_.exponent), x = given(tail);
     const double off = view_.box ? 0 : Place(x - delta_, p_.b.unit_axis).off(hull_);
     if (!in_first(x, off) || !in_second(x - delta_, off)) return false;
-    answer_.verdict = Verdict::intersecting;
-    answer_.proof = Proof::point;
-    answer_.point_head = head_;
-    answer_.point_tail = tail;
-    answer_.hull_b = hull_;
+    hand_out(Proof::point, head_, tail, Hull::space, hull_, answer_);
     return true;
   }
 
@@ -128,11 +122,7 @@ class BoxProof {
     const double off = view_.box ? 0 : Place(x1, p_.b.unit_axis).off(hull_);
     if (!in_first(x0, 0) || !in_second(x1, off) || !(length(apart) + off + 2 * error_ <= p_.contact))
       return false;
-    answer_.verdict = Verdict::intersecting;
-    answer_.proof = Proof::points;
-    answer_.point_head = tail0;
-    answer_.point_tail = tail1;
-    answer_.hull_b = hull_;
+    hand_out(Proof::points, tail0, tail1, Hull::space, hull_, answer_);
     return true;
   }
 

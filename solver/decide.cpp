@@ -188,11 +188,10 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   const double square = dot(off, off), rest = square - error * reach;
   const bool stacked = std::fabs(along) - h0 - h1 > error;
   if (stacked | ((rest > 0) & (rest * rest > radii * radii * square))) {
-    answer.verdict = Verdict::disjoint;
-    answer.proof = Proof::direction;
     // A direction has no unit.
-    answer.direction =
-        stacked ? Vector3(std::copysign(1.0, along) * w) : power_of_two(-exponent_of(max_abs(off))) * off;
+    hand_out(stacked ? Vector3(std::copysign(1.0, along) * w)
+                     : Vector3(power_of_two(-exponent_of(max_abs(off))) * off),
+             answer);
     return true;
   }
   const double share = r0 / radii, room0 = r0 - error, room1 = r1 - error, other = 1 - share;
@@ -200,10 +199,7 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   if (!((std::fabs(t) < h0 - error) & (std::fabs(along - t) < h1 - error) & (room0 > 0) & (room1 > 0) &
         (share * share * square < room0 * room0) & (other * other * square < room1 * room1)))
     return false;
-  answer.verdict = Verdict::intersecting;
-  answer.proof = Proof::point;
-  answer.point_head = a.center;
-  answer.point_tail = t * w + share * off;
+  hand_out(Proof::point, a.center, t * w + share * off, Hull::space, Hull::space, answer);
   return true;
 }
 
@@ -230,10 +226,8 @@ struct Unresolved {
       f.r[0] + f.r[1] + f.h[0] + f.h[1] + magnitude(f.dx) + magnitude(f.dy) + magnitude(f.dz);
   const unsigned apart = shown_apart(f, filter_error * reach);
   if (apart != 0) {
-    answer.verdict = Verdict::disjoint;
-    answer.proof = Proof::direction;
-    answer.direction =
-        direction_of(static_cast<unsigned>(std::countr_zero(apart)), f, a.unit_axis, b.unit_axis);
+    hand_out(direction_of(static_cast<unsigned>(std::countr_zero(apart)), f, a.unit_axis, b.unit_axis),
+             answer);
     return true;
   }
   open.error = point_error * reach;

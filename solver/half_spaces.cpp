@@ -41,8 +41,7 @@ Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
 
 // n.(C - P) in twice the digits, for solids that are far from the point of the plane.
 double AbovePlane::precisely(const Prepared& plane, const Prepared& c) noexcept {
-  const int exponent = exponent_of(max_abs(plane.second_axis));
-  const Vector3 normal = plane.second_axis * (exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent));
+  const Vector3 normal = plane.second_axis * unit_of(exponent_of(max_abs(plane.second_axis)));
   DoubleDouble sum = 0.0;
   for (int i = 0; i < 3; ++i) sum = sum + exact_sum(c.center[i], -plane.center[i]) * DoubleDouble(normal[i]);
   return sum.hi / length(normal);
@@ -64,7 +63,7 @@ AbovePlane::AbovePlane(const Prepared& plane, const Prepared& c, double contact)
 }
 
 Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept {
-  return AbovePlane(plane, c, contact).gap <= contact ? Verdict::intersecting : Verdict::disjoint;
+  return verdict_of(AbovePlane(plane, c, contact).gap <= contact);
 }
 
 void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer) noexcept {
@@ -74,9 +73,7 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
   const AbovePlane above(p.a, c, p.contact);
   const double gap = above.gap, error = above.error + underflow_error;
   if (gap > p.contact + error) {
-    answer.verdict = Verdict::disjoint;
-    answer.proof = Proof::direction;
-    answer.direction = normal;
+    hand_out(normal, answer);
     return;
   }
   if (!(gap < p.contact - 8 * error)) return;

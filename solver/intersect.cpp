@@ -10,12 +10,6 @@
 namespace cyl {
 namespace {
 
-// Without a branch: which of the two it is cannot be predicted, that it is one of them can.
-Verdict verdict_of(bool overlaps) noexcept {
-  static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
-  return static_cast<Verdict>(overlaps);
-}
-
 // After separating_axis_filter has seen neither.
 [[gnu::noinline]] Verdict resolve_at_edge(const Sections<double>& f) noexcept {
   const auto at = corner(in_order(f));

@@ -7,9 +7,6 @@
 namespace cyl {
 namespace {
 
-/// 2^-exponent, or the least normal power of two.
-double unit_of(int exponent) noexcept { return exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent); }
-
 // The columns of the rotation (boxes.md, section 6). The largest number of the quaternion comes to [1, 2), of
 // a subnormal one to [2^-51, 1].
 void prepare_box(const Solid& c, Prepared& p) noexcept {

@@ -14,12 +14,6 @@ namespace {
 // The result of a quick test of a pair: 0 disjoint, 1 intersecting, as in Verdict.
 enum class QuickVerdict : unsigned char { disjoint, intersecting, neither };
 
-// Without a branch: which of the two it is cannot be predicted.
-Verdict verdict_of(bool overlaps) noexcept {
-  static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
-  return static_cast<Verdict>(overlaps);
-}
-
 // A ball about the end of `to` from the middle of the core (rounded.md, section 2).
 Verdict meets_point(const Prepared& core, const Vector3& to, double contact_distance) noexcept {
   const double along = dot(to, core.unit_axis);

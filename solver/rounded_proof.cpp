@@ -12,17 +12,6 @@ namespace {
 
 double scaled_length(double x, int exponent) noexcept { return std::ldexp(x, -exponent); }
 
-// Points in the scene's unit.
-void hand_out_points(const Vector3& on0, const Vector3& on1, Hull hull0, Hull hull1,
-                     Answer& answer) noexcept {
-  answer.verdict = Verdict::intersecting;
-  answer.proof = Proof::points;
-  answer.point_head = on0;
-  answer.point_tail = on1;
-  answer.hull_a = hull0;
-  answer.hull_b = hull1;
-}
-
 // A point of a centred solid near x. For a flat solid it lies in the hull and needs no margin. Else it lies
 // so far inside that rounding does not carry it out.
 Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull hull,
@@ -61,7 +50,7 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
   if (!place0.inside(p.r0, p.h0, hull0, error) || !place1.inside(p.r1, p.h1, hull1, error) ||
       !(apart + separation_error * reach <= contact_distance))
     return false;
-  hand_out_points(point0, point1, hull0, hull1, answer);
+  hand_out(Proof::points, point0, point1, hull0, hull1, answer);
   return true;
 }
 
@@ -75,9 +64,7 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, 
                    p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
   if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
     return false;
-  answer.verdict = Verdict::disjoint;
-  answer.proof = Proof::direction;
-  answer.direction = dot(d, p.delta) < 0 ? Vector3(-d) : d;
+  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
   return true;
 }
 
@@ -87,12 +74,6 @@ Answer turned(Answer answer) noexcept {
   if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
   std::swap(answer.hull_a, answer.hull_b);
   return answer;
-}
-
-void hand_out_direction(const Vector3& d, Answer& answer) noexcept {
-  answer.verdict = Verdict::disjoint;
-  answer.proof = Proof::direction;
-  answer.direction = power_of_two(-exponent_of(max_abs(d))) * d;
 }
 
 // Whether a way between the cores separates them by more than the contact distance: `least` is -f along it,
@@ -111,7 +92,7 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   const Vector3 e = p.delta + (nearest.t * p.w1 - nearest.s * p.w0);
   const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
   if (is_beyond(least, dot(e, e), contact_distance, reach)) {
-    hand_out_direction(e, answer);
+    hand_out(power_of_two(-exponent_of(max_abs(e))) * e, answer);
     return true;
   }
   // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
@@ -121,7 +102,7 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
   const double within = contact_distance - 5 * error;
   if (!((within > 0) & (dot(between, between) <= within * within))) return false;
-  hand_out_points(times_power(on0, p.exponent), times_power(on1, p.exponent), hull0, hull1, answer);
+  hand_out(Proof::points, times_power(on0, p.exponent), times_power(on1, p.exponent), hull0, hull1, answer);
   return true;
 }
 
@@ -143,14 +124,14 @@ bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexce
   if ((within > 0) & (square_of_way <= within * within)) {
     const Vector3 center(0, 0, 0), point = times_power(on, p.exponent);
     if (second)
-      hand_out_points(point, center, Hull::space, Hull::center, answer);
+      hand_out(Proof::points, point, center, Hull::space, Hull::center, answer);
     else
-      hand_out_points(center, point, Hull::center, Hull::space, answer);
+      hand_out(Proof::points, center, point, Hull::center, Hull::space, answer);
     return true;
   }
   const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
   if (!is_beyond(least, square_of_way, contact_distance, reach)) return false;
-  hand_out_direction(second ? e : Vector3(-e), answer);
+  hand_out(power_of_two(-exponent_of(max_abs(e))) * (second ? e : Vector3(-e)), answer);
   return true;
 }
 

@@ -37,6 +37,22 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
   return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
+// What was proved, into the answer.
+inline void hand_out(const Vector3& direction, Answer& answer) noexcept {
+  answer.verdict = Verdict::disjoint;
+  answer.proof = Proof::direction;
+  answer.direction = direction;
+}
+inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull hull0, Hull hull1,
+                     Answer& answer) noexcept {
+  answer.verdict = Verdict::intersecting;
+  answer.proof = proof;
+  answer.point_head = head;
+  answer.point_tail = tail;
+  answer.hull_a = hull0;
+  answer.hull_b = hull1;
+}
+
 // The question, and the place of its certificate. Each is checked against these solids.
 struct ProofTask {
   ProofTask(const Scaled& of, const Base& from, Answer& to) noexcept
@@ -111,9 +127,7 @@ inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
     q.overlap = smaller(q.overlap, f / size);
     return false;
   }
-  q.answer.verdict = Verdict::disjoint;
-  q.answer.proof = Proof::direction;
-  q.answer.direction = dot(d, p.delta) < 0 ? Vector3(-d) : d;
+  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, q.answer);
   return true;
 }
 
@@ -132,12 +146,7 @@ inline bool try_point(ProofTask& q, const Vector3& x) noexcept {
     if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, at0, at1, hull0, hull1))
       return false;
   }
-  q.answer.verdict = Verdict::intersecting;
-  q.answer.proof = Proof::point;
-  q.answer.point_head = q.base.center;
-  q.answer.point_tail = tail;
-  q.answer.hull_a = hull0;
-  q.answer.hull_b = hull1;
+  hand_out(Proof::point, q.base.center, tail, hull0, hull1, q.answer);
   return true;
 }
 

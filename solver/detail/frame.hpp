@@ -32,6 +32,15 @@ inline int exponent_of(double x) noexcept {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff) - 1023;
 }
 
+// 2^-exponent, or the least normal power of two.
+inline double unit_of(int exponent) noexcept { return exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent); }
+
+// Without a branch: which of the two it is cannot be predicted.
+inline Verdict verdict_of(bool meets) noexcept {
+  static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
+  return static_cast<Verdict>(meets);
+}
+
 inline double max_abs(const Vector3& x) noexcept {
   return larger(std::fabs(x.x()), larger(std::fabs(x.y()), std::fabs(x.z())));
 }
