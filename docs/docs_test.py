@@ -43,7 +43,7 @@ ELSEWHERE = {
     '--shard': 'campaign_replay_test',
     'merge runs/night': 'campaign_replay_test',
     '--pairs 1000000000': 'docs/results.md',
-    '--pairs 200000': 'docs/results.md',
+    '--pairs 25000 ': 'docs/engines.md',
     'runs/readme/run': 'compared, see check_numbers',
     'daylight COMMAND': 'no command but a pattern',
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
