@@ -54,7 +54,7 @@ TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
   const ExemptionProof& refuted = study.exemptions[0];
   EXPECT_EQ(refuted.verdict, MotionVerdict::refuted);
   ASSERT_EQ(refuted.bodies.size(), 1u);
-  const auto placed = place(scene, joints_of(scene, refuted.bodies[0]));
+  const auto placed = place(scene, joints_in(scene, refuted.bodies[0]));
   EXPECT_EQ(referee_within({placed[refuted.bodies[0].a], placed[refuted.bodies[0].b]}, 0), true);
   const ExemptionProof& proved = study.exemptions[1];
   EXPECT_EQ(proved.verdict, MotionVerdict::never);

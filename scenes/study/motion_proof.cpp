@@ -251,7 +251,7 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
   return proof;
 }
 
-std::vector<double> joints_of(const Scene& scene, const MotionProof& proof) {
+std::vector<double> joints_in(const Scene& scene, const MotionProof& proof) {
   return set_joints(scene, proof.between, proof.joints);
 }
 

@@ -66,7 +66,7 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
 
 /// Returns all joints of the scene in the configuration of a proof. Joints that do not matter are as near to
 /// 0 as they can be.
-std::vector<double> joints_of(const Scene& scene, const MotionProof& proof);
+std::vector<double> joints_in(const Scene& scene, const MotionProof& proof);
 
 /// The result for a link pair that the SRDF calls "Never". `within`: they come within the clearance, and are
 /// proved never to touch.
