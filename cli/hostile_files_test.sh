@@ -80,7 +80,7 @@ hostile 65 'deep.urdf: elements are nested more than 1000 deep' scene deep.urdf
 hostile 65 'tags.urdf: more than 300000 tags' scene tags.urdf
 hostile 65 'attributes.urdf: an element has more than 100 attributes' scene attributes.urdf
 hostile 65 'removed.urdf: No link elements found' scene removed.urdf
-hostile 65 'shapes.urdf: it has more than 10000 shapes' scene shapes.urdf
+hostile 65 'shapes.urdf: it has more than 20000 shapes' scene shapes.urdf
 hostile 3 'u001b.2J.u0007evil' scene names.urdf --configurations 1
 hostile 65 'zero.urdf: it is neither a regular file nor a pipe' scene zero.urdf
 hostile 65 'sparse.urdf: it is larger than 64 MiB' scene sparse.urdf

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/progress.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/scene_study.hpp"
@@ -19,7 +22,7 @@ namespace cyl {
 namespace {
 
 struct SceneArguments {
-  std::string json, srdf, srdf_out;
+  std::string json, srdf, srdf_out, budget;
   std::vector<std::string> at, files_from;
   bool table = false;
   SceneOptions question;
@@ -42,11 +45,17 @@ void check_length(const char* option, double length) {
   throw UsageError(fmt::format("{}: {} is not a length: give a finite number, 0 or more", option, length));
 }
 
-/// Throws UsageError, before any work, if there are too many cylinders for a study.
-void check_count(const Scene& scene) {
-  const std::size_t cylinders = scene.bodies.size();
-  if (cylinders > study_cap)
-    throw UsageError(fmt::format("{} cylinders: a study has up to {}", cylinders, study_cap));
+/// Shows how far the study is.
+SceneStudy study_with_progress(const Scene& scene, SceneOptions question, const std::string& budget) {
+  using std::chrono::steady_clock;
+  const auto began = steady_clock::now();
+  if (!budget.empty()) question.workforce.deadline = began + parse_duration(budget);
+  ProgressLine line;
+  question.workforce.show = [&](double share, const std::string& results) {
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(steady_clock::now() - began);
+    if (line.due(elapsed)) line.show(elapsed, share, results);
+  };
+  return study_scene(scene, question);
 }
 
 int study(SceneArguments& arguments) {
@@ -67,8 +76,7 @@ int study(SceneArguments& arguments) {
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }
-  check_count(scene);
-  const SceneStudy s = study_scene(scene, question);
+  const SceneStudy s = study_with_progress(scene, question, arguments.budget);
   fmt::print("{}", study_text(scene, question, s, arguments.table));
   if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, question, s));
   if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
@@ -108,6 +116,8 @@ void add_scene(Program& program) {
   command.section("Proofs");
   command.flag("--prove", question.prove,
                "prove over all motions which pairs stay clear, or show where they do not");
+  command.option("--for DURATION", arguments->budget,
+                 "wall time, such as 90s: fewer configurations, and pairs without a proof are open");
   command.section("Pairs");
   command
       .option("--srdf FILE", arguments->srdf,

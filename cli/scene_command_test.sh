@@ -24,7 +24,14 @@ expect 1 'no place for JSON' "$daylight" scene "$scenes/crane.urdf" --configurat
 holds 'which' err 'none/crane.json cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
 for i in {1..5}; do cat many.jsonl; done >more.jsonl
-expect 64 'too many for a study' "$daylight" scene more.jsonl
+expect 0 'more than a study lists' "$daylight" scene more.jsonl --prove
+holds 'far apart' out '^504,510 pairs: 504510 checked.* [0-9,]+ of the checked pairs are far apart: '
+holds 'with those' out '^never +502500 of 504,510 pairs, proved over all motions'
+holds 'equal ones' out '^refuted +2010, '
+expect 3 'no time' "$daylight" scene "$scenes/twenty.urdf" --prove --for 1ms
+holds 'is left' out '^open +171: 171 because no time was left'
+holds 'of each pair' out '^  open .*: no time was left \('
+expect 64 'no duration' "$daylight" scene "$scenes/twenty.urdf" --for soon
 printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
 expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
 holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, but a line of a scene is one solid: .*`daylight check` answers'

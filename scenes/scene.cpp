@@ -68,6 +68,16 @@ std::array<double, 4> turned(const Pose& pose, const std::array<double, 4>& q) {
   return {r.w(), r.x(), r.y(), r.z()};
 }
 
+Solid placed_at(const Pose& pose, const Solid& c) {
+  Solid placed = c;
+  placed.center = pose * c.center;
+  if (is_box(c))
+    placed.quaternion = turned(pose, c.quaternion);
+  else
+    placed.axis = pose.linear() * c.axis;
+  return placed;
+}
+
 }  // namespace
 
 PairRule::PairRule(const Scene& scene)
@@ -77,7 +87,7 @@ PairRule::PairRule(const Scene& scene)
       disabled_(sorted(scene.disabled)) {}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
-  if (!is_legal({a.solid, b.solid})) return Reason::disabled;
+  if (is_half_space(a.solid) && is_half_space(b.solid)) return Reason::disabled;
   if (std::ranges::find(a.paired, b.name) != a.paired.end()) return Reason::checked;
   if (rigid_[a.link] == rigid_[b.link]) return Reason::same_body;
   if (!may_collide(a, b)) return Reason::disabled;
@@ -219,21 +229,26 @@ std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints)
 
 void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed) {
   placed.resize(scene.bodies.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Solid& c = placed[i] = scene.bodies[i].solid;
-    const Pose& pose = poses[scene.bodies[i].link];
-    placed[i].center = pose * c.center;
-    if (is_box(c))
-      placed[i].quaternion = turned(pose, c.quaternion);
-    else
-      placed[i].axis = pose.linear() * c.axis;
-  }
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    placed[i] = placed_at(poses[scene.bodies[i].link], scene.bodies[i].solid);
 }
 
 std::vector<Solid> place(const Scene& scene, std::span<const double> joints) {
   std::vector<Solid> placed;
   place(scene, pose_links(scene, joints), placed);
   return placed;
+}
+
+Pair place_pair(const Scene& scene, std::span<const double> joints, std::size_t a, std::size_t b) {
+  const auto placed = [&](const Body& body) {
+    std::vector<std::size_t> chain{body.link};
+    while (scene.links[chain.back()].parent) chain.push_back(*scene.links[chain.back()].parent);
+    Pose pose = motion_of(scene.links[chain.back()], joints[chain.back()]);
+    for (chain.pop_back(); !chain.empty(); chain.pop_back())
+      pose = pose * motion_of(scene.links[chain.back()], joints[chain.back()]);
+    return placed_at(pose, body.solid);
+  };
+  return {placed(scene.bodies[a]), placed(scene.bodies[b])};
 }
 
 }  // namespace cyl

@@ -139,5 +139,7 @@ Solid box_at(const Pose& pose, const Vector3& edges);
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);
 void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed);
 std::vector<Solid> place(const Scene& scene, std::span<const double> joints);
+/// Returns two of these bodies, the same doubles.
+Pair place_pair(const Scene& scene, std::span<const double> joints, std::size_t a, std::size_t b);
 
 }  // namespace cyl

@@ -24,16 +24,18 @@ Counts count_verdicts(const Proofs& proofs) {
 
 /// Returns why pairs are open: ": 2 after up to 100,000 boxes, 1 with a joint that is held".
 std::string why_open(const std::vector<MotionProof>& proofs) {
-  std::size_t bounded = 0, held = 0, left = 0, boxes = 0;
+  std::size_t bounded = 0, held = 0, late = 0, left = 0, boxes = 0;
   for (const MotionProof& proof : proofs) {
     if (proof.verdict != MotionVerdict::open || proof.contradicted) continue;
-    ++(proof.bounded ? bounded : proof.held ? held : left);
-    if (!proof.bounded && !proof.held) boxes = std::max(boxes, proof.boxes);
+    std::size_t& count = proof.bounded ? bounded : proof.held ? held : proof.out_of_time ? late : left;
+    ++count;
+    if (&count == &left) boxes = std::max(boxes, proof.boxes);
   }
   std::vector<std::string> reasons;
   if (left > 0) reasons.push_back(fmt::format("{} after up to {}", left, counted(boxes, "box")));
   if (bounded > 0) reasons.push_back(fmt::format("{} near a bounding solid of a mesh or ellipsoid", bounded));
   if (held > 0) reasons.push_back(fmt::format("{} with a joint that is held", held));
+  if (late > 0) reasons.push_back(fmt::format("{} because no time was left", late));
   return reasons.empty() ? "" : fmt::format(": {}", fmt::join(reasons, ", "));
 }
 
@@ -47,8 +49,9 @@ std::string rounded_down(double x) {
 /// Returns " --at shoulder=0.5 elbow=1", to paste behind the command.
 std::string joints_text(const Scene& scene, const MotionProof& proof) {
   std::vector<std::string> values;
-  for (const std::size_t link : proof.between)
-    values.push_back(fmt::format("{}={}", shell_quoted(scene.links[link].joint), proof.joints[link]));
+  for (std::size_t i = 0; i < proof.between.size(); ++i)
+    values.push_back(
+        fmt::format("{}={}", shell_quoted(scene.links[proof.between[i]].joint), proof.joints[i]));
   return values.empty() ? " as it stands" : fmt::format(" --at {}", fmt::join(values, " "));
 }
 
@@ -79,6 +82,7 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
                        joints_text(scene, proof));
   if (proof.held)
     return fmt::format("a joint between them can move farther than it does here ({:.3g} seen)", proof.least);
+  if (proof.out_of_time) return fmt::format("no time was left ({:.3g} seen)", proof.least);
   return fmt::format("nothing proved for {:.3g} % of the range of their {} joints ({:.3g} seen)",
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
@@ -119,8 +123,8 @@ std::vector<std::string> verdict_lines(const SceneOptions& q, const SceneStudy& 
   };
   std::vector<std::string> lines{
       fmt::format("never    {} of {}, proved over all motions to be farther apart than {} ({:.1f} s)",
-                  count(pairs, MotionVerdict::never), counted(s.pairs.size(), "pair"), q.clearance,
-                  s.motions->ms / 1000),
+                  count(pairs, MotionVerdict::never) + s.far, counted(s.pairs.size() + s.far, "pair"),
+                  q.clearance, s.motions->ms / 1000),
       fmt::format("refuted  {}, each by a configuration in which they overlap or touch",
                   count(pairs, MotionVerdict::refuted))};
   if (q.clearance > 0)

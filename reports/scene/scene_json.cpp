@@ -89,7 +89,8 @@ json body_json(const Scene& scene, const Body& body) {
 /// The joints are those of a refuted pair. The bound is that of a proved one.
 json proof_json(const Scene& scene, const MotionProof& proof) {
   json joints = json::object();
-  for (const std::size_t link : proof.between) joints[scene.links[link].joint] = proof.joints[link];
+  for (std::size_t i = 0; i < proof.between.size(); ++i)
+    joints[scene.links[proof.between[i]].joint] = proof.joints[i];
   return {{"a", scene.bodies[proof.a].name},
           {"b", scene.bodies[proof.b].name},
           {"bodies", {proof.a, proof.b}},
@@ -147,6 +148,7 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
            {"pairs_same_body", s.pairs_by_reason[1]},
            {"pairs_adjacent", s.pairs_by_reason[2]},
            {"pairs_disabled", s.pairs_by_reason[3]},
+           {"pairs_far", s.far},
            {"asked_referee", s.asked_referee},
            {"undecided", s.undecided},
            {"ns_per_configuration",

@@ -80,6 +80,10 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
       scene.srdf.empty()
           ? ""
           : fmt::format(" ({} disables {})", scene.srdf, counted(scene.exemptions.size(), "link pair")));
+  if (s.far > 0)
+    text +=
+        fmt::format(". {} of the checked pairs are far apart: boxes around all that they reach do not meet",
+                    grouped(s.far));
   if (s.pairs.empty() && by_bits > 0)
     text += fmt::format(". contype and conaffinity let {} collide",
                         by_bits == all ? "no two shapes" : fmt::format("{} not", counted(by_bits, "pair")));
@@ -109,7 +113,7 @@ struct Draws {
 };
 
 Draws draws_of(const Scene& scene, const SceneStudy& s) {
-  Draws draws;
+  Draws draws{.clear = s.far};
   for (const PairStudy& pair : s.pairs)
     ++(pair.within == 0              ? draws.clear
        : !is_known(scene, pair)      ? draws.unknown
@@ -133,10 +137,11 @@ std::string draws_words(const Scene& scene, const SceneOptions& q, const SceneSt
 /// Returns what draws show. Only proofs may report "never".
 std::vector<std::string> draw_lines(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   const Draws draws = draws_of(scene, s);
-  return {fmt::format("clear    {} of {} in {} (--prove decides over all motions)", draws.clear,
-                      counted(s.pairs.size() - draws.unknown, "known pair"), configurations_words(q, s)),
-          fmt::format("within   {} in some, {} in all", draws.sometimes, draws.always),
-          fmt::format("open     {}{}", draws.unknown, why_unknown(scene, s))};
+  return {
+      fmt::format("clear    {} of {} in {} (--prove decides over all motions)", draws.clear,
+                  counted(s.pairs.size() + s.far - draws.unknown, "known pair"), configurations_words(q, s)),
+      fmt::format("within   {} in some, {} in all", draws.sometimes, draws.always),
+      fmt::format("open     {}{}", draws.unknown, why_unknown(scene, s))};
 }
 
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
@@ -199,7 +204,7 @@ std::string surely(const Scene& scene, const SceneStudy& s) {
 }
 
 std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  std::size_t balls = 0, capsules = 0, all = 0;
+  std::size_t balls = s.far, capsules = s.far, all = s.far;
   for (const PairStudy& pair : s.pairs) {
     if (!is_known(scene, pair)) continue;
     ++all;
@@ -238,6 +243,7 @@ std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
 
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
+  if (s.far > 0) last[Level::sphere] = s.far;
   for (const PairStudy& pair : s.pairs)
     if (is_known(scene, pair)) ++last[pair.cascade.last];
   std::vector<std::string> parts;

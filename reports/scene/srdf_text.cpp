@@ -41,8 +41,9 @@ std::string comment_text(const std::string& words) {
 class SrdfWriter {
  public:
   SrdfWriter(const Scene& scene, const SceneOptions& q, const SceneStudy& s)
-      : scene_(scene), q_(q), rule_(scene) {
+      : scene_(scene), q_(q), s_(s), rule_(scene), on_(scene.links.size()) {
     for (const Exemption& e : scene.exemptions) exempt_[std::minmax(e.a, e.b)] = &e;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) on_[scene.bodies[i].link].push_back(i);
     for (const PairStudy& pair : s.pairs) checked_.insert(links_of(pair.a, pair.b));
     if (!s.motions) return;
     for (const MotionProof& proof : s.motions->pairs) proofs_[links_of(proof.a, proof.b)].push_back(&proof);
@@ -93,8 +94,11 @@ class SrdfWriter {
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "some shapes were not tested");
     // Links are disabled only if each pair of their shapes has a proof.
-    if (found == proofs_.end() || found->second.size() < bodies_on(links.first) * bodies_on(links.second))
+    const std::size_t far = far_between(links);
+    if ((found == proofs_.end() ? 0 : found->second.size()) + far <
+        on_[links.first].size() * on_[links.second].size())
       return enabled(links, "nothing is proved");
+    if (found == proofs_.end()) return disabled(links, "Never", "proved: boxes around all that they reach");
     const MotionProof& worst = **std::ranges::min_element(
         found->second, {}, [](const MotionProof* proof) { return risk_of(*proof); });
     const std::string words = proof_text(scene_, worst);
@@ -113,8 +117,12 @@ class SrdfWriter {
     });
   }
 
-  std::size_t bodies_on(std::size_t link) const {
-    return static_cast<std::size_t>(std::ranges::count(scene_.bodies, link, &Body::link));
+  /// Returns how many pairs of their shapes are proved to be far apart and listed nowhere.
+  std::size_t far_between(const LinkPair& links) const {
+    std::size_t far = 0;
+    for (const std::size_t a : on_[links.first])
+      for (const std::size_t b : on_[links.second]) far += is_far(s_, a, b, q_.clearance);
+    return far;
   }
 
   std::string disabled(const LinkPair& links, const char* reason, const std::string& why) const {
@@ -135,7 +143,9 @@ class SrdfWriter {
 
   const Scene& scene_;
   const SceneOptions& q_;
+  const SceneStudy& s_;
   const PairRule rule_;
+  std::vector<std::vector<std::size_t>> on_;  ///< by link, its bodies
   std::set<LinkPair> checked_;
   std::map<LinkPair, std::vector<const MotionProof*>> proofs_;
   std::map<LinkPair, const Exemption*> exempt_;

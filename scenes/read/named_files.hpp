@@ -27,7 +27,7 @@ inline constexpr int depth_cap = 1000;
 inline constexpr std::size_t tag_cap = 300'000, attribute_cap = 100;
 /// The most links, and the most shapes of a URDF. urdfdom frees a chain of links recursively. Some walks
 /// visit all links above each link, and a shape is compared with all others of its link.
-inline constexpr std::size_t link_cap = 10'000;
+inline constexpr std::size_t link_cap = 10'000, shape_cap = 20'000;
 
 enum class NamedBy : unsigned char { user, file };
 

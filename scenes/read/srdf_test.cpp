@@ -49,12 +49,12 @@ TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
                     "<disable_collisions link1='hook' link2='ground' reason='User'/>"
                     "<disable_collisions link1='counterweight' link2='ground' reason='Never'/></robot>");
   const Scene scene = read_scene(crane, planted);
-  const MotionStudy study = prove_motions(scene, {}, {});
+  const MotionStudy study = prove_motions(scene, {}, {}, {});
   ASSERT_EQ(study.exemptions.size(), 3u);
   const ExemptionProof& refuted = study.exemptions[0];
   EXPECT_EQ(refuted.verdict, MotionVerdict::refuted);
   ASSERT_EQ(refuted.bodies.size(), 1u);
-  const auto placed = place(scene, refuted.bodies[0].joints);
+  const auto placed = place(scene, joints_in(scene, refuted.bodies[0]));
   EXPECT_EQ(referee_within({placed[refuted.bodies[0].a], placed[refuted.bodies[0].b]}, 0), true);
   const ExemptionProof& proved = study.exemptions[1];
   EXPECT_EQ(proved.verdict, MotionVerdict::never);
@@ -70,7 +70,7 @@ TEST(Srdf, ANeverOfWhatWasNotLookedAtIsNotProved) {
       "planted.srdf",
       "<robot name='arm'><disable_collisions link1='camera' link2='base' reason='Never'/></robot>");
   const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/arm.urdf", planted);
-  const MotionStudy study = prove_motions(scene, {}, {});
+  const MotionStudy study = prove_motions(scene, {}, {}, {});
   ASSERT_EQ(study.exemptions.size(), 1u);
   EXPECT_TRUE(study.exemptions[0].not_looked_at) << "a mesh of the camera";
   EXPECT_NE(study.exemptions[0].verdict, MotionVerdict::never);

@@ -325,8 +325,8 @@ class UrdfBuilder {
 
   void add_bodies(std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes) {
     const std::size_t first = scene_.bodies.size();
-    if (first + shapes.size() > link_cap)
-      throw std::runtime_error(fmt::format("it has more than {} shapes", link_cap));
+    if (first + shapes.size() > shape_cap)
+      throw std::runtime_error(fmt::format("it has more than {} shapes", shape_cap));
     if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped a shape, and it is unknown which
       for (const KeptShape& shape : shapes) scene_.left_out.push_back({shape.kind, link.name});
       return;

@@ -6,7 +6,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -30,13 +29,6 @@ bool balls_apart(const Prepared& a, const Prepared& b, double clearance) noexcep
 /// Models around solids prove only that they are apart, models inside solids only that they are within.
 Proximity only(Proximity said, Verdict verdict) noexcept {
   return proximity_of(verdict) == said ? said : Proximity::unclear;
-}
-
-Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  const Distance d = distance(a.solid, b.solid);
-  if (d.verdict == Verdict::invalid) return Proximity::unclear;
-  if (d.value - d.error > clearance) return Proximity::apart;
-  return d.value + d.error <= clearance ? Proximity::within : Proximity::unclear;
 }
 
 /// The capsules are along the longest edge.
@@ -90,11 +82,17 @@ Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, dou
     case Level::cylinder:
       return proximity_of(cyl::within(a.solid, b.solid, clearance));
     case Level::distance:
-      return compare_distance(a, b, clearance);
+      return proximity_of(distance(a.solid, b.solid), clearance);
     case Level::certified:
       break;
   }
   return proximity_of(decide_within(a.solid, b.solid, clearance).verdict);
+}
+
+Proximity proximity_of(const Distance& d, double clearance) noexcept {
+  if (d.verdict == Verdict::invalid) return Proximity::unclear;
+  if (d.value - d.error > clearance) return Proximity::apart;
+  return d.value + d.error <= clearance ? Proximity::within : Proximity::unclear;
 }
 
 bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "solver/decide.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 
@@ -49,6 +49,8 @@ std::vector<ProxyModels> models_of(std::span<const Solid> placed);
 /// Returns the answer of one level for valid solids. `apart` and `within` are never wrong beyond 1e-13 of the
 /// size (`cylinder`), beyond its own error bound (`distance`), or at all (the others).
 Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept;
+/// Returns what a distance shows, with its error.
+Proximity proximity_of(const Distance& d, double clearance) noexcept;
 /// Returns whether the pair is within the clearance if this level's model replaces the cylinders. Capsules
 /// and balls are then exact.
 bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept;

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <set>
 
-#include "base/stopwatch.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/study/joint_path.hpp"
 #include "scenes/study/overlap_proof.hpp"
@@ -16,9 +14,9 @@
 namespace cyl {
 namespace {
 
-/// Before any proof, this many configurations are drawn to find the bodies near each other. A search goes on
-/// from some of them, for so many rounds. All this takes a few ms per pair.
-constexpr std::size_t drawn_cap = 200, descents_cap = 4, descent_rounds_cap = 24;
+/// Before any proof, configurations are drawn to find the bodies near each other. A search goes on from some
+/// of them, for so many rounds. All this takes a few ms per pair.
+constexpr std::size_t descents_cap = 4, descent_rounds_cap = 24;
 /// The part of the seen distance beyond the clearance that a bound should reach if it is cheap.
 constexpr double wanted_share = 0.5;
 /// The boxes spent on a better bound if a pair is proved with fewer.
@@ -50,6 +48,14 @@ struct LaterOf {
   }
 };
 
+std::vector<double> set_joints(const Scene& scene, const std::vector<std::size_t>& links,
+                               const std::vector<double>& values) {
+  std::vector<double> joints = joints_at(scene);
+  for (std::size_t i = 0; i < links.size(); ++i) joints[links[i]] = values[i];
+  let_follow(scene, joints);
+  return joints;
+}
+
 class Prover {
  public:
   Prover(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question)
@@ -74,17 +80,17 @@ class Prover {
     const bool nearer = d.value < proof_.least;
     if (!nearer && (d.value - d.error > q_.clearance || proof_.verdict == MotionVerdict::within))
       return false;
-    std::vector<double> joints = joints_in_middle(box);
+    Point middle;
+    for (const Range& range : box) middle.push_back(range.low + (range.high - range.low) / 2);
     if (nearer) {
       proof_.least = d.value;
-      proof_.joints = joints;
+      proof_.joints = middle;
     }
     if (d.value - d.error > q_.clearance) return false;
-    const std::vector<Solid> placed = place(scene_, joints);
-    Pair pair{placed[proof_.a], placed[proof_.b]};
+    Pair pair = place_pair(scene_, set_joints(scene_, proof_.between, middle), proof_.a, proof_.b);
     if (referee_within(pair, q_.clearance) != true) return false;
     proof_.least = d.value;
-    proof_.joints = std::move(joints);
+    proof_.joints = std::move(middle);
     proof_.verdict = MotionVerdict::within;
     if (d.value - d.error > 0) return false;
     // A solid may reach beyond its shapes by the excess. Only what lies inside the shapes counts.
@@ -93,14 +99,6 @@ class Prover {
     if (referee_within(pair, 0) != true) return false;
     proof_.verdict = MotionVerdict::refuted;
     return true;
-  }
-
-  std::vector<double> joints_in_middle(const JointBox& box) const {
-    std::vector<double> joints = joints_at(scene_);
-    for (std::size_t i = 0; i < box.size(); ++i)
-      joints[path_.free_joints()[i]] = box[i].low + (box[i].high - box[i].low) / 2;
-    let_follow(scene_, joints);
-    return joints;
   }
 
   double distance_at(const Point& point) {
@@ -115,8 +113,8 @@ class Prover {
   // Draws configurations, then goes downhill joint by joint from the nearest of them.
   void search() {
     std::vector<std::pair<double, Point>> drawn;
-    for (std::size_t k = 0; k < (limits_.empty() ? 1 : drawn_cap) && !refuted_; ++k) {
-      const std::vector<double> joints = draw_joints(scene_, q_.seed, k);
+    for (std::size_t k = 0; k < (limits_.empty() ? 1 : motion_draws_cap) && !refuted_; ++k) {
+      const std::vector<double> joints = q_.drawn ? (*q_.drawn)[k] : draw_joints(scene_, q_.seed, k);
       Point point;
       for (const std::size_t link : path_.free_joints()) point.push_back(joints[link]);
       const double d = distance_at(point);
@@ -174,7 +172,7 @@ class Prover {
     all.box = limits_;
     if (examine(all)) return go_nearer();
     cells_.push(std::move(all));
-    std::size_t enough = q_.box_cap;
+    std::size_t enough = std::min(q_.open_cap, q_.box_cap);
     for (;;) {
       const bool proved = cells_.top().bound > q_.clearance;
       if (proved && proof_.verdict == MotionVerdict::open) {
@@ -182,7 +180,8 @@ class Prover {
         enough = std::min(q_.box_cap, std::max(2 * proof_.boxes, better_boxes_cap));
       }
       if (proved && cells_.top().bound >= q_.clearance + wanted_share * (proof_.least - q_.clearance)) break;
-      if (proof_.boxes + 2 > enough || !cut()) break;
+      proof_.out_of_time = !proved && q_.workforce.out_of_time();
+      if (proof_.out_of_time || proof_.boxes + 2 > enough || !cut()) break;
       if (proof_.verdict <= MotionVerdict::within) return go_nearer();
     }
     proof_.held = path_.held();
@@ -197,8 +196,7 @@ class Prover {
 
   // Goes on from a place within the clearance, because the bodies may overlap nearby.
   void go_nearer() {
-    std::pair<double, Point> from{proof_.least, {}};
-    for (const std::size_t link : path_.free_joints()) from.second.push_back(proof_.joints[link]);
+    std::pair<double, Point> from{proof_.least, proof_.joints};
     descend(from);
   }
 
@@ -236,47 +234,6 @@ class Prover {
   std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
 };
 
-/// An SRDF is about contact. If bodies come within the clearance, this asks whether they ever touch.
-MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, MotionQuestion question) {
-  MotionProof proof = prove_motion(scene, a, b, question);
-  if (proof.verdict != MotionVerdict::within && !proof.bounded) return proof;
-  question.clearance = 0;
-  MotionProof contact = prove_motion(scene, a, b, question);
-  if (contact.verdict != MotionVerdict::never) return contact;
-  proof.verdict = MotionVerdict::within;
-  proof.bounded = false;
-  proof.open_share = 0;
-  proof.bound = contact.bound;
-  contradict(proof, proof.least);
-  return proof;
-}
-
-ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question,
-                               const BodyPairs& seen) {
-  const auto& [one, other, reason] = scene.exemptions[exemption];
-  ExemptionProof proof;
-  proof.exemption = exemption;
-  proof.not_looked_at = has_unknown_shapes(scene, one) || has_unknown_shapes(scene, other);
-  for (std::size_t a = 0; a < scene.bodies.size(); ++a)
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-      if (scene.bodies[a].link == one && scene.bodies[b].link == other && a != b)
-        proof.bodies.push_back(prove_contact(scene, std::min(a, b), std::max(a, b), question));
-  for (const BodyPair& pair : seen)
-    for (MotionProof& bodies : proof.bodies)
-      if (bodies.a == pair.a && bodies.b == pair.b) contradict(bodies, pair.seen);
-  return proof;
-}
-
-void conclude(ExemptionProof& proof) {
-  const auto any = [&](MotionVerdict verdict) {
-    return std::ranges::find(proof.bodies, verdict, &MotionProof::verdict) != proof.bodies.end();
-  };
-  if (any(MotionVerdict::refuted))
-    proof.verdict = MotionVerdict::refuted;
-  else if (!proof.not_looked_at && !any(MotionVerdict::open))
-    proof.verdict = any(MotionVerdict::within) ? MotionVerdict::within : MotionVerdict::never;
-}
-
 }  // namespace
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
@@ -294,37 +251,8 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
   return proof;
 }
 
-bool has_unknown_shapes(const Scene& scene, std::size_t link) {
-  return std::ranges::find(scene.left_out, scene.links[link].name, &LeftOut::link) != scene.left_out.end();
-}
-
-MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
-                          const BodyPairs& others) {
-  const double began = processor_ns();
-  MotionStudy study;
-  for (const BodyPair& pair : pairs) {
-    study.pairs.push_back(prove_motion(scene, pair.a, pair.b, question));
-    contradict(study.pairs.back(), pair.seen);
-  }
-  std::set<std::pair<std::size_t, std::size_t>> exempt;
-  for (std::size_t i = 0; i < scene.exemptions.size(); ++i) {
-    if (scene.exemptions[i].reason != "Never") continue;
-    study.exemptions.push_back(prove_exemption(scene, i, question, pairs));
-    for (const MotionProof& proof : study.exemptions.back().bodies) exempt.emplace(proof.a, proof.b);
-  }
-  for (const BodyPair& pair : others)
-    if (!exempt.contains({pair.a, pair.b}))
-      study.others.push_back(prove_motion(scene, pair.a, pair.b, question));
-  study.ms = 1e-6 * (processor_ns() - began);
-  const auto count = [&](const std::vector<MotionProof>& proofs) {
-    study.contradicted +=
-        static_cast<std::size_t>(std::ranges::count(proofs, true, &MotionProof::contradicted));
-  };
-  count(study.pairs);
-  count(study.others);
-  for (const ExemptionProof& e : study.exemptions) count(e.bodies);
-  std::ranges::for_each(study.exemptions, conclude);
-  return study;
+std::vector<double> joints_in(const Scene& scene, const MotionProof& proof) {
+  return set_joints(scene, proof.between, proof.joints);
 }
 
 void contradict(MotionProof& proof, double seen) {

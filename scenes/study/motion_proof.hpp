@@ -8,12 +8,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/enum_words.hpp"
 #include "scenes/scene.hpp"
-#include "solver/distance.hpp"
+#include "scenes/study/all_cores.hpp"
 
 namespace cyl {
 
@@ -32,8 +33,13 @@ inline constexpr std::size_t motion_box_cap = 100'000;
 struct MotionQuestion {
   double clearance = 0;
   std::size_t box_cap = motion_box_cap;
-  std::uint64_t seed = 1;  ///< of the configurations from which a near one is looked for
+  std::size_t open_cap = motion_box_cap;  ///< boxes of a pair that is not proved by then: it is left open
+  std::uint64_t seed = 1;                 ///< of the configurations from which a near one is looked for
+  const std::vector<std::vector<double>>* drawn = nullptr;  ///< these; if null, they are drawn again
+  Workforce workforce = {};
 };
+/// The configurations that are drawn before any proof.
+inline constexpr std::size_t motion_draws_cap = 200;
 
 /// The result for two bodies over all configurations.
 struct MotionProof {
@@ -41,14 +47,14 @@ struct MotionProof {
   MotionVerdict verdict = MotionVerdict::open;
   double bound = 0;                  ///< proved, if above 0: their distance is greater in every configuration
   double least = 0;                  ///< the least distance seen; a negative value is a depth
-  std::vector<double> joints;        ///< joint values of that, by link; if `refuted` or `within`, confirmed
-                                     ///< there
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
+  std::vector<double> joints;        ///< their values at that; if `refuted` or `within`, confirmed there
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
   bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a mesh or ellipsoid
   bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
   bool always = false;   ///< `refuted`: they are proved to overlap in every configuration
+  bool out_of_time = false;   ///< `open`: the deadline came first
   bool contradicted = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
@@ -57,6 +63,10 @@ struct MotionProof {
 /// its followers need to repeat. The robot is the scene's, each joint's origin taken for the rotation nearest
 /// to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
+
+/// Returns all joints of the scene in the configuration of a proof. Joints that do not matter are as near to
+/// 0 as they can be.
+std::vector<double> joints_in(const Scene& scene, const MotionProof& proof);
 
 /// The result for a link pair that the SRDF calls "Never". `within`: they come within the clearance, and are
 /// proved never to touch.
@@ -75,14 +85,12 @@ struct MotionStudy {
   std::size_t contradicted = 0;            ///< pairs of bodies with a proof that was withdrawn
 };
 
-struct BodyPair {
-  std::size_t a = 0, b = 0;
-  double seen = std::numeric_limits<double>::infinity();  ///< the least distance that the caller has seen
-};
-using BodyPairs = std::vector<BodyPair>;
-/// Does this for all these pairs of bodies, for those that the scene's SRDF disables, and for others.
-MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
-                          const BodyPairs& others = {});
+using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+/// Does this for all these pairs of bodies, for those that the scene's SRDF disables, and for others, on all
+/// cores. Pairs with few joints between them come first. A pair that needs many boxes waits for all others.
+/// `seen` has the least distance of each of `pairs` that the caller has seen.
+MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, std::span<const double> seen,
+                          const MotionQuestion& question, const BodyPairs& others = {});
 
 /// Takes back what was proved of two bodies if they are seen nearer.
 void contradict(MotionProof& proof, double seen);

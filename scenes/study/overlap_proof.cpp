@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "corpus/pairs/support.hpp"
-#include "scenes/study/verification.hpp"
 #include "scenes/study/joint_path.hpp"
+#include "scenes/study/verification.hpp"
 
 namespace cyl {
 namespace {

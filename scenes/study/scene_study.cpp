@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/study/scene_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include "base/stopwatch.hpp"
 #include "base/usage_error.hpp"
@@ -17,30 +20,39 @@ namespace {
 constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
 constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
 
+/// The most models of bodies that are made at a time, and samples that are looked at without a look at the
+/// time.
+constexpr std::size_t models_cap = 20'000, samples_cap = 500'000;
+/// Pairs that a thread takes at a time.
+constexpr std::size_t block_size = 32;
+
+/// What the samples of one pair show besides its study.
+struct Samples {
+  std::vector<bool> within;  ///< by configuration
+  std::size_t asked_referee = 0, undecided = 0;
+  std::optional<ClosestCall> closest;
+  Verification verification;
+};
+
 class Study {
  public:
-  Study(const Scene& scene, const SceneOptions& question) : scene_(scene), q_(question) {
+  Study(const Scene& scene, const SceneOptions& question)
+      : scene_(scene), q_(question), began_(std::chrono::steady_clock::now()) {
     result_.bodies = scene.bodies.size();
     result_.drawn = moves(scene) && q_.at.empty();
     result_.configurations = result_.drawn ? q_.configurations : 1;
-    const PairRule rule(scene);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
-        ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
-        if (reason != PairRule::Reason::checked) continue;
-        PairStudy pair;
-        pair.a = j;
-        pair.b = i;
-        result_.pairs.push_back(pair);
-      }
-    }
+    static_cast<void>(joints(0));  // throws here, not in another thread
+    list_pairs();
+    samples_.resize(result_.pairs.size());
   }
 
   SceneStudy run() {
-    for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
+    each_sample(true, [this](std::size_t pair, std::size_t k, const auto& placed, const auto& models) {
+      observe(pair, k, placed, models);
+    });
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
     check_cascades();
+    add_up();
     if (q_.prove) prove();
     measure();
     return std::move(result_);
@@ -49,44 +61,125 @@ class Study {
  private:
   std::vector<double> joints(std::size_t configuration) const { return joints_of(scene_, q_, configuration); }
 
-  void observe(std::size_t configuration) {
-    placed_ = place(scene_, joints(configuration));
-    models_ = models_of(placed_);
-    for (PairStudy& pair : result_.pairs) observe(pair, configuration);
+  void list_pairs() {
+    const PairRule rule(scene_);
+    const auto add = [&](std::size_t a, std::size_t b) {
+      PairStudy& pair = result_.pairs.emplace_back();
+      pair.a = a;
+      pair.b = b;
+    };
+    std::size_t& checked = result_.pairs_by_reason[0];
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) {
+        const PairRule::Reason reason = rule.reason(scene_.bodies[a], scene_.bodies[b]);
+        ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
+        if (reason == PairRule::Reason::checked && checked <= listed_cap) add(a, b);
+      }
+    }
+    if (checked <= listed_cap) return;
+    result_.pairs.clear();
+    for (const Body& body : scene_.bodies) result_.reaches.push_back(reach_of(scene_, body));
+    const auto near = near_pairs(result_.reaches, q_.clearance, near_cap, [&](std::size_t a, std::size_t b) {
+      return rule.reason(scene_.bodies[a], scene_.bodies[b]) == PairRule::Reason::checked;
+    });
+    if (near.size() > near_cap)
+      throw InputError("more than " + std::to_string(near_cap) + " pairs of shapes may come near each other");
+    for (const auto& [a, b] : near) add(a, b);
+    result_.far = checked - near.size();
   }
 
-  void observe(PairStudy& pair, std::size_t configuration) {
-    const ProxyModels &a = models_[pair.a], &b = models_[pair.b];
-    const Pair solids{placed_[pair.a], placed_[pair.b]};
+  // Looks at all pairs in all configurations, those of a pair in order. In the first pass, the deadline
+  // makes the configurations fewer.
+  template <class Look>
+  void each_sample(bool first_pass, const Look& look) {
+    const std::size_t pairs = result_.pairs.size(), blocks = (pairs + block_size - 1) / block_size;
+    if (pairs == 0) return;
+    const std::size_t chunk =
+        std::clamp<std::size_t>(std::min(models_cap / result_.bodies, samples_cap / pairs), 1, 1000);
+    std::set<std::size_t> used;
+    for (const PairStudy& pair : result_.pairs) used.insert({pair.a, pair.b});
+    std::vector<std::vector<Solid>> placed(chunk);
+    std::vector<std::vector<ProxyModels>> models(chunk);
+    for (std::size_t first = 0; first < result_.configurations; first += chunk) {
+      const std::size_t count = std::min(chunk, result_.configurations - first);
+      on_all_cores(
+          count, q_.workforce.threads,
+          [&](std::size_t i) {
+            placed[i] = place(scene_, joints(first + i));
+            models[i].resize(placed[i].size());
+            for (const std::size_t body : used) models[i][body] = make_models(placed[i][body]);
+          },
+          [](std::size_t) {});
+      on_all_cores(
+          blocks, q_.workforce.threads,
+          [&](std::size_t block) {
+            for (std::size_t p = block * block_size; p < std::min(pairs, (block + 1) * block_size); ++p)
+              for (std::size_t i = 0; i < count; ++i) look(p, first + i, placed[i], models[i]);
+          },
+          [&](std::size_t done) {
+            if (!q_.workforce.show) return;
+            const double at =
+                static_cast<double>(first) + static_cast<double>(count * done) / static_cast<double>(blocks);
+            q_.workforce.show(at / static_cast<double>(result_.configurations),
+                              fmt::format("{} of {} pairs in {} configurations",
+                                          first_pass ? "samples" : "checks", pairs, result_.configurations));
+          });
+      if (first_pass && samples_end()) result_.configurations = first + count;
+    }
+  }
+
+  bool samples_end() const {
+    const auto now = std::chrono::steady_clock::now(), end = q_.workforce.deadline;
+    return end != std::chrono::steady_clock::time_point::max() &&
+           now >= (q_.prove ? began_ + (end - began_) / 2 : end);
+  }
+
+  void observe(std::size_t index, std::size_t configuration, const std::vector<Solid>& placed,
+               const std::vector<ProxyModels>& models) {
+    PairStudy& pair = result_.pairs[index];
+    Samples& samples = samples_[index];
+    const ProxyModels &a = models[pair.a], &b = models[pair.b];
+    const Distance d = distance(a.solid, b.solid);
+    std::array<Proximity, level_count> seen;
+    seen.fill(Proximity::apart);  // which a model around the solids proves for all
     std::optional<bool> truth;
     std::size_t set = 0;
     bool decided = false;
     for (const Level level : enum_values<Level>) {
-      const Proximity seen = proximity(level, a, b, q_.clearance);
-      if (seen == Proximity::unclear) continue;
+      if (seen[0] == Proximity::apart && level > Level::outer) break;
+      Proximity& here = seen[index_of(level)];
+      here = level == Level::distance ? proximity_of(d, q_.clearance) : proximity(level, a, b, q_.clearance);
+      if (here == Proximity::unclear) continue;
       if (index_of(level) < 3) set |= std::size_t{1} << index_of(level);
       if (!std::exchange(decided, true)) ++pair.decided[index_of(level)];
-      if (level == Level::certified) truth = seen == Proximity::within;
+      if (level == Level::certified || level == Level::sphere) truth = here == Proximity::within;
     }
     ++pair.outcomes[set];
     if (!truth) {
-      ++result_.asked_referee;
-      truth = referee_within(solids, q_.clearance);
-      if (!truth) ++result_.undecided;
+      ++samples.asked_referee;
+      truth = referee_within({placed[pair.a], placed[pair.b]}, q_.clearance);
+      if (!truth) ++samples.undecided;
     }
     const bool is_within = truth.value_or(true);
-    const double d = distance(a.solid, b.solid).value;
-    for (const Level level : enum_values<Level>)
-      score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
-    pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
-    pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
+    for (const Level level : enum_values<Level>) {
+      const Proximity said = seen[index_of(level)];
+      score(pair.alone[index_of(level)],
+            level == Level::inner      ? said == Proximity::within
+            : level == Level::distance ? !(d.value > q_.clearance)
+                                       : said != Proximity::apart,
+            is_within, d.value, configuration);
+    }
+    pair.least = pair.samples == 0 ? d.value : std::min(pair.least, d.value);
+    pair.greatest = pair.samples == 0 ? d.value : std::max(pair.greatest, d.value);
     ++pair.samples;
     pair.within += is_within;
-    const auto miss = [&](double value) { return std::fabs(value - q_.clearance); };
-    if (!result_.closest || miss(d) < miss(result_.closest->distance))
-      result_.closest = ClosestCall{pair.a, pair.b, configuration, d, size_of(solids)};
-    truths_.push_back(is_within);
+    if (!samples.closest || miss(d.value) < miss(samples.closest->distance))
+      samples.closest =
+          ClosestCall{pair.a, pair.b, configuration, d.value, size_of({placed[pair.a], placed[pair.b]})};
+    samples.within.push_back(is_within);
   }
+
+  double miss(double distance) const { return std::fabs(distance - q_.clearance); }
 
   void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
     if (said == is_within) return;
@@ -98,35 +191,48 @@ class Study {
 
   // Compares what is recommended with the truths found above. The referee judges some of it anew.
   void check_cascades() {
-    const std::size_t stride = truths_.size() / verified_cap + 1;
-    std::size_t answer = 0;
-    for (std::size_t k = 0; k < result_.configurations; ++k) {
-      placed_ = place(scene_, joints(k));
-      models_ = models_of(placed_);
-      for (PairStudy& pair : result_.pairs) {
-        const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
-        pair.cascade_wrong += said != truths_[answer];
-        if (answer++ % stride == 0)
-          result_.verification.add({placed_[pair.a], placed_[pair.b]}, q_.clearance, q_.tolerated, said);
-      }
+    const std::size_t pairs = result_.pairs.size(),
+                      stride = pairs * result_.configurations / verified_cap + 1;
+    each_sample(false, [&](std::size_t i, std::size_t k, const auto& placed, const auto& models) {
+      PairStudy& pair = result_.pairs[i];
+      const bool said = within(pair.cascade, models[pair.a], models[pair.b], q_.clearance);
+      pair.cascade_wrong += said != samples_[i].within[k];
+      if ((k * pairs + i) % stride == 0)
+        samples_[i].verification.add({placed[pair.a], placed[pair.b]}, q_.clearance, q_.tolerated, said);
+    });
+  }
+
+  void add_up() {
+    for (const Samples& samples : samples_) {
+      result_.asked_referee += samples.asked_referee;
+      result_.undecided += samples.undecided;
+      result_.verification.add(samples.verification);
+      const auto rank = [&](const ClosestCall& c) { return std::pair(miss(c.distance), c.configuration); };
+      if (!result_.closest || rank(*samples.closest) < rank(*result_.closest))
+        result_.closest = samples.closest;
     }
   }
 
   void prove() {
     BodyPairs pairs, others;
+    std::vector<double> seen;
+    std::set<std::pair<std::size_t, std::size_t>> checked;
     for (const PairStudy& pair : result_.pairs) {
-      pairs.push_back({pair.a, pair.b, pair.least});
+      pairs.emplace_back(pair.a, pair.b);
+      seen.push_back(pair.least);
     }
+    if (q_.prove_others) checked.insert(pairs.begin(), pairs.end());
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
         if (one != other && is_legal({scene_.bodies[a].solid, scene_.bodies[b].solid}) &&
-            !carries_directly(scene_, one, other) &&
-            std::ranges::none_of(pairs, [&](const BodyPair& p) { return p.a == a && p.b == b; }))
-          others.push_back({a, b});
+            !is_far(result_, a, b, q_.clearance) && !carries_directly(scene_, one, other) &&
+            !checked.contains({a, b}))
+          others.emplace_back(a, b);
       }
     }
-    result_.motions = prove_motions(scene_, pairs, {.clearance = q_.clearance, .seed = q_.seed}, others);
+    result_.motions = prove_motions(
+        scene_, pairs, seen, {.clearance = q_.clearance, .seed = q_.seed, .workforce = q_.workforce}, others);
   }
 
   void measure() {
@@ -185,9 +291,8 @@ class Study {
   const Scene& scene_;
   const SceneOptions& q_;
   SceneStudy result_;
-  std::vector<Solid> placed_;
-  std::vector<ProxyModels> models_;
-  std::vector<bool> truths_;  ///< by configuration, then pair
+  const std::chrono::steady_clock::time_point began_;
+  std::vector<Samples> samples_;  ///< by pair
 };
 
 /// Returns the cost of a cascade on the samples, by weights.
@@ -256,9 +361,11 @@ Cascade recommend(const PairStudy& pair, double tolerated) {
   return best;
 }
 
+bool is_far(const SceneStudy& study, std::size_t a, std::size_t b, double clearance) {
+  return !study.reaches.empty() && gap_between(study.reaches[a], study.reaches[b]) > clearance;
+}
+
 SceneStudy study_scene(const Scene& scene, const SceneOptions& question) {
-  if (scene.bodies.size() > study_cap)
-    throw UsageError("more than " + std::to_string(study_cap) + " cylinders");
   return Study(scene, question).run();
 }
 

@@ -14,6 +14,7 @@
 #include "scenes/scene.hpp"
 #include "scenes/study/model_hierarchy.hpp"
 #include "scenes/study/motion_proof.hpp"
+#include "scenes/study/reach.hpp"
 #include "scenes/study/verification.hpp"
 
 namespace cyl {
@@ -26,6 +27,7 @@ struct SceneOptions {
   std::uint64_t seed = 1;
   bool prove = false;         ///< over all motions, whether the pairs come within the clearance
   bool prove_others = false;  ///< also pairs that are not checked and not adjacent, for an SRDF
+  Workforce workforce = {};   ///< a deadline leaves half of the time to proofs
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
@@ -69,6 +71,10 @@ struct SceneStudy {
   bool drawn = false;                            ///< more than one configuration, so rates have bounds
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
+  /// By body, what it may reach, if more than listed_cap pairs are checked. Then those far apart are only
+  /// counted.
+  std::vector<Box> reaches;
+  std::size_t far = 0;  ///< checked pairs that are not listed: farther apart than the clearance for ever
   std::size_t asked_referee = 0;  ///< samples that no level decides
   std::size_t undecided = 0;      ///< samples without a proof of the referee; they count as within
   std::optional<ClosestCall> closest;
@@ -79,10 +85,16 @@ struct SceneStudy {
   std::optional<MotionStudy> motions;  ///< its pairs are those above
 };
 
-/// Throws UsageError if `at` names no joint, or if the scene has more than study_cap bodies.
+/// Throws UsageError if `at` names no joint, and InputError if more than near_cap pairs are near each other.
 SceneStudy study_scene(const Scene& scene, const SceneOptions& question);
-/// All pairs of so many bodies are asked about one by one.
-inline constexpr std::size_t study_cap = 1000;
+/// If more pairs are checked, a broad phase drops those that never come near. A report lists all others.
+inline constexpr std::size_t listed_cap = 20'000;
+/// A pair takes some 600 bytes.
+inline constexpr std::size_t near_cap = 1'000'000;
+
+/// Returns whether what two bodies may reach is proved to be farther apart than the clearance, and the pair
+/// is not listed for this reason.
+bool is_far(const SceneStudy& study, std::size_t a, std::size_t b, double clearance);
 
 /// Returns whether the samples describe the pair itself. They do not if one body is a bound of a mesh or
 /// ellipsoid and comes within the clearance.

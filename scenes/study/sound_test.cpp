@@ -174,7 +174,7 @@ TEST(Sound, AnExemptionIsAboutContact) {
   scene.exemptions.push_back({scene.bodies[0].link, scene.bodies[1].link, "Never"});
   MotionQuestion question;
   question.clearance = 0.15;
-  const MotionStudy study = prove_motions(scene, {}, question);
+  const MotionStudy study = prove_motions(scene, {}, {}, question);
   ASSERT_EQ(study.exemptions.size(), 1u);
   EXPECT_EQ(study.exemptions[0].verdict, MotionVerdict::within);
   EXPECT_GT(study.exemptions[0].bodies.at(0).bound, 0) << "and never touches";

@@ -24,6 +24,13 @@ std::optional<bool> referee_within(const Pair& pair, double clearance) {
   return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
 }
 
+void Verification::add(const Verification& other) {
+  asked += other.asked;
+  wrong += other.wrong;
+  tolerated += other.tolerated;
+  undecided += other.undecided;
+}
+
 void Verification::add(const Pair& pair, double clearance, double tolerance, bool said) {
   ++asked;
   const auto truth = referee_within(pair, clearance);

@@ -16,6 +16,7 @@ struct Verification {
   std::size_t asked = 0, wrong = 0, tolerated = 0, undecided = 0;
   /// Checks with the referee whether the answer about the clearance is right.
   void add(const Pair& pair, double clearance, double tolerance, bool said);
+  void add(const Verification& other);
 };
 
 }  // namespace cyl
