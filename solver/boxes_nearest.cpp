@@ -137,7 +137,8 @@ bool middle_of_part(const Vector3& from, const Vector3& g, const Vector3& half, 
 
 }  // namespace
 
-int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direction_cap]) noexcept {
+int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
+                    Vector3 (&found)[direction_cap]) noexcept {
   int count = 0;
   for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);
   for (const double square_tol : {0.0, 0x1p-26, 0x1p-10}) {
@@ -150,6 +151,9 @@ int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direc
     found[count++] = d;
   }
   if (v.box || v.r == 0) return count;
+  const double along = dot(way, v.e[0]), up = dot(on1 - v.d, v.e[0]);
+  const Vector3 radial = on1 - v.d - up * v.e[0];
+  found[count++] = length(radial) * along * v.e[0] - length(way - along * v.e[0]) * radial;
   const ClippedBox clipped = clip(v);
   found[count++] = clipped.out;
   if (clipped.edge < 0) return count;
