@@ -282,12 +282,12 @@ SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept {
       best.t = t;
       best.way = e;
     }
-    if (square <= contact * contact) {
+    if (contact >= 0 && square <= contact * contact) {
       best.near = true;
       return best;
     }
     const double gap = square - t * slope - v.h * std::fabs(slope);  // -f(e)
-    if (gap > 0 && gap * gap > contact * contact * square) return best;
+    if (slope == 0 || (contact >= 0 && gap > 0 && gap * gap > contact * contact * square)) return best;
     if (slope > 0)
       hi = t, saw_hi = true;
     else

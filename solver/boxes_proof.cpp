@@ -57,7 +57,7 @@ class BoxProof {
       if (!found.near && try_direction(found.way)) return true;
       const Vector3 on1 = view_.d + found.t * view_.e[0];
       if (try_points(on1, on1)) return true;
-      const SegmentPoint again = nearest_on_segment(shrunk_, 0);
+      const SegmentPoint again = nearest_on_segment(shrunk_, -1);
       const Vector3 nearest = view_.d + again.t * view_.e[0];
       return try_points(nearest, nearest) || try_common_point() || try_directions(on1, found.way);
     }

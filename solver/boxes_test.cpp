@@ -285,7 +285,9 @@ TEST(Boxes, PointsOfPlanesMayBeFarAway) {
       const Answer answer = decide(plane, c);
       EXPECT_EQ(intersect(plane, c), side > 0 ? Verdict::disjoint : Verdict::intersecting) << i;
       EXPECT_NE(answer.verdict, side > 0 ? Verdict::intersecting : Verdict::disjoint) << i;
-      if (side > 0) EXPECT_EQ(answer.verdict, Verdict::disjoint) << i;
+      if (side > 0) {
+        EXPECT_EQ(answer.verdict, Verdict::disjoint) << i;
+      }
       // Deep inside, it is decided even if the solid is thin.
       c.center = -far * normal;
       EXPECT_EQ(decide(plane, c).verdict, Verdict::intersecting) << i;
@@ -326,6 +328,10 @@ TEST(Boxes, TinyOnesBesideLongOnes) {
   const Distance d = distance(tiny, wide);
   near.center += (d.value - 8e-13) * d.direction;
   EXPECT_EQ(decide(near, wide).verdict, Verdict::disjoint);
+  // A capsule nearly along a facet, deepest at one end.
+  const Solid along = rounded(upright(5, 0, 0, 0, 4), 3);
+  EXPECT_EQ(decide(box({1.5 + 1e-14, 0, 0}, 1, 6, 6, {1, 0, 1e-10, 0}), along).verdict,
+            Verdict::intersecting);
   // A capsule inside a box, with a rounding far below the other errors.
   const Solid capsule = rounded(upright(0.3, 0.2, 0.1, 0, 1e-10), 1e-20);
   EXPECT_EQ(decide(box({0, 0, 0}, 2, 2, 2, {0.9, 0.1, 0.2, 0.3}), capsule).verdict, Verdict::intersecting);

@@ -125,8 +125,8 @@ inline constexpr int direction_cap = box_axes + 5;
 int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
 
-/// The segment d + t e[0] and the box: finds t of the nearest point, unless it is known before whether the
-/// distance is at most `contact`.
+/// The segment d + t e[0] and the box: finds t of the nearest point, unless `contact` >= 0 and it is known
+/// before whether the distance is at most that.
 struct SegmentPoint {
   double t;
   Vector3 way;  ///< from the box
