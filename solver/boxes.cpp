@@ -280,12 +280,12 @@ SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept {
       best.t = t;
       best.way = e;
     }
-    if (square <= contact * contact) {
+    if (contact >= 0 && square <= contact * contact) {
       best.near = true;
       return best;
     }
     const double gap = square - t * slope - v.h * std::fabs(slope);  // -f(e)
-    if (gap > 0 && gap * gap > contact * contact * square) return best;
+    if (slope == 0 || (contact >= 0 && gap > 0 && gap * gap > contact * contact * square)) return best;
     if (slope > 0)
       hi = t, saw_hi = true;
     else
@@ -320,12 +320,14 @@ bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
   return a.rounding > b.rounding;
 }
 
-ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept {
-  const auto longest = [](const Prepared& c) { return larger(larger(c.radius, c.height), max_abs(c.edges)); };
-  const double widest = larger(larger(longest(a), longest(b)), contact);
+ShapePair in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  const auto longest = [](const Prepared& c) {
+    return larger(larger(c.radius, c.height), larger(c.rounding, max_abs(c.edges)));
+  };
+  const double widest = larger(larger(longest(a), longest(b)), clearance);
   // The point of a plane may be far away. Its difference from the other centre would be rounded.
   const bool plane = a.shape == Shape::half_space;
-  const double farthest = larger(max_abs(a.center), max_abs(b.center));
+  const double farthest = 0x1p-900 * larger(max_abs(a.center), max_abs(b.center));
   Vector3 delta = b.center - a.center;
   double most = larger(widest, plane ? farthest : max_abs(delta));
   int shift = 0;  // as in scale()
@@ -338,7 +340,7 @@ ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept
   most = larger(widest * before, plane ? farthest * before : max_abs(delta));
   const int exponent = most > 0 ? exponent_of(most) : 0;
   const double unit = power_of_two(-exponent);
-  ShapePair p{a, b, contact * before * unit, exponent - shift};
+  ShapePair p{a, b, 0, exponent - shift};
   for (Prepared* const c : {&p.a, &p.b}) {
     c->radius = c->radius * before * unit;
     c->height = c->height * before * unit;
@@ -348,6 +350,7 @@ ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept
     c->moderate = true;
   }
   if (!plane) p.b.center = delta * unit;
+  p.contact = contact_distance_of(p.a, p.b, clearance * before * unit);
   return p;
 }
 
@@ -358,7 +361,7 @@ Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance)
   const double contact = contact_distance_of(a, b, clearance);
   const auto ask = first.shape == Shape::half_space ? intersect_half_space : intersect_box;
   if (is_in_range(first, second, contact)) return ask(first, second, contact);
-  const ShapePair p = in_unit(first, second, contact);
+  const ShapePair p = in_unit(first, second, clearance);
   return ask(p.a, p.b, p.contact);
 }
 

@@ -137,9 +137,9 @@ bool middle_of_part(const Vector3& from, const Vector3& g, const Vector3& half, 
 
 }  // namespace
 
-int find_directions(const BoxView& v, const Vector3& on0, const Vector3& on1,
+int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept {
-  const Vector3 way = on1 - on0, tangent = v.e[0].cross(on1 - v.d);
+  const Vector3 tangent = v.e[0].cross(on1 - v.d);
   const bool round = !v.box && v.r > 0;
   int count = 0;
   for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);

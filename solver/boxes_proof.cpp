@@ -48,12 +48,11 @@ class BoxProof {
     if (axis >= 0) {
       if (try_direction(axis_of(view_, axis))) return true;
     } else {
-      Vector3 at;
-      if (!flat_ && find_common_point(shrunk_, at) && try_point(at)) return true;
+      if (try_common_point()) return true;
       if (view_.box || view_.r == 0 || clip(view_).meets) return false;  // no direction separates
     }
     const NearestPoints found = nearest_points(view_, -1);
-    return found.square > error_ * error_ && try_directions(found.on0, found.on1);
+    return found.square > error_ * error_ && try_directions(found.on1, found.on1 - found.on0);
   }
 
   bool prove_near() noexcept {
@@ -63,18 +62,16 @@ class BoxProof {
       if (is_hopeless(found.way)) return false;
       const Vector3 on1 = view_.d + found.t * view_.e[0];
       if (try_points(on1, on1)) return true;
-      const SegmentPoint again = nearest_on_segment(shrunk_, 0);
+      const SegmentPoint again = nearest_on_segment(shrunk_, -1);
       const Vector3 nearest = view_.d + again.t * view_.e[0];
-      return try_points(nearest, nearest) || try_directions(on1 - found.way, on1);
+      return try_points(nearest, nearest) || try_common_point() || try_directions(on1, found.way);
     }
     const NearestPoints found = nearest_points(view_, p_.contact);
     if (found.apart ? try_direction(found.on1 - found.on0) : try_points(found.on0, found.on1)) return true;
     if (is_hopeless(found.on1 - found.on0)) return false;
-    Vector3 at;
-    if (!flat_ && separating_axis(shrunk_) < 0 && find_common_point(shrunk_, at) && try_point(at))
-      return true;
+    if (separating_axis(shrunk_) < 0 && try_common_point()) return true;
     const NearestPoints all = nearest_points(view_, -1);
-    return try_points(all.on0, all.on1) || try_directions(all.on0, all.on1);
+    return try_points(all.on0, all.on1) || try_directions(all.on1, all.on1 - all.on0);
   }
 
   // Whether nothing can be proved, because two points have the distance `contact` but for rounding, and the
@@ -84,9 +81,14 @@ class BoxProof {
     return (below > 0) & (size <= p_.contact + 0.5 * error_) & (view_.gap(way) > below * size);
   }
 
-  bool try_directions(const Vector3& on0, const Vector3& on1) noexcept {
+  bool try_common_point() noexcept {
+    Vector3 at;
+    return !flat_ && find_common_point(shrunk_, at) && try_point(at);
+  }
+
+  bool try_directions(const Vector3& on1, const Vector3& way) noexcept {
     Vector3 found[direction_cap];
-    const int count = find_directions(view_, on0, on1, found);
+    const int count = find_directions(view_, on1, way, found);
     for (int i = 0; i < count; ++i)
       if (try_direction(found[i])) return true;
     return false;
@@ -160,7 +162,7 @@ Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noe
   const Prepared &first = swapped ? b : a, &second = swapped ? a : b;
   const double contact = contact_distance_of(a, b, clearance);
   const ShapePair p = is_in_range(first, second, contact) ? ShapePair{first, second, contact, 0}
-                                                          : in_unit(first, second, contact);
+                                                          : in_unit(first, second, clearance);
   if (first.shape == Shape::half_space) {
     decide_half_space(p, first.second_axis, answer);
     if (answer.proof == Proof::point) answer.point_head = second.center;

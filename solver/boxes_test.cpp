@@ -257,6 +257,8 @@ TEST(Boxes, RightFromAMarginOf1e13OnForEveryKindOfPair) {
         }
         if (apart) {
           EXPECT_LE(d.error, 1e-10 * reach) << what;
+          const Vector3 way = (pair->b.center - pair->a.center) + (d.on_b - d.on_a);
+          EXPECT_NEAR(way.norm(), d.value, d.error + 1e-15 * reach) << what;
         }
         if (!apart) {
           EXPECT_LE(d.value, -2 * margin * size + d.error + 1e-15 * reach) << what;
@@ -273,6 +275,76 @@ TEST(Boxes, RightFromAMarginOf1e13OnForEveryKindOfPair) {
         }
       }
     }
+}
+
+// The plane passes through the origin, because its point is a multiple of a vector square to the normal.
+TEST(Boxes, PointsOfPlanesMayBeFarAway) {
+  Numbers n(11);
+  for (int i = 0; i < 3000; ++i) {
+    Vector3 normal = n.vector();
+    if (i % 3 == 0) normal.x() *= std::pow(10, -300 * n.unit());
+    const double far = std::ldexp(1, static_cast<int>(980 * n.unit()));
+    const Solid plane = half_space(far * Vector3(normal.y(), -normal.x(), 0), normal);
+    Solid c = random_solid(i % 2 == 0 ? SolidKind::box : SolidKind::rounded, n);
+    const Terms<Long> s = terms_of<Long>(c);
+    const Long3 u = lifted<Long>(normal) / norm(lifted<Long>(normal));
+    for (const double side : {1, -1}) {
+      const Long height = support(s, u) + side * 1e-12L * size_of({plane, c});
+      c.center = Vector3(static_cast<double>(height * u.x), static_cast<double>(height * u.y),
+                         static_cast<double>(height * u.z));
+      const Answer answer = decide(plane, c);
+      EXPECT_EQ(intersect(plane, c), side > 0 ? Verdict::disjoint : Verdict::intersecting) << i;
+      EXPECT_NE(answer.verdict, side > 0 ? Verdict::intersecting : Verdict::disjoint) << i;
+      if (side > 0) {
+        EXPECT_EQ(answer.verdict, Verdict::disjoint) << i;
+      }
+      // Deep inside, it is decided even if the solid is thin.
+      c.center = -far * normal;
+      EXPECT_EQ(decide(plane, c).verdict, Verdict::intersecting) << i;
+    }
+  }
+}
+
+TEST(Boxes, PointsOfAnswersHoldAtTheEndsOfTheRange) {
+  Numbers n(12);
+  for (int i = 0; i < 3000; ++i) {
+    const double unit = i % 2 == 0 ? 0x1p-1070 : 0x1p1023;
+    const auto some = [&] { return unit < 1 ? std::floor(40 * n.either_sign()) : n.either_sign(); };
+    const Solid plane = half_space(unit * Vector3(some(), some(), some()), n.vector());
+    Solid ball = rounded(upright(0, 0, 0, 0, 0), unit * std::fabs(some()));
+    ball.center = unit * Vector3(some(), some(), some());
+    const Answer answer = decide(plane, ball);
+    EXPECT_TRUE(answer.point_head.allFinite() && answer.point_tail.allFinite());
+    if (answer.proof == Proof::points) {
+      EXPECT_LE(dot(lifted<Long>(plane.axis), lifted<Long>(answer.point_head)), 0) << i;
+    }
+  }
+  // The sum of the roundings overflows.
+  const Solid a = rounded(box({0, 0, 0}, 1e307, 1e307, 1e307), 1.4e308);
+  const Solid b = rounded(box({1.2e308, 0, 0}, 1e307, 1e307, 1e307), 1.1e308);
+  EXPECT_EQ(intersect(a, b), Verdict::intersecting);
+  EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
+}
+
+TEST(Boxes, TinyOnesBesideLongOnes) {
+  // A rounded box of 1e-11 at the rim of a cylinder. The way between the cores shows the angle about the axis
+  // only roughly.
+  const Solid tiny = rounded(box({-1.0712662899815921, -1.107015924154405, 2.6223852271605876}, 3.6e-11,
+                                 1e-19, 6e-15, {0.48, -0.42, -0.15, -0.45}),
+                             1.285e-11);
+  Solid wide = upright(0, 0, 0, 3, 1);
+  wide.axis = {-0.5794562543467425, -0.7333274073784539, -0.35561406452225425};
+  Solid near = tiny;
+  const Distance d = distance(tiny, wide);
+  near.center += (d.value - 8e-13) * d.direction;
+  EXPECT_EQ(decide(near, wide).verdict, Verdict::disjoint);
+  // A capsule nearly along a facet, deepest at one end.
+  const Solid along = rounded(upright(5, 0, 0, 0, 4), 3);
+  EXPECT_EQ(decide(box({1.5 + 1e-14, 0, 0}, 1, 6, 6, {1, 0, 1e-10, 0}), along).verdict,
+            Verdict::intersecting);
+  // A capsule inside a box, with a rounding far below the other errors.
+  const Solid capsule = rounded(upright(0.3, 0.2, 0.1, 0, 1e-10), 1e-20);
+  EXPECT_EQ(decide(box({0, 0, 0}, 2, 2, 2, {0.9, 0.1, 0.2, 0.3}), capsule).verdict, Verdict::intersecting);
 }
 
 TEST(Boxes, QuaternionsOfAnyLength) {

@@ -40,26 +40,48 @@ Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
   return size > separation_error ? Vector3(cap + (c.radius / size) * across) : cap;
 }
 
-// n.(C - P) in twice the digits, for solids that are far from the point of the plane.
+// n.(C - P) for solids that are far from the point of the plane. The products are exact, and so is their sum,
+// whose parts do not overlap (Shewchuk 1997, Grow-Expansion). A coordinate of the normal may be hundreds of
+// decades below another, so exponents are kept apart.
 double AbovePlane::precisely(const Prepared& plane, const Prepared& c) noexcept {
-  const Vector3 normal = plane.second_axis * unit_of(exponent_of(max_abs(plane.second_axis)));
-  DoubleDouble sum = 0.0;
-  for (int i = 0; i < 3; ++i) sum = sum + exact_sum(c.center[i], -plane.center[i]) * DoubleDouble(normal[i]);
-  return sum.hi / length(normal);
+  const Vector3& given = plane.second_axis;
+  const int exponent = exponent_of(max_abs(given));
+  const Vector3 normal = times_power(given, -exponent);
+  double parts[12];
+  int count = 0;
+  const auto add = [&](double x) {
+    for (int i = 0; i < count; ++i) {
+      const DoubleDouble sum = exact_sum(x, parts[i]);
+      x = sum.hi;
+      parts[i] = sum.lo;
+    }
+    parts[count++] = x;
+  };
+  for (int i = 0; i < 3; ++i)
+    for (const double x : {c.center[i], -plane.center[i]}) {
+      int of_x = 0, of_normal = 0;
+      const double x_part = std::frexp(x, &of_x);
+      const DoubleDouble product = exact_product(x_part, std::frexp(given[i], &of_normal));
+      const int power = of_x + of_normal - exponent;
+      add(std::ldexp(product.lo, power));
+      add(std::ldexp(product.hi, power));
+    }
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum / length(normal);
 }
 
 AbovePlane::AbovePlane(const Prepared& plane, const Prepared& c, double contact) noexcept {
   const Vector3& n = plane.unit_axis;
   const Vector3 delta = c.center - plane.center;
   const double support = core_support(c, n), size = core_size(c) + contact;
-  // Not the length: it is a bound that needs no root.
-  error = box_error * (size + (std::fabs(delta.x()) + std::fabs(delta.y()) + std::fabs(delta.z())));
+  error = box_error * (size + length_bound(delta));
   gap = dot(n, delta) - support;
   if (!(std::fabs(gap - contact) > 8 * error)) {
     const double above = precisely(plane, c);
     gap = above - support;
-    // Twice the digits leave 2^-97 of the vector.
-    error = precise_plane_error * (size + std::fabs(above)) + 0x1p-40 * error;
+    // The last term is for products that underflow.
+    error = precise_plane_error * (size + std::fabs(above)) + 0x1p-1000;
   }
 }
 
@@ -72,19 +94,20 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
   const Vector3& n = p.a.unit_axis;
   const Vector3 delta = c.center - p.a.center;
   const AbovePlane above(p.a, c, p.contact);
-  const double gap = above.gap, error = above.error + underflow_error;
+  const double gap = above.gap, error = above.error;
   if (gap > p.contact + error) {
     hand_out(normal, answer);
     return;
   }
   if (!(gap < p.contact - 8 * error)) return;
-  // The lowest point of the core, moved inwards.
-  const double inwards = 2 * error;
+  // The lowest point of the core, moved inwards. The plane may be so far away that `error` is much longer.
+  const double room = precise_plane_error * (core_size(c) + p.contact) + underflow_error;
+  const double inwards = 2 * room;
   Prepared inner = c;
   Hull hull = Hull::space;
   if (c.shape == Shape::box) {
     for (int i = 0; i < 3; ++i) inner.edges[i] -= 2 * inwards;
-    if (!((inner.edges.array() > 2 * error).all())) return;
+    if (!((inner.edges.array() > 2 * room).all())) return;
   } else {
     hull = hull_of(c.radius, 0.5 * c.height, core_size(c) + p.contact);
     const bool line = (hull == Hull::line) | (hull == Hull::center);
@@ -93,11 +116,11 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
     inner.height = plane ? 0 : c.height - 2 * inwards;
   }
   const Vector3 x = farthest_of(inner, -n);
-  if (c.shape != Shape::box && !Place(x, c.unit_axis).inside(c.radius, 0.5 * c.height, hull, error)) return;
+  if (c.shape != Shape::box && !Place(x, c.unit_axis).inside(c.radius, 0.5 * c.height, hull, room)) return;
   const Vector3 tail = times_power(x, p.exponent), given = times_power(tail, -p.exponent);
   // The support of the core, less by what it was moved.
   const double height = gap + core_support(c, n) + dot(n, given);
-  if (length(given - x) > error || !(height < p.contact - 4 * error)) return;
+  if (length(given - x) > room || !(height < p.contact - 4 * error)) return;
   answer.verdict = Verdict::intersecting;
   answer.hull_b = hull;
   answer.proof = Proof::points;
@@ -106,10 +129,14 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
     answer.proof = Proof::point;
     return;
   }
-  // A point of the half-space below it. Seen from the point of the plane, its coordinates may be rough.
-  const double rough = 6 * unit_roundoff_error * length(delta);
-  answer.point_head = times_power(delta + given - larger(0, height + 2 * error + rough) * n, p.exponent);
-  if (!(larger(0, height + 4 * error + 2 * rough) < p.contact)) answer = Answer{};
+  // A point of the half-space below it. Seen from the point of the plane, its coordinates are rounded three
+  // times.
+  const double rough = 4 * unit_roundoff_error * 0x1p400 * length(0x1p-400 * delta);
+  const Vector3 place = delta + given - larger(0, height + 3 * error + rough) * n;
+  answer.point_head = times_power(place, p.exponent);
+  // In the scene's unit it may be subnormal, or too large.
+  const double lost = length(times_power(answer.point_head, -p.exponent) - place);
+  if (!(lost <= error && larger(0, height + 5 * error + 2 * rough) < p.contact)) answer = Answer{};
 }
 
 }  // namespace cyl

@@ -12,16 +12,24 @@ namespace {
 constexpr double huge_tol = 0x1p1000;
 
 // Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
-void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
+// `way`: the unit vector between the points if a gap stays.
+void grow(Distance& d, const Vector3& way, double rounding_a, double rounding_b) noexcept {
   const double contact_distance = rounding_a + rounding_b;
   const bool apart = d.value > 0;
   d.error += 4 * unit_roundoff_error * larger(contact_distance, std::fabs(d.value));
   d.value -= contact_distance;
-  d.on_a += rounding_a * d.direction;
-  d.on_b -= rounding_b * d.direction;
+  d.on_a += rounding_a * (d.value > 0 ? way : d.direction);
+  d.on_b -= rounding_b * (d.value > 0 ? way : d.direction);
   // Every direction's f grows by as much. If the cores are apart, `error` shows that there is no lower one.
   d.least = d.value <= 0 && (d.least || apart);
   d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
+}
+
+// With a box, the direction that proves the gap may be off the line of the points by the root of rounding.
+Vector3 way_between(const Prepared& a, const Prepared& b, const Distance& d) noexcept {
+  const Vector3 way = (b.center - a.center) + (d.on_b - d.on_a);
+  const double most = max_abs(way);
+  return most > 0 ? Vector3((way * power_of_two(-exponent_of(most))).normalized()) : d.direction;
 }
 
 double longest_of(const Prepared& c) noexcept {
@@ -61,7 +69,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
   const Prepared core_a = core_in_unit(a, unit), core_b = core_in_unit(b, unit);
   Distance out = other ? distance_of_shapes(core_a, core_b) : distance_of_cores(core_a, core_b, true);
-  grow(out, unit * a.rounding, unit * b.rounding);
+  grow(out, other ? way_between(core_a, core_b, out) : out.direction, unit * a.rounding, unit * b.rounding);
   if (unit != 1) {
     out.value = in_range(out.value / unit);
     out.error = in_range(out.error / unit);

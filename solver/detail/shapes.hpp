@@ -12,7 +12,7 @@ namespace cyl {
 /// A bound on the rounding error of f(D) over |D|, and of the distance of a point from a facet, if a box
 /// takes part. The unit is the reach (boxes.md, section 6).
 inline constexpr double box_error = 64 * unit_roundoff_error;
-/// The same of a half-space and a solid that is near it, if that is measured in twice the digits.
+/// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
 /// By how much decide() shrinks cores before it looks for a common point, of the reach.
 inline constexpr double box_slack_tol = 2.5 * box_error;
@@ -34,10 +34,16 @@ struct ShapePair {
   double contact;  ///< both roundings and the clearance
   int exponent;    ///< one unit is 2^exponent units of the scene
 };
-/// The first centre goes to 0 if it is not of a half-space, and the largest length is in [1, 2).
-ShapePair in_unit(const Prepared& a, const Prepared& b, double contact) noexcept;
+/// The first centre goes to 0 if it is not of a half-space, and the largest length is in [1, 2). That length
+/// may be less beside a half-space whose point is more than 2^900 of it away.
+ShapePair in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept;
 inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) noexcept {
   return a.moderate & b.moderate & (contact <= power_of_two(moderate_exponent));
+}
+
+/// A bound of the length that needs neither a square nor a root.
+inline double length_bound(const Vector3& x) noexcept {
+  return std::fabs(x.x()) + std::fabs(x.y()) + std::fabs(x.z());
 }
 
 /// The support of a core about its centre, and a bound of it for unit vectors.
@@ -111,16 +117,16 @@ struct ClippedBox {
 /// A box and a cylinder whose radius is > 0.
 ClippedBox clip(const BoxView& v) noexcept;
 
-/// For cores that are apart, with these nearest points and the way between them. Finds directions. One of
-/// them shows the gap but for rounding. They are those of axis_of(), the way, the way made square to edges
-/// that it nearly is square to, the directions of the outline, and those square to an edge and to the rim at
-/// on1 (boxes.md, sections 4 and 5). Returns their number.
+/// For cores that are apart, with `way` between their nearest points, which ends at on1. Finds directions.
+/// One of them shows the gap but for rounding: those of axis_of(), and `way`, made square to edges that it
+/// nearly is square to. At a rim also those square to its tangent at on1, and those of the outline
+/// (boxes.md, sections 4 and 5). Returns their number.
 inline constexpr int direction_cap = box_axes + 7;
-int find_directions(const BoxView& v, const Vector3& on0, const Vector3& on1,
+int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
 
-/// The segment d + t e[0] and the box: finds t of the nearest point, unless it is known before whether the
-/// distance is at most `contact`.
+/// The segment d + t e[0] and the box: finds t of the nearest point, unless `contact` >= 0 and it is known
+/// before whether the distance is at most that.
 struct SegmentPoint {
   double t;
   Vector3 way;  ///< from the box
