@@ -112,9 +112,9 @@ struct ClippedBox {
 ClippedBox clip(const BoxView& v) noexcept;
 
 /// For cores that are apart, with these nearest points and the way between them. Finds directions. One of
-/// them shows the gap but for rounding. They are those of axis_of(), the way, the way made square to edges
-/// that it nearly is square to, the directions of the outline, and those square to an edge and to the rim at
-/// on1 (boxes.md, sections 4 and 5). Returns their number.
+/// them shows the gap but for rounding. They are those of axis_of(), the way, and the directions of the
+/// outline (boxes.md, sections 4 and 5). The way is also made square to edges and to the rim at on1, if it
+/// nearly is. Others are square to the rim and to an edge. Returns their number.
 inline constexpr int direction_cap = box_axes + 7;
 int find_directions(const BoxView& v, const Vector3& on0, const Vector3& on1,
                     Vector3 (&found)[direction_cap]) noexcept;
