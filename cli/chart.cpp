@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -13,7 +12,6 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
-#include "cli/progress.hpp"
 #include "cli/targets.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
@@ -40,20 +38,8 @@ void chart(const ChartArguments& arguments) {
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
   if (arguments.out.empty()) return;
-  std::vector<std::string> files;
-  {
-    ProgressLine line;
-    const auto began = std::chrono::steady_clock::now();
-    files = draw_charts(
-        run, arguments.out, in_source_tree("reports/web/chart.mjs"), [&](std::size_t drawn, std::size_t all) {
-          const auto elapsed =
-              std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - began);
-          if (line.due(elapsed))
-            line.show(elapsed, static_cast<double>(drawn) / static_cast<double>(all),
-                      fmt::format("{} of {} pictures drawn", drawn, all));
-        });
-  }
-  for (const std::string& file : files) fmt::print("{}\n", file);
+  for (const std::string& file : draw_charts(run, arguments.out, in_source_tree("reports/web/chart.mjs")))
+    fmt::print("{}\n", file);
 }
 
 }  // namespace
@@ -72,8 +58,7 @@ void add_chart(Program& program) {
   command.flag("--stability", arguments->stability,
                "also measure how steady the answers are along paths of pairs");
   command.section("Output");
-  command.option("--out DIR", arguments->out,
-                 "folder for SVG files, and PNG if rsvg-convert is installed; requires Node.js");
+  command.option("--out DIR", arguments->out, "folder for SVG files; requires Node.js");
   command.examples(
       "  daylight bench --curves --json bench.json\n"
       "  daylight chart runs/latest --bench bench.json --stability --out charts",

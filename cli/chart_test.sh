@@ -18,8 +18,3 @@ expect 0 'a drawing' "$daylight" chart 'runs/a b' --out 'my charts'
 holds 'it names the file' out '^my charts/map-angle-margin-fcl-libccd.svg$'
 holds 'the method is on the plot' 'my charts/map-angle-margin-fcl-libccd.svg' fcl-libccd
 expect 0 'XML' xmllint --noout 'my charts/map-angle-margin-fcl-libccd.svg'
-if command -v rsvg-convert >/dev/null; then
-  equal 'a PNG' PNG "$(head -c 4 'my charts/map-angle-margin-fcl-libccd.png' | tail -c 3)"
-else
-  "$skip" 'PNG: apt-get install librsvg2-bin' || [[ $? == 77 ]]
-fi

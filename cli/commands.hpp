@@ -23,7 +23,6 @@ void add_fuzz(Program& program);
 void add_gate(Program& program);
 void add_judge(Program& program);
 void add_merge(Program& program);
-void add_near(Program& program);
 void add_replay(Program& program);
 void add_scene(Program& program);
 void add_triage(Program& program);

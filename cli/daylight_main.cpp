@@ -19,13 +19,13 @@ void say(const std::exception& error) {
 
 int run(int argc, char** argv) {
   cyl::Program program("daylight",
-                       "Is there daylight between two cylinders? Answers with a proof, and finds the methods "
+                       "Is there daylight between two solids? Answers with a proof, and finds the methods "
                        "that get it wrong.",
                        cyl::build_info().text());
   for (const auto add :
        {cyl::add_check, cyl::add_ask, cyl::add_judge, cyl::add_campaign, cyl::add_merge, cyl::add_fuzz,
         cyl::add_worst, cyl::add_replay, cyl::add_triage, cyl::add_explain, cyl::add_export, cyl::add_chart,
-        cyl::add_gate, cyl::add_bench, cyl::add_scene, cyl::add_near, cyl::add_families, cyl::add_vectors})
+        cyl::add_gate, cyl::add_bench, cyl::add_scene, cyl::add_families, cyl::add_vectors})
     add(program);
   try {
     return program.run(argc, argv);

@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,19 +34,17 @@
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
 #include "reports/gate/gate_writers.hpp"
-#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 namespace {
 
 struct GateArguments {
   std::string cap, methods, junit, json, against, keep;
-  std::optional<std::string> cases, suppressions;
+  std::optional<std::string> cases;
   std::string corpus;
   std::optional<std::uint64_t> seed, pairs;
   bool laws = false;
   GuestOptions guests;
-  std::vector<std::string> annotate;
 };
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
@@ -107,51 +101,14 @@ std::string replay_options(const JudgedGate& gate, std::span<const std::unique_p
   return options;
 }
 
-/// The earlier results that a gate is compared with.
-struct Known {
-  GateBase base;
-  std::vector<Suppression> suppressions;
-};
-
-/// Reads the place at which a guest's failures are shown: "FILE:LINE" for all, or "NAME=FILE:LINE". Throws
-/// UsageError if there is no guest or no such file.
-std::map<std::string, SourceLine> places_of(std::span<const std::string> options,
-                                            std::span<const Guest> guests) {
-  std::map<std::string, SourceLine> places;
-  for (const std::string& option : options) {
-    bool used = false;
-    const auto place = [&](const Guest& guest, std::string_view text) {
-      places[guest.name] = source_line(text);
-      used = true;
-    };
-    for (const Guest& guest : guests)
-      if (option.starts_with(guest.name + '='))
-        place(guest, std::string_view(option).substr(guest.name.size() + 1));
-    if (!used)
-      for (const Guest& guest : guests) place(guest, option);
-    if (!used) throw UsageError("--annotate needs a guest: give --plugin or --command");
-  }
-  for (const auto& [name, place] : places)
-    if (!std::filesystem::is_regular_file(place.file))
-      throw UsageError("--annotate: '" + place.file + "' is not a file");
-  return places;
-}
-
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options. `everyone`
-/// may be empty if nothing is suppressed.
-JudgedGate judge(GateReport report, const Known& known, std::span<const std::unique_ptr<Method>> everyone,
-                 std::span<const Guest> guests, std::span<const Case> cases,
-                 const std::map<std::string, SourceLine>& places) {
+/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
+JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests) {
   JudgedGate gate = judged(std::move(report));
-  mark_known(gate, known.base);
-  note_gaps(gate, known.base);
-  judge_suppressions(gate, everyone, cases, known.suppressions, today());
+  mark_known(gate, base);
+  note_gaps(gate, base);
   for (const Guest& guest : guests)
-    for (JudgedFailure& failure : gate.failures) {
-      if (failure.method != guest.name) continue;
-      failure.options = options_for(guest);
-      if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
-    }
+    for (JudgedFailure& failure : gate.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
   return gate;
 }
 
@@ -181,20 +138,18 @@ int gate(const GateArguments& arguments) {
   MethodSet set = with_guests(arguments.guests, arguments.methods, true);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
-  const auto places = places_of(arguments.annotate, guests);
   options.seed = arguments.seed.value_or(options.seed);
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
   const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  Known known;
+  GateBase base;
   if (!arguments.against.empty()) {
-    known.base = read_base(arguments.against);
-    options.seed = known.base.seed;
-    options.pairs = known.base.pairs;
-    options.amount = known.base.amount;
+    base = read_base(arguments.against);
+    options.seed = base.seed;
+    options.pairs = base.pairs;
+    options.amount = base.amount;
   }
-  known.suppressions = read_suppressions(arguments.suppressions, in_source_tree("suppressions.jsonl"));
   if (!arguments.corpus.empty()) add_corpus(cases, arguments.corpus, options.seed);
   const StopSignals signals;  // before the first line, after which a caller may stop the gate
   fmt::print("seed {}\n", options.seed);
@@ -202,11 +157,7 @@ int gate(const GateArguments& arguments) {
 
   options.stopped = StopSignals::asked;
   GateReport report = run_with_progress(methods, cases, options);
-  std::vector<std::unique_ptr<Method>> everyone;
-  if (!known.suppressions.empty()) everyone = with_guests(arguments.guests).methods;
-  const JudgedGate judged = judge(std::move(report), known, everyone, guests, cases, places);
-  const char* actions = std::getenv("GITHUB_ACTIONS");
-  if (actions && actions == std::string_view("true")) fmt::print("{}", gate_github(judged));
+  const JudgedGate judged = judge(std::move(report), base, guests);
   fmt::print("{}", gate_text(judged));
   write_files(arguments, judged);
   if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
@@ -244,10 +195,6 @@ void add_gate(Program& program) {
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
   command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
-  command
-      .option("--annotate FILE:LINE", arguments->annotate,
-              "source line to blame in JUnit and GitHub; NAME=FILE:LINE for one plug-in or command")
-      .one_each();
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.flag("--laws", arguments->laws, "only list the laws");
@@ -257,17 +204,11 @@ void add_gate(Program& program) {
               "rerun the pairs of this earlier gate's JSON, and fail only on new or more frequent causes")
       .excludes("--pairs")
       .excludes("--seed");
-  command
-      .option("--suppressions FILE", arguments->suppressions,
-              "file of known causes; their failures do not change the exit code")
-      .default_text("suppressions.jsonl");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml\n"
       "  daylight gate --plugin ./libmine.so --claim 1e-6 --against main.json",
-      "With GITHUB_ACTIONS=true in the environment, gate prints annotations for the log of GitHub Actions.\n"
-      "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes, hangs, or a\n"
-      "suppression that is no longer needed. 3 can also mean that a method gave no verdict on more\n"
-      "than half of its pairs.");
+      "Exit code 2 of gate means broken laws, verdicts that are proved wrong, crashes or hangs. 3 can\n"
+      "also mean that a method gave no verdict on more than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

@@ -5,7 +5,6 @@ set -euo pipefail
 
 # shellcheck source=SCRIPTDIR/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
-unset GITHUB_ACTIONS # which asks for annotations
 gate() { expect "$1" "gate ${*:2}" "$daylight" gate "${@:2}"; }
 
 # The known cases once; else ten of them, beside which a copy of the program stands.
@@ -21,9 +20,8 @@ cp -- "$daylight" bin
 daylight=$scratch/bin/daylight
 gate 0 --method intersect,decide --pairs 500 --json ours.json
 
-GITHUB_ACTIONS=true gate 2 --method libccd-mpr --pairs 500 --json mpr.json --keep mpr.jsonl
+gate 2 --method libccd-mpr --pairs 500 --json mpr.json --keep mpr.jsonl
 holds 'a broken law' out '^1\. libccd-mpr[-a-z0-9]* breaks law '
-holds 'an annotation' out '^::error file='
 [[ -s mpr.jsonl ]] || failed 'no case was kept'
 expect 0 'the kept cases are cases' "$daylight" check mpr.jsonl
 
@@ -52,10 +50,9 @@ without_times other.json >other
 ! cmp -s first other || failed 'another seed is the same gate'
 
 # A cap on time cuts it: more pairs than any machine asks in a second.
-GITHUB_ACTIONS=true gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml
+gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml
 holds 'the cut' out '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, since the time was over$'
 holds 'a cut gate says that nothing fails' out '^Nothing that was asked fails the gate'
-holds 'an annotation of it' out '^::warning .*not asked::sample of all strata'
 holds 'JSON has it' cut.json '"not_asked": \[$'
 holds 'JUnit has it' cut.xml '<error type="not asked"'
 
@@ -73,20 +70,10 @@ equal 'a stopped gate' 3 "$code"
 holds 'what it did not ask' stopped.json 'rounds, since the gate was stopped"'
 holds 'JUnit has it' stopped.xml '<error type="not asked"'
 
-# What fails of a guest is shown in the guest's tree, or nowhere.
+# What is sent about a guest has no path of ours.
 liar='liar=while read -r q; do echo "{\"verdict\":\"disjoint\"}"; done'
-gate 2 --command "$liar" --for 1s --pairs 4000000000
-lacks 'annotations that nobody asked for' out '^::error'
-: >src/liar.sh
-GITHUB_ACTIONS=true gate 2 --command "$liar" --pairs 100 --junit liar.xml
-holds 'an annotation of a guest' out '^::error title=liar breaks law '
+gate 2 --command "$liar" --pairs 100 --junit liar.xml
 ! grep -qF -e "$source_tree" -e "$scratch" liar.xml || failed 'a path of ours is in what is sent'
-GITHUB_ACTIONS=true gate 2 --command "$liar" --pairs 100 --junit liar.xml --annotate "$PWD/src/liar.sh:3"
-holds 'an annotation in its tree' out '^::error file=src/liar.sh,line=3,title=liar breaks law '
-holds 'JUnit names it' liar.xml '<testcase .*file="src/liar.sh" line="3"'
-gate 64 --command "$liar" --annotate src/none.sh:3
-gate 64 --command "$liar" --annotate other=src/liar.sh:3
-gate 64 --annotate src/liar.sh:3
 
 # Against a base all of its pairs are asked, and what has grown is reported, or it is said what was not.
 gate 0 --method libccd-mpr --against mpr.json
@@ -122,16 +109,9 @@ gate 3 --method intersect,decide --against ours.json --for 1ms
 gate 64 --against mpr.json --pairs 100
 gate 64 --against mpr.json --seed 2
 gate 64 --pairs 0
-printf '{"cause":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
-GITHUB_ACTIONS=true gate 2 --method intersect --pairs 100 --suppressions stale.jsonl --junit stale.xml --json stale.json
-holds 'a stale suppression' out 'nobody/hang \(line 1\) matches no stored case'
-holds 'a stale suppression' out '^::error title=daylight gate::'
-holds 'a stale suppression' stale.xml '<failure type="remark"'
-holds 'a stale suppression' stale.json '"exit_code": 2'
 printf 'while read -r line; do echo '\''{"verdict":"undecided"}'\''; done\n' >src/silent.sh
-GITHUB_ACTIONS=true gate 2 --command "silent=bash src/silent.sh" --cases '' --pairs 300 --suppressions stale.jsonl
-holds 'a doubt beside a stale suppression' out '^::warning title=daylight gate::silent abstains on every pair'
-holds 'the suppression beside a doubt' out '^::error title=daylight gate::the suppression of nobody/hang'
+gate 3 --command "silent=bash src/silent.sh" --cases '' --pairs 300
+holds 'a doubt' out '^silent abstains on every pair'
 gate 64 --method nobody
 gate 65 --against ours.xml
 gate 0 --laws

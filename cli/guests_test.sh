@@ -126,19 +126,6 @@ expect 0 'its pair' "$daylight" export nights/newer balls/wrong_disjoint --out n
 expect 0 'the same cause' "$daylight" explain nights/newer balls/wrong_disjoint
 grep -qxFf newer/case.jsonl out || failed 'explain and export take another pair of one cause'
 expect 0 'the version before' "$daylight" replay newer/case.jsonl --methods balls --plugin balls=./libballs.so
-# A suppression of a guest's cause holds while a stored case shows the cause.
-sed 's/  more\[0\] = /  if (a[0] == b[0] \&\& a[1] == b[1] \&\& a[2] == b[2]) return DAYLIGHT_DISJOINT;\n&/' balls.c >centred.c
-cc -shared -fPIC -I "$source_tree/oracles" -DABI=3 -DSHAPES=0 centred.c -lm -o libcentred.so
-mkdir -p centred none
-ball='{"center":[1,2,3],"axis":[0,0,1],"radius":0,"height":0,"rounding":2}'
-printf '{"id":"concentric","a":%s,"b":%s}\n' "$ball" "$ball" >centred/cases.jsonl
-# It excuses the laws that the cause breaks.
-printf '{"cause":"balls/wrong_disjoint","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >known.jsonl
-expect 2 'a fault' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred
-holds 'a fault' out 'breaks law 22 Lipschitz'
-expect 0 'a fault, suppressed and stored' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases centred --suppressions known.jsonl
-expect 2 'a suppression, the case gone' "$daylight" gate --plugin ./libcentred.so --pairs 300 --cases none --suppressions known.jsonl
-holds 'a suppression, the case gone' out 'balls/wrong_disjoint \(line 1\) matches no stored case'
 # A claim does not excuse a normal that is square to the right one, or zero.
 for normal in 'b[0] - a[0], more[2] = b[1] - a[1], more[3] = b[2] - a[2]' 'b[1] - a[1], more[2] = a[0] - b[0], more[3] = 0' \
     '0, more[2] = 0, more[3] = 0'; do

@@ -176,11 +176,6 @@ void Command::run(std::function<int()> work) {
   app_->callback([work = std::move(work), exit_code = exit_code_] { *exit_code = work(); });
 }
 
-void Command::run_unparsed(std::function<int(const std::vector<std::string>&)> work) {
-  app_->prefix_command();
-  run([work = std::move(work), app = app_] { return work(app->remaining()); });
-}
-
 Program::Program(const std::string& name, const std::string& summary, const std::string& version)
     : app_(std::make_unique<CLI::App>(summary, name)) {
   app_->formatter(std::make_shared<HelpFormat>());

@@ -73,8 +73,6 @@ class Command {
 
   /// Sets the work of this command, which returns the exit code.
   void run(std::function<int()> work);
-  /// Does the same, and passes the words after the command without parsing them.
-  void run_unparsed(std::function<int(const std::vector<std::string>&)> work);
 
  private:
   CLI::App* app_;

@@ -21,6 +21,7 @@ namespace {
 struct SceneArguments {
   std::string json, srdf, srdf_out;
   std::vector<std::string> at, files_from;
+  bool table = false;
   SceneOptions question;
 };
 
@@ -45,9 +46,7 @@ void check_length(const char* option, double length) {
 void check_count(const Scene& scene) {
   const std::size_t cylinders = scene.bodies.size();
   if (cylinders > study_cap)
-    throw UsageError(
-        fmt::format("{} cylinders: a study has up to {}{}", cylinders, study_cap,
-                    stands_still(scene) ? ". 'daylight near' finds the close pairs of more cylinders" : ""));
+    throw UsageError(fmt::format("{} cylinders: a study has up to {}", cylinders, study_cap));
 }
 
 int study(SceneArguments& arguments) {
@@ -70,7 +69,7 @@ int study(SceneArguments& arguments) {
   }
   check_count(scene);
   const SceneStudy s = study_scene(scene, question);
-  fmt::print("{}", study_text(scene, question, s));
+  fmt::print("{}", study_text(scene, question, s, arguments.table));
   if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, question, s));
   if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
   if (s.verification.wrong > 0) return exit_findings;
@@ -125,6 +124,8 @@ void add_scene(Program& program) {
       .option("--srdf-out FILE", arguments->srdf_out,
               "write an SRDF that disables neighbours and proved pairs; implies --prove")
       .writable();
+  command.flag("--table", arguments->table,
+               "also list each model, and the pairs that are proved or need more");
   command.option("--json FILE", arguments->json, "write everything as JSON").writable();
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --json robot.json\n"

@@ -7,13 +7,11 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/files.hpp"
 #include "base/safe_text.hpp"
-#include "base/source_tree.hpp"
 #include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
@@ -22,16 +20,13 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/targets.hpp"
-#include "corpus/store/case_files.hpp"
 #include "reports/run/report_data.hpp"
-#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 namespace {
 
 struct TriageArguments {
   std::string run, budget, json;
-  std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
   bool new_only = false;
@@ -47,10 +42,7 @@ int triage(const TriageArguments& arguments) {
   options.against = arguments.against;
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
   options.jobs = arguments.jobs;
-  options.suppressions = read_suppressions(arguments.suppressions, in_source_tree("suppressions.jsonl"));
-  options.today = today();
   options.build = build_info().text();
-  if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus/cases"));
 
   const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
   Triage result;
@@ -61,8 +53,8 @@ int triage(const TriageArguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("{} of {} findings have a cause, {} simplified, {} searched", p.classified, p.findings,
-                      p.simplified, counted(p.searched, "cause")));
+          fmt::format("{} of {} findings have a cause, {} simplified", p.classified, p.findings,
+                      p.simplified));
     });
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });
@@ -81,8 +73,7 @@ int triage(const TriageArguments& arguments) {
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(p.classified, "stored finding"));
   if (others > 0) fmt::print(", and {} only in other runs", counted(others, "cause"));
-  fmt::print("\n{} simplified, {} searched for a worse pair (--for gives more time)\n",
-             counted(p.simplified, "pair"), counted(p.searched, "cause"));
+  fmt::print("\n{} simplified (--for gives more time)\n", counted(p.simplified, "pair"));
   if (remaining > 0)
     fmt::print("the time was over, and {} findings remain: run triage again to continue\n", remaining);
   if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
@@ -101,10 +92,6 @@ void add_triage(Program& program) {
   command.section("Input");
   command.option("--against DIR", arguments->against, "triaged runs to compare with")
       .default_text("the runs in the same folder");
-  command
-      .option("--suppressions FILE", arguments->suppressions,
-              "file of known causes; their findings do not change the exit code")
-      .default_text("suppressions.jsonl");
   command.section("Limits");
   command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("30s");
   command.number("--jobs N", arguments->jobs, "processes; the causes do not depend on it", 1, 1024);
@@ -119,12 +106,9 @@ void add_triage(Program& program) {
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",
       "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
-      "RUN/causes/ has a pair of each cause, the simplest if there was time. If a search\n"
-      "found a pair worse than every finding of the cause, KEY.worst.jsonl has it.\n"
+      "RUN/causes/ has a pair of each cause, the simplest if there was time.\n"
       "Plug-ins and commands are those of the run, unless you give some.\n"
-      "Exit code 2 of triage means that a cause beyond a claim is not suppressed. 3 also means that "
-      "findings\n"
-      "remain to be examined.");
+      "Exit code 3 of triage also means that findings remain to be examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
     return triage(*arguments);

@@ -1,19 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Triage of the executable given as $1, as a person sees it: exit codes, files, going on after a kill, suppressions.
+# Triage of the executable given as $1, as a person sees it: exit codes, files, going on after a kill.
 set -euo pipefail
 
 # shellcheck source=SCRIPTDIR/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
-mkdir -p bin corpus/cases # a suppression has every method asked about every case: here about ten
-sed -n 70,79p "$source_tree/corpus/cases/hand_made.jsonl" >corpus/cases/few.jsonl
-cp -- "$daylight" bin/daylight
-daylight=$scratch/bin/daylight
 
 triage() { # with more time until every finding was looked at
   local seconds
   for seconds in 2 8 32 128; do
-    expect 2 "triage $1" "$daylight" triage "$@" --for "${seconds}s" --suppressions ''
+    expect 2 "triage $1" "$daylight" triage "$@" --for "${seconds}s"
     grep -q 'findings remain: run triage again' out || return 0
   done
 }
@@ -32,7 +28,7 @@ holds 'overflow is a cause' out '^\* fcl-libccd/overflow'
 holds 'it is written' causes.json '"key": "fcl-libccd/overflow"'
 [[ -s night/report.html ]] || failed 'no page'
 equal 'a simple pair a cause' "$(grep -c '"key"' causes.json)" \
-  "$(find night/causes -name '*.jsonl' ! -name '*.worst.jsonl' -exec cat {} + | wc -l)"
+  "$(find night/causes -name '*.jsonl' -exec cat {} + | wc -l)"
 [[ -s night/causes/fcl-libccd.overflow.jsonl ]] || failed 'the file of a cause is not called as it is'
 cat night/causes/*.jsonl >simple.jsonl
 expect 0 'the simple pairs are pairs' "$daylight" check simple.jsonl
@@ -54,20 +50,6 @@ kill -KILL -- "-$triaging" || failed 'it ended before it was killed'
 triage killed --json again.json
 equal 'the same causes after a kill' "$keys" "$(grep '"key"' again.json | sort)"
 
-# Suppressed causes are shown and do not fail; one that nothing stored shows is reported.
-for key in $(sed -n 's/^\* \([^, ]*\).*/\1/p' out) nobody/hang; do
-  printf '{"cause":"%s","reason":"known","link":"-","owner":"ada","expires":"2999-12-31"}\n' "$key"
-done >known.jsonl
-expect 0 'suppressed' "$daylight" triage night --for 1s --suppressions known.jsonl
-holds 'what is suppressed is shown' out 'overflow.*suppressed'
-holds 'a stale suppression' out 'nobody/hang \(line [0-9]*\) matches no stored case'
-sed s/2999/2020/ known.jsonl >expired.jsonl
-expect 2 'expired' "$daylight" triage night --for 1s --suppressions expired.jsonl
-holds 'which' out 'fcl-libccd/overflow \(line [0-9]*\) expired on 2020-12-31'
-printf '{"cause":"overflow","owner":7}\n' >bad.jsonl
-expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
-holds 'its place' err 'bad.jsonl: line 1, column 29: owner is not a text'
-
 # The second morning: nothing is new.
 rm -r killed
 expect 2 'another night' "$daylight" "${night[@]}" --seed 4 --out night2
@@ -77,11 +59,11 @@ lacks 'nothing is gone' out ', gone'
 mkdir -p empty
 expect 64 'nothing to compare with' "$daylight" triage night2 --for 1s --against empty
 holds 'nothing to compare with' err 'empty holds no run$'
-expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json --suppressions ''
+expect 0 'only what is new' "$daylight" triage night2 --for 1s --new-only --json new.json
 holds 'what changed is still reported' out '^0 new causes, [0-9]+ known'
 lacks 'no known cause is listed' out '^\* '
 equal 'none is written' '[]' "$(<new.json)"
-expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json --suppressions ''
+expect 2 'without an earlier run' "$daylight" triage night --for 1s --new-only --json new.json
 equal 'all are new' "$(grep -c '"key"' causes.json)" "$(grep -c '"key"' new.json)"
 page_data night2/report.html >page.json
 expect 0 'the page has the nights' python3 - page.json <<'END'

@@ -38,7 +38,7 @@ function(daylight_room folder)
     target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
     target_link_libraries(${target} PUBLIC ${libraries})
     if(NOT target STREQUAL daylight_solver)
-      # For the Python module, which compiles the solver, where it would cost time, once more.
+      # For shared libraries that link what is installed. The solver would be slower.
       set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
       target_compile_options(${target} PRIVATE -fno-semantic-interposition)
     endif()

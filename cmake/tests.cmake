@@ -25,8 +25,8 @@ endfunction()
 # them, ctest -L FOLDER both.
 set(process_suites Batch Bench Campaign Child Confine Contained
     Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
-    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Suppressed Triage Worker
-    Worst WorstOfCause)
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Triage Worker
+    Worst)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
 
@@ -89,7 +89,6 @@ daylight_script(docs_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/d
 daylight_script(exact_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/exact_test.py)
 daylight_script(exact_boxes_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/exact_boxes_test.py)
 daylight_script(vectors_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/vectors/vectors_test.py ${program})
-daylight_script(add_gate_test cli 600 ${PROJECT_SOURCE_DIR}/cmake/gate/gate_test.sh ${program})
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
 foreach(part data browser build)

@@ -200,12 +200,6 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
 
 bool moves(const Scene& scene) { return std::any_of(scene.links.begin(), scene.links.end(), is_free); }
 
-bool stands_still(const Scene& scene) {
-  const auto is_other = [](const Body& body) { return body.box || body.solid.shape != Shape::cylinder; };
-  return scene.links.size() == scene.bodies.size() && scene.left_out.empty() && !moves(scene) &&
-         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_other);
-}
-
 Solid box_at(const Pose& pose, const Vector3& edges) {
   return {.center = pose.translation(),
           .shape = Shape::box,

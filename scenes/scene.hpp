@@ -131,8 +131,6 @@ std::vector<double> joints_at(const Scene& scene,
 void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);
-/// Returns whether nothing moves and every shape is a cylinder of its own, rounded or not.
-bool stands_still(const Scene& scene);
 
 /// Returns a box around the middle of a pose, with edges of these lengths along its axes.
 Solid box_at(const Pose& pose, const Vector3& edges);

@@ -1,33 +1,14 @@
 # SPDX-License-Identifier: MIT
 # What can be installed beside the solver, a component at a time. `program` is the program with what it reads. Other programs
-# may link the solver (library.cmake) and two more libraries:
-#   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
-#   oracles   every method, compare and the readers behind them; everything
-# The fifth, `python`, is in python/python.cmake.
+# may link the solver (library.cmake) and `exact`: decide_exactly and the referee, which need GMP, MPFR and MPFI too.
 # Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
 # "solver/solid.hpp" in it are both found.
 
-# Which objects are in which library: every library is made of whole rooms, but for `exact`, which the readers belong to.
-function(daylight_objects_of result)
-  set(all "")
-  foreach(room ${ARGN})
-    daylight_target_of(${room} target)
-    list(APPEND all $<TARGET_OBJECTS:${target}>)
-  endforeach()
-  set(${result} ${all} PARENT_SCOPE)
-endfunction()
-daylight_objects_of(exact_objects corpus/pairs oracles/referee)
-daylight_objects_of(oracles_objects base base/process solver/literature corpus/store oracles/methods oracles/trial)
-
-daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
+daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt
+  OBJECTS $<TARGET_OBJECTS:daylight_corpus_pairs> $<TARGET_OBJECTS:daylight_oracles_referee>
   HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
           corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp corpus/pairs/size_range.hpp corpus/pairs/solid_kind.hpp
           base/enum_words.hpp)
-daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
-                 ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt seccomp mujoco
-  HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
-          oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
-          corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)
 
 # The program finds these by their names in the source tree (base/source_tree.hpp). Its page is inside it. Not installed: what
 # fuzzes, which is made of the sources and tells so when it is asked for.
@@ -40,8 +21,6 @@ foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
 endforeach()
-install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/gate/feature.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/daylight-gate COMPONENT program)
 
 # The portable archive (ninja portable): the program with the libraries that it needs, except those of the C and C++
 # compilers, which plug-ins share; vectors. It runs on any machine with a glibc as new as this one's.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // ammo.js (Bullet in single precision): contactPairTest of two objects, and the least distance of its contacts.
-import { readFileSync } from 'node:fs';
 import Ammo from 'ammo.js';
 import { serve } from './lines.mjs';
 
-const { version } = JSON.parse(readFileSync(new URL('node_modules/ammo.js/package.json', import.meta.url)));
 const Bullet = typeof Ammo === 'function' ? await Ammo() : Ammo;
 const configuration = new Bullet.btDefaultCollisionConfiguration(), dispatcher = new Bullet.btCollisionDispatcher(configuration);
 const world = new Bullet.btDiscreteDynamicsWorld(
@@ -39,9 +37,9 @@ function placed(s) {
   return { object, end: () => [object, shape, pose, at, turn].forEach((gone) => Bullet.destroy(gone)) };
 }
 
-const rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
+const rounded_rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder', 'half_space', 'box'], rounded_rims: rims }, (a, b) => {
+serve({ npm: 'ammo.js', call: 'btCollisionWorld.contactPairTest', claim, shapes, rounded_rims }, (a, b) => {
   const one = placed(a), other = placed(b);
   least = Infinity;
   world.contactPairTest(one.object, other.object, heard);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // cannon-es: a test of separating axes of two polyhedra. The prisms lie inside the cylinders.
-import { readFileSync } from 'node:fs';
 import { Box, Cylinder, Narrowphase, Plane, Quaternion, Vec3 } from 'cannon-es';
 import { serve } from './lines.mjs';
 
-const { version } = JSON.parse(readFileSync(new URL('node_modules/cannon-es/package.json', import.meta.url)));
 const sides = 8; // numSegments of its constructor
 
 const toY = new Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2); // from z, the normal of its planes
@@ -20,7 +18,7 @@ const placed = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: 1e-6, source: 'cannon-es.js, Vec3.almostZero: an axis shorter than 1e-6 is passed over' };
-serve({ name: 'cannon', version, claim, takes: ['cylinder', 'half_space', 'box'] }, (a, b) => {
+serve({ npm: 'cannon-es', call: 'ConvexPolyhedron.findSeparatingAxis', claim, shapes }, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   const [one, at, turn] = placed(a), [other, ...there] = placed(b), axis = new Vec3();
   const meet = a.kind === 'half_space'

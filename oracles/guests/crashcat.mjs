@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // crashcat's collideShapeVsShape of two solids, with its default settings. Cylinders and boxes are made with sharp edges.
-import { readFileSync } from 'node:fs';
+// Its boxes have rounded edges only for its GJK.
 import * as crashcat from 'crashcat';
-import { all_kinds, serve } from './lines.mjs';
+import { serve } from './lines.mjs';
 
-const { version } = JSON.parse(readFileSync(new URL('node_modules/crashcat/package.json', import.meta.url)));
 const { box, capsule, collideShapeVsShape, createAnyCollideShapeCollector, createDefaultCollideShapeSettings, cylinder, plane, sphere } = crashcat;
 crashcat.registerAllShapes();
 const settings = createDefaultCollideShapeSettings(), found = createAnyCollideShapeCollector();
@@ -23,8 +22,7 @@ const operand = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: settings.collisionTolerance, source: 'collisionTolerance of its default settings: closer is considered to be colliding' };
-const takes = all_kinds.filter((kind) => kind !== 'rounded_box'); // its boxes have rounded edges only for its GJK
-serve({ name: 'crashcat', version, claim, takes }, (a, b) => {
+serve({ npm: 'crashcat', call: 'collideShapeVsShape', claim, shapes }, (a, b) => {
   const kinds = [a.kind, b.kind];
   if (kinds.includes('half_space') && kinds.includes('rounded')) return { declined: 'its planes see sharp cylinders' };
   found.reset();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The guests in Node share this: a hello, then an answer line for each line of a pair. Most engines use single
 // precision and keep a cylinder along y. So positions count from the centre of a bounded solid before they are rounded.
+import { readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
 /** The vector in a length that has squares, upside down if y is negative. */
@@ -16,10 +17,11 @@ function turnFromY(axis) {
 /** Its plane is y = 0 before the turn, and contains the point of it that is nearest to the origin. */
 function halfSpaceOf({ point, normal }, origin) {
   const line = upright(normal), length = Math.hypot(...line), { x, z, w } = turnFromY(normal);
-  const offset = line.reduce((sum, c, i) => sum + (c / length) * (point[i] - origin[i]), 0);
+  const away = point.map((c, i) => c - origin[i]);
+  const offset = line.reduce((sum, c, i) => sum + (c / length) * away[i], 0);
   const [px, py, pz] = line.map((c) => (c / length) * offset);
   const turn = normal[1] < 0 ? { x: w, y: z, z: 0, w: -x } : { x, y: 0, z, w }; // half a turn about x first
-  return { kind: 'half_space', lengths: [], position: { x: px, y: py, z: pz }, turn };
+  return { kind: 'half_space', lengths: [], position: { x: px, y: py, z: pz }, turn, away: Math.hypot(...away) };
 }
 
 /** The unit quaternion of any quaternion but 0. */
@@ -46,17 +48,18 @@ function solidOf(solid, origin) {
 
 /** Lengths whose fourth powers single precision holds. */
 const least = 1e-9, most = 1e9;
+/** A point of a half-space this far off leaves the rounding errors of its plane below the claims. */
+const farthest = 1e6;
 
-function fits({ lengths, position }) {
-  return lengths.every((x) => x === 0 || (x >= least && x <= most)) &&
+function fits({ lengths, position, away = 0 }) {
+  return away <= farthest && lengths.every((x) => x === 0 || (x >= least && x <= most)) &&
     Object.values(position).every((x) => Math.abs(x) <= most);
 }
 
-/** All kinds of solids that daylight asks about. */
-export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded', 'half_space', 'box', 'rounded_box'];
-
-/** `answer` takes two solids and gives an answer line as an object. */
-export function serve(hello, answer) {
+/** `answer` takes two solids and gives an answer line as an object. `npm` names the package that it asks. The keys of
+    `shapes` are the kinds that it takes. */
+export function serve({ npm, shapes, ...hello }, answer) {
+  const { version } = JSON.parse(readFileSync(new URL(`node_modules/${npm}/package.json`, import.meta.url)));
   // Answers to lines that arrive together leave together: a write for each line would take longer than the answer.
   let said = '';
   const flush = () => { process.stdout.write(said); said = ''; };
@@ -64,12 +67,13 @@ export function serve(hello, answer) {
     if (said === '') setImmediate(flush);
     said += JSON.stringify(object) + '\n';
   };
-  say(hello);
+  const install = `npm install --prefix . ${npm}@${version}`;
+  say({ ...hello, version, takes: Object.keys(shapes), install, files: ['lines.mjs'] });
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
     try {
       const solids = [a, b].map((solid) => solidOf(solid, a.center ?? b.center));
-      say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
+      say(solids.every(fits) ? answer(...solids) : { declined: 'too far, or beyond single precision' });
     } catch (error) {
       say({ error: String(error) });
       flush();

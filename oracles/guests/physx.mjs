@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // PhysX's overlap of two solids, and the separation that its GJK finds. Cylinders and rounded boxes are convex cores.
 import { readFileSync } from 'node:fs';
-import { all_kinds, serve } from './lines.mjs';
+import { serve } from './lines.mjs';
 
 // The package is built for browsers, and looks for them while it loads.
 const node = globalThis.process;
 const wasmBinary = readFileSync(new URL('node_modules/physx-js-webidl/physx-js-webidl.wasm', import.meta.url));
-const { version } = JSON.parse(readFileSync(new URL('node_modules/physx-js-webidl/package.json', import.meta.url)));
 globalThis.window = globalThis;
 globalThis.process = undefined;
 const PhysX = await (await import('physx-js-webidl')).default({ wasmBinary });
@@ -51,8 +50,9 @@ function placed(s) {
   return { geometry, pose, end: () => [geometry, pose, turn, at].forEach((gone) => PhysX.destroy(gone)) };
 }
 
+// isValid() of its geometries asks for a volume, hence `zero`.
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of the length scale 1' };
-serve({ name: 'physx', version, claim, takes: all_kinds }, (a, b) => {
+serve({ npm: 'physx-js-webidl', call: 'PxGeometryQuery.overlap', claim, shapes, sizes: { zero: false } }, (a, b) => {
   const [one, other] = [placed(a), placed(b)];
   const meet = query.overlap(one.geometry, one.pose, other.geometry, other.pose);
   for (const gone of [one, other]) gone.end();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rapier's (parry's) test of two solids.
 import RAPIER from '@dimforge/rapier3d-compat';
-import { all_kinds, serve } from './lines.mjs';
+import { serve } from './lines.mjs';
 
 await RAPIER.init();
 const claim = { relative: 1e-6, absolute: 1.2e-6, source: 'parry gjk eps_tol(): 10 units of the last place of 1 in single precision' };
@@ -14,7 +14,7 @@ const shapes = {
   rounded_box: (s) => new RAPIER.RoundCuboid(...s.half, s.rounding),
   rounded: (s) => new RAPIER.RoundCylinder(s.halfHeight, s.radius, s.rounding),
 };
-serve({ name: 'rapier', version: RAPIER.version(), claim, takes: all_kinds }, (a, b) => {
+serve({ npm: '@dimforge/rapier3d-compat', call: 'Shape.intersectsShape', claim, shapes }, (a, b) => {
   const [first, second] = [a, b].map((s) => shapes[s.kind](s));
   const meet = first.intersectsShape(a.position, a.turn, second, b.position, b.turn);
   return { verdict: meet ? 'intersecting' : 'disjoint' };

@@ -75,8 +75,11 @@ class CommandMethod final : public Method {
     if (guest_.name.empty()) guest_.name = hello_.name.empty() ? name_after(guest.what) : hello_.name;
     set_name({guest_.name});
     if (hello_.version.empty()) hello_.version = "unversioned";
-    if (const auto files = files_of(guest); !files.empty())
-      hello_.version.append(" (").append(fingerprint(files)).append(")");
+    auto files = files_of(guest);
+    const auto folder = files.empty() ? "" : std::filesystem::path(files[0]).parent_path();
+    for (const std::string& file : hello_.upstream.files) files.push_back((folder / file).string());
+    if (!files.empty()) hello_.version.append(" (").append(fingerprint(files)).append(")");
+    hello_.upstream.files = std::move(files);
     if (hello_.claim_source.empty()) hello_.claim_source = "none made";
   }
 
@@ -87,6 +90,7 @@ class CommandMethod final : public Method {
   }
   bool guest() const override { return true; }
   bool program() const override { return true; }
+  const Upstream& upstream() const { return hello_.upstream; }
   using Method::supports;
   bool supports(SolidKind kind) const override { return hello_.supports[static_cast<std::size_t>(kind)]; }
   const SizeRange* sizes() const override { return &hello_.sizes; }
@@ -254,6 +258,7 @@ OpenedGuest open_command(const Guest& guest) {
   auto method = std::make_unique<CommandMethod>(guest);
   Guest named = guest;
   named.name = method->name();
+  named.upstream = method->upstream();
   return {std::move(named), std::move(method)};
 }
 

@@ -17,6 +17,13 @@ namespace cyl {
 
 enum class GuestKind : unsigned char { plugin, command };
 
+/// How the maintainers of a program's library can run the program.
+struct Upstream {
+  std::string call;                ///< what it calls: "mj_geomDistance"
+  std::string install;             ///< the command that installs the library into its folder; empty if unknown
+  std::vector<std::string> files;  ///< of the program
+};
+
 /// Names a guest well enough to ask it again.
 struct Guest {
   GuestKind kind;
@@ -25,6 +32,7 @@ struct Guest {
   std::string folder;                ///< the working directory of the command; empty for a plug-in
   std::string method = {};           ///< one method of a plug-in's library; all if empty
   std::optional<double> claim = {};  ///< relative; replaces the guest's own claim
+  Upstream upstream = {};            ///< known of an opened program whose hello states it
 };
 
 /// Reads "NAME=WHAT" or "WHAT" of a command line, relative to the working directory. A name begins with a

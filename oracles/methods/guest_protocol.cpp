@@ -98,8 +98,9 @@ SizeRange sizes_of(const json& sizes) {
 }
 
 GuestHello hello_of(const json& line) {
-  refuse_other_keys(line, "the hello",
-                    {"name", "version", "claim", "takes", "sizes", "rounded_rims", "depth"});
+  refuse_other_keys(
+      line, "the hello",
+      {"name", "version", "claim", "takes", "sizes", "rounded_rims", "depth", "call", "install", "files"});
   GuestHello hello;
   hello.name = text_of(line, "name");
   hello.version = text_of(line, "version");
@@ -125,6 +126,10 @@ GuestHello hello_of(const json& line) {
       throw std::invalid_argument("depth is neither exact nor at_most");
     hello.depth_at_most = depth == "at_most";
   }
+  hello.upstream = {text_of(line, "call"), text_of(line, "install"), {}};
+  for (const json& file : line.value("files", json::array()))
+    hello.upstream.files.push_back(file.is_string() ? file.get<std::string>()
+                                                    : throw std::invalid_argument("a file is no string"));
   const auto claim = line.find("claim");
   if (claim == line.end()) return hello;
   if (!claim->is_object()) throw std::invalid_argument("claim is no object");

@@ -4,7 +4,8 @@
 //
 //   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"},
 //    "takes":["sphere","box"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false,
-//    "coordinate":1e6,"gap":10},"depth":"at_most"}
+//    "coordinate":1e6,"gap":10},"depth":"at_most","call":"mine::meet","install":"npm install mine@1.2",
+//    "files":["shared.mjs"]}
 //   {"verdict":"disjoint","distance":0.5,"direction":[1,0,0]}
 //   {"verdict":"intersecting","distance":-0.1,"point":[0,0,1]}
 //   {"verdict":"disjoint","distance_at_least":0.5}
@@ -22,6 +23,7 @@
 
 #include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
+#include "oracles/methods/guest.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -35,6 +37,7 @@ struct GuestHello {
   /// The kinds of solids that it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
   SizeRange sizes;  ///< of the solids that it is asked about
+  Upstream upstream;
 };
 
 struct GuestAnswer {

@@ -66,13 +66,17 @@ TEST(GuestLines, DecliningIsNoFailing) {
 
 TEST(GuestLines, AHello) {
   const GuestLine line = parse_guest_line(
-      R"({"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":1e-9,"source":"manual"}})");
+      R"({"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":1e-9,"source":"manual"},)"
+      R"("call":"meet","install":"make","files":["mine.h"]})");
   ASSERT_TRUE(line.hello) << line.error;
   EXPECT_EQ(line.hello->name, "mine");
   EXPECT_EQ(line.hello->version, "1.2");
   EXPECT_EQ(line.hello->relative, 1e-6);
   EXPECT_EQ(line.hello->absolute, 1e-9);
   EXPECT_EQ(line.hello->claim_source, "manual");
+  EXPECT_EQ(line.hello->upstream.call, "meet");
+  EXPECT_EQ(line.hello->upstream.install, "make");
+  EXPECT_EQ(line.hello->upstream.files, std::vector<std::string>{"mine.h"});
 }
 
 TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
@@ -91,10 +95,10 @@ TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
   EXPECT_TRUE(parse_guest_line(R"({"takes":["half_space","sphere"]})").hello);
   EXPECT_EQ(parse_guest_line(R"({"takes":["box","rounded_box"]})").hello->supports,
             (std::array{false, false, false, false, false, true, true}));
-  for (const char* wrong :
-       {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
-        R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",
-        R"({"name":"x","sizes":{"least":2,"greatest":1}})", R"({"name":"x","sizes":{"zero":1}})"})
+  for (const char* wrong : {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
+                            R"({"name":"x","sizes":{"gap":-1}})", R"({"name":"x","sizes":{"coordinates":9}})",
+                            R"({"name":"x","sizes":{"least":2,"greatest":1}})",
+                            R"({"name":"x","sizes":{"zero":1}})", R"({"name":"x","files":[1]})"})
     EXPECT_NE(parse_guest_line(wrong).error, "") << wrong;
 }
 

@@ -40,12 +40,6 @@ std::string beyond_in_words(const RegionEnd& end) {
   return end.right_samples == 0 ? "right" : fmt::format("right ({})", counted(end.right_samples, "sample"));
 }
 
-std::string column_title(Parameter p) {
-  return std::string(to_string(p)) + (p == Parameter::angle   ? " (rad)"
-                                      : p == Parameter::scale ? " (2^k)"
-                                                              : "");
-}
-
 /// Returns "reports intersecting for solids up to 9.9e-07 apart", ...
 std::string failure_in_words(const Trial& asked, const std::vector<FailingRegion>& regions) {
   switch (asked.finding()->kind) {
@@ -82,32 +76,9 @@ bool is_supported(const FailingRegion& r, const RegionEnd& end) {
          !end.fails_beyond && end.right_samples >= several && failing_samples(r) >= several;
 }
 
-/// Returns the parameters along which the table shows an end that the samples do not support.
-std::vector<std::string> hardly_sampled(const std::vector<FailingRegion>& regions) {
-  std::vector<std::string> found;
-  for (const FailingRegion& r : regions) {
-    const auto ends = [&](const RegionEnd& end) {
-      return end.beyond && end.beyond->right() && end.beyond->meets() == end.failing.meets() &&
-             !is_supported(r, end);
-    };
-    const bool is_named = r.parameter == Parameter::distance || r.parameter == Parameter::scale;
-    if (!is_named && (ends(r.low) || ends(r.high))) found.emplace_back(to_string(r.parameter));
-  }
-  return found;
-}
-
-/// Returns the parameters along which the failure continues on both sides as far as was tried.
-std::vector<std::string> indifferent(const std::vector<FailingRegion>& regions) {
-  std::vector<std::string> found;
-  for (const FailingRegion& r : regions)
-    if (!r.low.ends_at && !r.high.ends_at && failing_samples(r) >= several)
-      found.emplace_back(to_string(r.parameter));
-  return found;
-}
-
-/// Names the cause as triage does. The table states at which scales the method is right.
+/// Names the cause as triage does.
 std::string cause_in_words(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
-                           const Trial& asked, const std::vector<FailingRegion>& regions) {
+                           const Trial& asked) {
   const Method& own = *methods[failing.method];
   const Classification found = classify(methods, {&failing, 1}, probe_caps)[0];
   const auto groups = algorithm_groups(
@@ -117,10 +88,6 @@ std::string cause_in_words(std::span<const std::unique_ptr<Method>> methods, con
   std::string text = "Triage calls the cause " + key;
   if (found.mechanism != Mechanism::unclassified) text += fmt::format(" ({})", in_words(found.mechanism));
   if (found.right_sibling) text += fmt::format("; {} is right", methods[*found.right_sibling]->name());
-  const FailingRegion& scale = *std::ranges::find(regions, Parameter::scale, &FailingRegion::parameter);
-  const auto is_right = [](const RegionEnd& end) { return end.beyond && end.beyond->right(); };
-  if (found.mechanism == Mechanism::unclassified && !is_right(scale.low) && !is_right(scale.high))
-    text += "; no scale that was tried, and no other setting, makes it right";
   return text + '.';
 }
 
@@ -131,7 +98,7 @@ std::string regions_table(const std::vector<FailingRegion>& regions) {
   std::string text =
       fmt::format(fmt::runtime(row), "fails along", "from", "here", "to", "samples", "below", "above");
   for (const FailingRegion& r : regions)
-    text += fmt::format(fmt::runtime(row), column_title(r.parameter), number(r.low.fails_at), number(r.at),
+    text += fmt::format(fmt::runtime(row), to_string(r.parameter), number(r.low.fails_at), number(r.at),
                         number(r.high.fails_at), failing_samples(r), beyond_in_words(r.low),
                         beyond_in_words(r.high));
   return text;
@@ -142,10 +109,8 @@ std::string regions_table(const std::vector<FailingRegion>& regions) {
 std::vector<std::string> supported_ranges(const std::vector<FailingRegion>& regions) {
   std::vector<std::string> words;
   for (const FailingRegion& r : regions) {
-    if (r.parameter == Parameter::distance || r.parameter == Parameter::scale) continue;
-    // Far from the origin, the rounding of the centres changes the pair.
-    const bool low = is_supported(r, r.low),
-               high = r.parameter != Parameter::offset && is_supported(r, r.high);
+    if (r.parameter == Parameter::distance) continue;
+    const bool low = is_supported(r, r.low), high = is_supported(r, r.high);
     if (low && high)
       words.push_back(
           fmt::format("{} {:.3g} to {:.3g}", to_string(r.parameter), r.low.fails_at, r.high.fails_at));
@@ -175,18 +140,12 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   const std::vector<FailingRegion> regions = failing_regions(method, asked);
   const auto index = static_cast<std::size_t>(&method - methods.data());
   std::string sentences = fmt::format("{} {}. {}", name, failure_in_words(asked, regions),
-                                      cause_in_words(methods, {index, kind, pair}, asked, regions));
+                                      cause_in_words(methods, {index, kind, pair}, asked));
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
   if (regions[0].at != 0 && std::isfinite(regions[0].at))
     sentences += fmt::format(" If {} change, b moves so that the distance stays the same.",
                              has_box(pair) ? "angle or lengths" : "angle, radii or heights");
-  if (const auto few = hardly_sampled(regions); !few.empty())
-    sentences += fmt::format(
-        " The end that the table shows along {} is not certain: samples are few, or some beyond it fail.",
-        fmt::join(few, " and "));
-  if (const auto rest = indifferent(regions); !rest.empty())
-    sentences += fmt::format(" Samples do not show that it depends on {}.", fmt::join(rest, " or "));
   return text + '\n' + regions_table(regions) + '\n' + sentences + '\n';
 }
 

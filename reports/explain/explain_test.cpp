@@ -17,12 +17,11 @@
 namespace cyl {
 namespace {
 
-/// Answers intersecting for solids nearer than `tolerance`, if the distance of the first centre from the
-/// origin is at least `place`.
-std::unique_ptr<Method> blurred(std::string name, double tolerance, double place = 0) {
+/// Answers intersecting for solids nearer than `tolerance`.
+std::unique_ptr<Method> blurred(std::string name, double tolerance) {
   const auto ask = [=](const Pair& pair) {
-    const double blur = pair.a.center.norm() >= place ? tolerance : 0;
-    return answered(approximate_distance(pair).value <= blur ? Verdict::intersecting : Verdict::disjoint);
+    const bool near = approximate_distance(pair).value <= tolerance;
+    return answered(near ? Verdict::intersecting : Verdict::disjoint);
   };
   return fake_method(std::move(name), ask, {.claim = {.absolute = tolerance / 100, .source = "this test"}});
 }
@@ -31,7 +30,6 @@ std::vector<std::unique_ptr<Method>> blurred_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(blurred("blurred-way", 1e-3));
   methods.push_back(blurred("blurred-way-fine", 1e-9));
-  methods.push_back(blurred("blurred-far", 1e-3, 1e3));
   return methods;
 }
 
@@ -40,13 +38,6 @@ Pair stacked() {
   Pair pair;
   pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};
   pair.b = {{0.25, 0.5, 2.0001}, {0, 0, 1}, 1, 2};
-  return pair;
-}
-
-Pair far_away() {
-  Pair pair = stacked();
-  pair.a.center.x() += 5e3;
-  pair.b.center.x() += 5e3;
   return pair;
 }
 
@@ -108,11 +99,6 @@ TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
 TEST(FailingRegion, ShowsWhatMatters) {
   const auto methods = blurred_methods();
   const auto regions = failing_regions(methods[0], try_method(methods[0], stacked()));
-  const FailingRegion& scale = region(regions, Parameter::scale);
-  EXPECT_EQ(scale.high.fails_at, 3);
-  EXPECT_EQ(*scale.high.ends_at, 4);
-  EXPECT_TRUE(scale.high.beyond->right());
-  EXPECT_EQ(scale.low.fails_at, -3) << "smaller, the gap is within the claim";
   const FailingRegion& angle = region(regions, Parameter::angle);
   EXPECT_FALSE(angle.low.ends_at);
   EXPECT_FALSE(angle.high.ends_at);
@@ -122,11 +108,6 @@ TEST(FailingRegion, ShowsWhatMatters) {
     EXPECT_LT(region(regions, p).low.fails_at, 0.01) << to_string(p);
     EXPECT_GT(region(regions, p).high.fails_at, 1e3) << to_string(p);
   }
-
-  const auto places = failing_regions(methods[2], try_method(methods[2], far_away()));
-  const FailingRegion& offset = region(places, Parameter::offset);
-  EXPECT_NEAR(offset.low.fails_at, 1e3, 20);
-  EXPECT_TRUE(offset.low.beyond->right());
 }
 
 struct OfBoxes : FakeMethod {
@@ -143,7 +124,7 @@ TEST(FailingRegion, BoxesHaveEdgesAndTurn) {
   Pair pair{box, box};
   pair.b.center = {0.25, 0.5, 2.0001};
   const auto regions = failing_regions(narrow, try_method(narrow, pair));
-  EXPECT_EQ(regions.size(), 10u);
+  EXPECT_EQ(regions.size(), 8u);
   const auto of = [&](Parameter p) { return *std::ranges::find(regions, p, &FailingRegion::parameter); };
   EXPECT_NEAR(of(Parameter::second_edge_b).high.fails_at, 3, 0.04);
   EXPECT_GT(of(Parameter::first_edge_b).high.fails_at, 100);
@@ -157,7 +138,7 @@ TEST(FailingRegion, EndsAtTheEndsOfTheDoubles) {
   const auto method = fake_method("all", [](const Pair&) { return answered(Verdict::intersecting); });
   for (const auto& [at, size] : {std::pair(1.5e308, 1e306), std::pair(1e-310, 1e-313)}) {
     const Pair pair{{{at, 0, 0}, {0, 0, 1}, size, size}, {{-at, 0, 0}, {0, 0, 1}, size, size}};
-    EXPECT_EQ(failing_regions(method, try_method(method, pair)).size(), 8u);
+    EXPECT_EQ(failing_regions(method, try_method(method, pair)).size(), 6u);
   }
 }
 
@@ -181,7 +162,6 @@ TEST(Explain, SumsUp) {
   EXPECT_TRUE(says(text, "\nblurred-way reports intersecting for solids up to 0.0"));
   EXPECT_TRUE(says(text, "blurred-way-fine is right"));
   EXPECT_TRUE(says(text, "If angle, radii or heights change, b moves so that the distance stays the same."));
-  EXPECT_TRUE(says(text, "Samples do not show that it depends on angle or "));
   EXPECT_TRUE(says(text, "within the claim"));
   EXPECT_FALSE(says(text, "right (0 samples)"));
   const auto groups = algorithm_groups(methods);
@@ -247,9 +227,6 @@ TEST(Explain, WhatFailsAtOneValueOnlyHasNoRange) {
   const std::string text =
       explain(blind([](double angle) { return angle >= right_angle; }), "blind", kind, square());
   EXPECT_FALSE(says(text, "it fails only with angle"));
-  EXPECT_TRUE(says(
-      text,
-      "The end that the table shows along angle is not certain: samples are few, or some beyond it fail."));
 }
 
 // A point has nowhere to go but away.

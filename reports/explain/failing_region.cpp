@@ -28,12 +28,11 @@ std::vector<Parameter> parameters_of(const Pair& pair) {
     all.insert(all.end(), {first_edge_b, second_edge_b, third_edge_b});
   else
     all.insert(all.end(), {radius_b, height_b});
-  all.insert(all.end(), {scale, offset});
   return all;
 }
 
-/// The most steps outwards. For the solids they reach a factor of 2^24 = 1.7e7. For distances and offsets
-/// they reach 2^52, which is more than a double resolves.
+/// The most steps outwards. For the solids they reach a factor of 2^24 = 1.7e7. For distances and angles they
+/// reach 2^52, which is more than a double resolves.
 constexpr int short_steps_cap = 24, long_steps_cap = 52;
 /// The first lengths of the steps that begin at 0, relative to the size.
 constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle = 0x1p-50;
@@ -96,26 +95,13 @@ class SearchPath {
     }
     if (size_ == 0) size_ = std::abs(distance_);  // two points
     lay_axes();
-    const Vector3 middle = (pair_.a.center / 2 + pair_.b.center / 2);
-    offset_ = middle.stableNorm();
-    outwards_ = offset_ > 0 ? Vector3(middle / offset_) : Vector3(Vector3(1, 1, 1) / std::sqrt(3.0));
   }
 
   Parameter parameter() const { return parameter_; }
 
   double here() const {
-    switch (parameter_) {
-      case distance:
-        return distance_;
-      case angle:
-        return angle_;
-      case scale:
-        return 0;
-      case offset:
-        return offset_;
-      default:
-        break;
-    }
+    if (parameter_ == distance) return distance_;
+    if (parameter_ == angle) return angle_;
     Pair p = pair_;
     return length(p);
   }
@@ -125,16 +111,8 @@ class SearchPath {
     switch (parameter_) {
       case distance:
         return distances(up);
-      case scale: {
-        std::vector<double> steps;
-        for (double k = 1; k <= 1024; k *= 2) steps.push_back(up ? k : -k);
-        return steps;
-      }
       case angle:
         return angles(up);
-      case offset:
-        return up ? growing(std::max(offset_, size_), size_, long_steps_cap)
-                  : shrinking(offset_, short_steps_cap);
       default:
         return up ? growing(here(), least_length * size_, short_steps_cap)
                   : shrinking(here(), short_steps_cap);
@@ -236,14 +214,6 @@ class SearchPath {
           p.b.axis = value == 0 && !is_box(p.a) ? p.a.axis : line;
         return kept(p);
       }
-      case scale:
-        return scaled_exactly(p, static_cast<int>(value));
-      case offset: {
-        const Vector3 by = (value - offset_) * outwards_;
-        p.a.center += by;
-        p.b.center += by;
-        return p;
-      }
       default:
         length(p) = value;
         return kept(p);
@@ -273,8 +243,8 @@ class SearchPath {
 
   Pair pair_;
   Parameter parameter_;
-  double size_, distance_ = 0, angle_ = 0, offset_ = 0;
-  Vector3 direction_{0, 0, 0}, along_, other_, across_, outwards_;
+  double size_, distance_ = 0, angle_ = 0;
+  Vector3 direction_{0, 0, 0}, along_, other_, across_;
 };
 
 double between(double x, double y) {
@@ -300,8 +270,6 @@ class Search {
     const double half = between(inner, outer), first = between(inner, half), last = between(half, outer);
     std::vector<double> values{between(inner, first), first, between(first, half), half,
                                between(half, last),   last,  between(last, outer)};
-    if (path_->parameter() == scale)
-      for (double& x : values) x = std::trunc(x);
     std::erase_if(values, [&](double x) { return x == inner || x == outer; });
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
@@ -350,7 +318,6 @@ class Search {
  private:
   bool is_narrow() const {
     const double x = end_.fails_at, y = *end_.ends_at;
-    if (path_->parameter() == scale) return std::abs(x - y) <= 1;
     return std::abs(x - y) <= region_share * std::max(std::abs(x), std::abs(y));
   }
 

@@ -22,8 +22,6 @@ enum class Parameter : unsigned char {
   height_a,
   radius_b,
   height_b,
-  scale,         ///< the exponent k of a factor 2^k for all lengths
-  offset,        ///< a length: of the middle between the centres from the origin, along its present direction
   first_edge_a,  ///< of boxes, which have no radius and height
   second_edge_a,
   third_edge_a,
@@ -32,10 +30,9 @@ enum class Parameter : unsigned char {
   third_edge_b
 };
 constexpr auto words_of(Parameter) noexcept {
-  return std::array{
-      "signed distance", "angle",           "radius of a",      "height of a",     "radius of b",
-      "height of b",     "scale",           "offset",           "first edge of a", "second edge of a",
-      "third edge of a", "first edge of b", "second edge of b", "third edge of b"};
+  return std::array{"signed distance", "angle",           "radius of a",      "height of a",
+                    "radius of b",     "height of b",     "first edge of a",  "second edge of a",
+                    "third edge of a", "first edge of b", "second edge of b", "third edge of b"};
 }
 
 /// One side of a region. The failure ends between the two values. Each is of a pair that was asked and
@@ -61,14 +58,14 @@ struct FailingRegion {
 
 /// Values are tried outwards from the pair's own by this factor (angles: by their distances from parallel and
 /// from perpendicular). Then the step at which the failure ends is
-/// bisected until its ends are this share apart (for `scale`, until they are neighbours), or this often.
+/// bisected until its ends are this share apart, or this often.
 inline constexpr double region_step = 2, region_share = 0.01;
 inline constexpr int region_rounds_cap = 6;
 
-/// Distance, angle, the lengths of a and of b, scale, offset. A parameter that cannot move has both ends at
+/// Distance, angle, the lengths of a and of b. A parameter that cannot move has both ends at
 /// its own value. (A flat solid's height may grow, an axis without the other's plane may not turn.) If angle
 /// or lengths move, b follows along the direction of the distance, so that the signed distance stays. If it
-/// is 0, b stays. Cost: about 600 pairs in the first round and 100 in each of the others. Deterministic.
+/// is 0, b stays. Cost: about 400 pairs in the first round and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
 }  // namespace cyl

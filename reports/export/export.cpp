@@ -6,6 +6,8 @@
 
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -236,6 +238,10 @@ std::string build(const LibraryCall& call, FindingKind kind) {
       call.packages, compiler_options, call.flags, kind == FindingKind::hang ? "timeout 10 " : "");
 }
 
+constexpr const char* thanks =
+    "\nThank you for the library. We found this by cross-examining several libraries on the same pairs and "
+    "proving each answer right or wrong.\n";
+
 Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& method) {
   return {
       .what = call.call,
@@ -250,9 +256,7 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
               ? "It ends as described above."
               : "It prints the answer. Its exit code is 1 while the answer is wrong, and 0 once it is right.",
           compiler_options, call.flags),
-      .closing =
-          "\nThank you for the library. We found this by cross-examining several libraries on the same pairs "
-          "and proving each answer right or wrong.\n",
+      .closing = thanks,
       .axes = AxesGiven::of_unit_length,
       .files = {{"reproduce.cpp", reproducing_program(call, p, method)},
                 {"build.sh", build(call, p.finding()->kind)}}};
@@ -284,6 +288,25 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
   Guest elsewhere = guest;
   elsewhere.what = without_folders(guest.what, guest);
   const std::string kind = guest.kind == GuestKind::plugin ? "plug-in" : "program";
+  const Upstream& upstream = guest.upstream;
+  if (const std::string script = reproducing_script(upstream, elsewhere.what, p, method.claim());
+      !script.empty()) {
+    const std::string package = upstream.install.substr(upstream.install.rfind(' ') + 1);
+    Export files{{"reproduce.sh", script}, {"case.jsonl", format_pair(p.pair) + '\n'}};
+    for (const fs::path file : upstream.files) {
+      std::ifstream in(file, std::ios::binary);
+      files[file.filename()].assign(std::istreambuf_iterator<char>(in), {});
+    }
+    return {
+        .what = upstream.call,
+        .whom = fmt::format("`{}` of {}, called by `{}`", upstream.call, package, elsewhere.what),
+        .how = fmt::format("`sh reproduce.sh` installs {} into its folder and asks it about `case.jsonl`. "
+                           "Its exit code is 1 while the answer is wrong, and 0 once it is right.",
+                           package),
+        .closing = thanks,
+        .axes = AxesGiven::as_they_are,
+        .files = std::move(files)};
+  }
   return {.what = guest.name,
           .whom = fmt::format("`{}` {}: a {}, `{}`", guest.name, one_line(method.version()), kind,
                               elsewhere.what),

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reports/gate/judged_gate.hpp"
@@ -22,9 +20,6 @@ using Alike = std::vector<const JudgedFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const JudgedGate& gate, bool failing);
 
-/// Returns the place that "FILE:LINE", or FILE alone, names.
-SourceLine source_line(std::string_view text);
-
 /// A failure in words: each is one line of valid UTF-8 that steers no terminal.
 struct FailureView {
   std::string method;
@@ -35,9 +30,6 @@ struct FailureView {
   std::string again;            ///< "fails 10 of 10 times", ..; empty if it was not run again
   std::string found, simplest;  ///< pairs as JSON
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law
-  /// The place of the case, else of the law. For a guest it is its source, or none, because our files are not
-  /// in its tree. The file is valid UTF-8, relative to the current folder if it lies below it.
-  std::optional<SourceLine> place;
 };
 FailureView view_of(const JudgedFailure& failure);
 FailureView view_of(const Alike& alike);  ///< the first of them, with the pairs of all

@@ -55,7 +55,7 @@ inline JudgedGate example_gate() {
   report.undecided_truths = 3;
 
   GateMethod intersect{.name = "intersect",
-                       .version = "0.1.0",
+                       .version = "0.2.0",
                        .claim = {1e-13, 0, "derived bound"},
                        .counts = {},
                        .cells = {},

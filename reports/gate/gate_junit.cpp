@@ -92,11 +92,6 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   add(add_properties(suite, gate), "property", {{"name", "version"}, {"value", one_line(method.version)}});
   for (const TestCase& test : tests) {
     pugi::xml_node node = add(suite, "testcase", {{"classname", name}, {"name", one_line(test.name)}});
-    if (!test.failures.empty() && test.failures.front()->at) {
-      const SourceLine place = *view_of(*test.failures.front()).place;
-      node.append_attribute("file") = xml(one_line(place.file)).c_str();
-      node.append_attribute("line") = place.line;
-    }
     for (const JudgedFailure* f : test.failures) {
       const FailureView view = view_of(*f);
       add(node, "failure",
@@ -114,34 +109,28 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const JudgedG
   return counts;
 }
 
-/// Adds a suite of the gate itself. A missing question and a doubt is a test in error, and a remark that
-/// fails the gate is a test that failed. Returns its counts.
-Counts add_gate_itself(pugi::xml_node suites, const JudgedGate& gate) {
-  const auto leading_to = [&](int code) {
-    return static_cast<std::size_t>(std::ranges::count(gate.remarks, code, &GateRemark::exit_code));
-  };
-  const std::size_t failures = leading_to(exit_findings),
-                    errors = gate.not_asked.size() + leading_to(exit_undecided);
-  const Counts counts{failures + errors, failures, errors};
-  if (counts.tests == 0) return counts;
+/// Adds a suite of the gate itself. Each missing question and each doubt is a test in error. Returns their
+/// number.
+std::size_t add_gate_itself(pugi::xml_node suites, const JudgedGate& gate) {
+  const auto doubts = std::ranges::count(gate.remarks, exit_undecided, &GateRemark::exit_code);
+  const std::size_t errors = gate.not_asked.size() + static_cast<std::size_t>(doubts);
+  if (errors == 0) return 0;
   pugi::xml_node suite = suites.append_child("testsuite");
-  add_totals(suite, "daylight gate", counts);
+  add_totals(suite, "daylight gate", {errors, 0, errors});
   add_properties(suite, gate);
-  const auto add_test = [&](const std::string& name, const char* outcome, const char* type,
-                            const std::string& message) {
-    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", name}}), outcome,
+  const auto add_test = [&](const std::string& name, const char* type, const std::string& message) {
+    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", name}}), "error",
         {{"type", type}, {"message", message}});
   };
   for (const std::string& line : gate.not_asked) {
     const std::string what = one_line(line);
-    add_test("asked: " + what, "error", "not asked", "not asked: " + what);
+    add_test("asked: " + what, "not asked", "not asked: " + what);
   }
   for (const GateRemark& r : gate.remarks) {
     const std::string what = one_line(r.text);
-    if (r.exit_code == exit_findings) add_test(what, "failure", "remark", what);
-    if (r.exit_code == exit_undecided) add_test(what, "error", "undecided", what);
+    if (r.exit_code == exit_undecided) add_test(what, "undecided", what);
   }
-  return counts;
+  return errors;
 }
 
 }  // namespace
@@ -158,10 +147,8 @@ std::string gate_junit(const JudgedGate& gate) {
     all.tests += counts.tests;
     all.failures += counts.failures;
   }
-  const Counts itself = add_gate_itself(suites, gate);
-  all.tests += itself.tests;
-  all.failures += itself.failures;
-  all.errors = itself.errors;
+  all.errors = add_gate_itself(suites, gate);
+  all.tests += all.errors;
   std::chrono::milliseconds time{0};
   for (const GatePhaseReport& phase : gate.report.phases) time += phase.time;
   add_totals(suites, "daylight gate", all);

@@ -34,19 +34,13 @@ TEST(GateJunit, OneTestALawAndOneACaseThatFailed) {
   EXPECT_NE(document.find("name=\"seed\" value=\"18446744073709551615\""), std::string::npos);
 }
 
-TEST(GateJunit, OfAGuestNoFileOfOurs) {
+TEST(GateJunit, OfAGuestNoPathOfOurs) {
   JudgedGate gate = example_gate();
   JudgedFailure& f = gate.failures[3];
   f.origin = DAYLIGHT_SOURCE_DIR "/corpus/cases/found.jsonl:2 fuzz";
   f.options = "--plugin mine=./libmine.so";
-  EXPECT_EQ(gate_junit(gate).find(" file="), std::string::npos);
   EXPECT_NE(gate_junit(gate).find("name=\"case daylight's corpus/cases/found.jsonl:2 fuzz\""),
             std::string::npos);
-  f.at = SourceLine{"src/mine.cpp", 10};
-  const std::string document = gate_junit(gate);
-  EXPECT_EQ(occurrences(document, " file=\"src/mine.cpp\" line=\"10\""), 2u) << "its law and its case";
-  if (!succeeds("xmllint --version")) SKIP_WITHOUT("libxml2-utils");
-  EXPECT_TRUE(valid(document)) << document;
 }
 
 TEST(GateJunit, WhatWasNotAskedIsAnError) {
@@ -57,13 +51,11 @@ TEST(GateJunit, WhatWasNotAskedIsAnError) {
   EXPECT_NE(document.find("message=\"not asked: sample of all strata: 9 of 840 rounds"), std::string::npos);
 }
 
-TEST(GateJunit, ARemarkThatFailsTheGateIsAFailure) {
+TEST(GateJunit, ADoubtIsAnError) {
   JudgedGate gate;
-  gate.remarks = {{"x expired"}, {"y matches no case", exit_findings}, {"z abstains", exit_undecided}};
+  gate.remarks = {{"x is gone"}, {"z abstains", exit_undecided}};
   const std::string document = gate_junit(gate);
-  EXPECT_EQ(occurrences(document, "<failure "), 1u);
-  EXPECT_EQ(occurrences(document, "failures=\"1\""), 2u) << "of the suite and of all";
-  EXPECT_NE(document.find("message=\"y matches no case\""), std::string::npos);
+  EXPECT_EQ(occurrences(document, "errors=\"1\""), 2u) << "of the suite and of all";
   EXPECT_NE(document.find("<error type=\"undecided\" message=\"z abstains\""), std::string::npos);
 }
 

@@ -96,10 +96,9 @@ std::string in_full(std::size_t number, const Alike& alike) {
 std::string failures_text(const JudgedGate& gate) {
   const std::vector<Alike> failing = alike_failures(gate, true), others = alike_failures(gate, false);
   const int code = exit_code(gate);
-  const char* nothing = code == exit_findings     ? "No method fails the gate, but a suppression does.\n"
-                        : !gate.not_asked.empty() ? "Nothing that was asked fails the gate.\n"
-                        : code == exit_undecided  ? "Nothing fails the gate, but something is undecided.\n"
-                                                  : "Nothing fails the gate.\n";
+  const char* nothing = !gate.not_asked.empty()  ? "Nothing that was asked fails the gate.\n"
+                        : code == exit_undecided ? "Nothing fails the gate, but something is undecided.\n"
+                                                 : "Nothing fails the gate.\n";
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);

@@ -30,14 +30,4 @@ std::string proved_in_words(const GateMethod& method);
 /// its own. The time is that of the whole gate, because methods are asked side by side.
 std::string gate_junit(const JudgedGate& gate);
 
-/// Annotations of one kind that gate_github() writes; the service itself drops those of a step beyond ten.
-inline constexpr std::size_t annotations_cap = 10;
-
-/// Returns workflow commands of GitHub Actions, which become annotations of the case or the law, or
-/// of a guest's source line. There is one ::error for each method, law and kind of failure that
-/// fails the gate, in the order of the report. Then come a ::notice with the number of further ones,
-/// and a ::warning for each line of what was not asked. Empty if nothing fails the gate and all was
-/// asked.
-std::string gate_github(const JudgedGate& gate);
-
 }  // namespace cyl

@@ -17,12 +17,9 @@ JudgedGate judged(GateReport report) {
 bool fails_gate(const JudgedFailure& failure) { return is_error(failure) && !failure.known; }
 
 int exit_code(const JudgedGate& gate) {
-  const auto leads_to = [&](int code) {
-    return std::ranges::any_of(gate.remarks, [code](const GateRemark& r) { return r.exit_code == code; });
-  };
-  if (std::any_of(gate.failures.begin(), gate.failures.end(), fails_gate) || leads_to(exit_findings))
-    return exit_findings;
-  return leads_to(exit_undecided) || !gate.not_asked.empty() ? exit_undecided : exit_pass;
+  if (std::ranges::any_of(gate.failures, fails_gate)) return exit_findings;
+  const bool in_doubt = std::ranges::count(gate.remarks, exit_undecided, &GateRemark::exit_code) > 0;
+  return in_doubt || !gate.not_asked.empty() ? exit_undecided : exit_pass;
 }
 
 }  // namespace cyl

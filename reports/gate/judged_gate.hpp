@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,21 +12,14 @@
 
 namespace cyl {
 
-/// A place in a text.
-struct SourceLine {
-  std::string file;
-  unsigned line = 1;  ///< from 1
-};
-
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
-  bool known = false;                 ///< excused: the base has it on as many pairs, or it is suppressed
-  std::uint64_t in_base = 0;          ///< pairs of the base that failed like this, be it within the claim
-  std::string options = {};           ///< options that add a guest, else empty
-  std::optional<SourceLine> at = {};  ///< for a guest: its source line, if one was given
+  bool known = false;         ///< excused: the base has it on as many pairs
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this, be it within the claim
+  std::string options = {};   ///< options that add a guest, else empty
 };
 
-/// A line about the gate as a whole, such as an expired suppression, and the exit code that it leads to.
+/// A line about the gate as a whole, such as a doubt, and the exit code that it leads to.
 struct GateRemark {
   std::string text;
   int exit_code = exit_pass;
@@ -46,7 +38,7 @@ JudgedGate judged(GateReport report);
 /// Returns whether a failure is an error that is not known.
 bool fails_gate(const JudgedFailure& failure);
 
-/// Returns 2 if a failure or a remark fails the gate. Else returns 3 if a remark leaves doubt or something
+/// Returns 2 if a failure fails the gate. Else returns 3 if a remark leaves doubt or something
 /// was not asked, or 0.
 int exit_code(const JudgedGate& gate);
 

@@ -2,8 +2,6 @@
 // The plots of a run's page as files, for a paper or a README.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,11 +9,9 @@
 
 namespace cyl {
 
-/// Writes OUT/*.svg, and a .png beside each if rsvg-convert is installed. It passes report_json() of the run
-/// to the script chart.mjs, which is built from reports/web/, in Node. Returns the sorted files that it
-/// wrote. Throws std::runtime_error with the missing program or the failure. `on_picture` is called after
-/// each picture with the number drawn and the number of all.
-std::vector<std::string> draw_charts(const RunData& run, const std::string& out, const std::string& script,
-                                     const std::function<void(std::size_t, std::size_t)>& on_picture);
+/// Writes OUT/*.svg. It passes report_json() of the run to the script chart.mjs, which is built from
+/// reports/web/, in Node. Returns the sorted files that it wrote. Throws std::runtime_error with the missing
+/// program or the failure.
+std::vector<std::string> draw_charts(const RunData& run, const std::string& out, const std::string& script);
 
 }  // namespace cyl

@@ -300,23 +300,9 @@ void add_charts(json& report, const RunData& run) {
   if (run.charts.contains("speed_on")) report["speed_on"] = run.charts.at("speed_on");
 }
 
-/// Turns a list of objects into a list for each key, which compresses better. `sparse` has the keys that
-/// some objects lack, with null for these. run/report.ts and page_data.py reverse this.
-json columns_of(const json& objects) {
-  std::vector<std::string> keys;  // in the order of first use
-  std::map<std::string, std::size_t> uses;
-  for (const json& object : objects)
-    for (const auto& [key, value] : object.items())
-      if (uses[key]++ == 0) keys.push_back(key);
-  json full = json::object(), sparse = json::object();
-  for (const std::string& key : keys) {
-    json& column = (uses[key] == objects.size() ? full : sparse)[key] = json::array();
-    for (const json& object : objects) column.push_back(object.value(key, json()));
-  }
-  return {{"full", std::move(full)}, {"sparse", std::move(sparse)}};
-}
+}  // namespace
 
-json report_of(const RunData& run) {
+std::string report_json(const RunData& run) {
   const std::vector<MethodTally> tallies = tally_methods(run.tallies);
   json report = {{"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
@@ -325,20 +311,11 @@ json report_of(const RunData& run) {
   add_causes(report, run);
   add_findings(report, run);
   add_charts(report, run);
-  return report;
+  return report.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::string dump(const json& report) { return report.dump(-1, ' ', false, json::error_handler_t::replace); }
-
-}  // namespace
-
-std::string report_json(const RunData& run) { return dump(report_of(run)); }
-
 void write_page(const RunData& run) {
-  json report = report_of(run);
-  report["findings"] = columns_of(report["findings"]);
-  for (json& map : report["maps"]) map["cells"] = columns_of(map["cells"]);
-  replace_file(run.folder + "/report.html", fill_template(dump(report)));
+  replace_file(run.folder + "/report.html", fill_template(report_json(run)));
 }
 
 }  // namespace cyl

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <cmath>
 #include <filesystem>
@@ -29,39 +28,6 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 const std::string hostile = "</script></code></style><img src=x onerror=alert(1)>\"'&\x01<!--@@STYLE@@$&";
-
-/// Returns the JSON that a filled template holds, read by other code than wrote it; empty after a failure.
-std::string page_data(const std::string& page) {
-  const std::string before = "id=\"report-data\">";
-  const std::size_t at = page.find(before) + before.size(), end = page.find('<', at);
-  EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
-  std::string bytes, text(std::size_t{1} << 22, ' ');
-  unsigned bits = 0, known = 0;
-  for (std::size_t i = at; i < end && page[i] != '='; ++i) {
-    const std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    bits = bits << 6 | static_cast<unsigned>(digits.find(page[i]));
-    if ((known += 6) < 8) continue;
-    known -= 8;
-    bytes += static_cast<char>(bits >> known);
-  }
-  uLongf size = text.size();
-  const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &size,
-                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-  EXPECT_EQ(result, Z_OK);
-  return text.substr(0, result == Z_OK ? size : 0);
-}
-
-/// Returns the objects of a list that the page holds as columns.
-json objects_of(const json& columns) {
-  json objects = json::array();
-  for (const char* kind : {"full", "sparse"})
-    for (const auto& [key, column] : columns[kind].items())
-      for (std::size_t i = 0; i < column.size(); ++i) {
-        if (objects.size() <= i) objects.push_back(json::object());
-        if (!column[i].is_null() || kind == std::string_view("full")) objects[i][key] = column[i];
-      }
-  return objects;
-}
 
 class ReportData : public testing::Test {
  protected:
@@ -308,9 +274,9 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   EXPECT_EQ(page.find("<img"), page.npos);
   EXPECT_EQ(page.find('\x01', page.find("report-data")), page.npos);
 
-  const json report = parse_ordered_json(page_data(page));
+  const json report = data();
   EXPECT_EQ(report["unreadable"], 1);
-  const json findings = objects_of(report["findings"]);
+  const json& findings = report["findings"];
   std::string safe = hostile;
   safe.replace(safe.find('\x1'), 1, "\\u0001");  // the store reads no control characters
   ASSERT_EQ(findings.size(), 2u);
@@ -321,29 +287,6 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   EXPECT_EQ(report["cases"][0]["note"], hostile + "; " + hostile + "; " + hostile);
   EXPECT_EQ(report["cases"][1]["truth"]["verdict"], "undecided");
   EXPECT_EQ(report["cases"][1]["said"], json::array());
-}
-
-TEST_F(ReportData, ThePageHoldsTheSameFindingsAndMaps) {
-  RunStore store = RunStore::create(folder, {});
-  FindingRecord with_reason = finding(1, "other", 0.5), without_margin = finding(2, "fake", 1);
-  with_reason.reason = "why";
-  without_margin.margin.reset();
-  commit(store, {finding(0, "fake", 1), with_reason, without_margin});
-  const std::vector<json> cells = {{{"x", 1}, {"y", 2}, {"asked", 3}, {"finding", 4}},
-                                   {{"x", 2}, {"y", 0}, {"asked", 5}}};
-  const json maps = {{{"method", "fake"}, {"cells", cells}}, {{"method", "other"}, {"cells", json::array()}}};
-  put("charts.json", json{{"maps", maps}}.dump());
-  const RunData run = read_run(folder, families());
-  write_page(run);
-  std::ifstream in(folder / "report.html");
-  json page = parse_ordered_json(page_data({std::istreambuf_iterator<char>(in), {}})), whole = data();
-  EXPECT_TRUE(page["findings"].is_object()) << "they are packed";
-  EXPECT_EQ(nlohmann::json(objects_of(page["findings"])), nlohmann::json(whole["findings"]))
-      << "in any order of keys";
-  ASSERT_EQ(whole["findings"].size(), 3u);
-  ASSERT_EQ(page["maps"].size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(nlohmann::json(objects_of(page["maps"][i]["cells"])), nlohmann::json(maps[i]["cells"]));
 }
 
 TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {

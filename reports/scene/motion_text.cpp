@@ -22,7 +22,7 @@ Counts count_verdicts(const Proofs& proofs) {
   return counts;
 }
 
-/// Returns why pairs are open: " (2 after 100,000 boxes, 1 with a joint that is held)".
+/// Returns why pairs are open: ": 2 after up to 100,000 boxes, 1 with a joint that is held".
 std::string why_open(const std::vector<MotionProof>& proofs) {
   std::size_t bounded = 0, held = 0, left = 0, boxes = 0;
   for (const MotionProof& proof : proofs) {
@@ -34,7 +34,7 @@ std::string why_open(const std::vector<MotionProof>& proofs) {
   if (left > 0) reasons.push_back(fmt::format("{} after up to {}", left, counted(boxes, "box")));
   if (bounded > 0) reasons.push_back(fmt::format("{} near a bounding solid of a mesh or ellipsoid", bounded));
   if (held > 0) reasons.push_back(fmt::format("{} with a joint that is held", held));
-  return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, ", "));
+  return reasons.empty() ? "" : fmt::format(": {}", fmt::join(reasons, ", "));
 }
 
 /// Rounds down to three digits, so that the text does not claim more than is proved.
@@ -44,12 +44,12 @@ std::string rounded_down(double x) {
   return fmt::format("{:.3g}", std::floor(x / unit) * unit);
 }
 
-/// Returns " at shoulder=0.5 elbow=1", in the form that --at takes.
+/// Returns " --at shoulder=0.5 elbow=1", to paste behind the command.
 std::string joints_text(const Scene& scene, const MotionProof& proof) {
   std::vector<std::string> values;
   for (const std::size_t link : proof.between)
-    values.push_back(fmt::format("{}={}", scene.links[link].joint, proof.joints[link]));
-  return values.empty() ? " as it stands" : fmt::format(" at {}", fmt::join(values, " "));
+    values.push_back(fmt::format("{}={}", shell_quoted(scene.links[link].joint), proof.joints[link]));
+  return values.empty() ? " as it stands" : fmt::format(" --at {}", fmt::join(values, " "));
 }
 
 }  // namespace
@@ -60,7 +60,8 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
       return fmt::format("at least {} over all configurations, {:.3g} seen", rounded_down(proof.bound),
                          proof.least);
     case MotionVerdict::refuted:
-      return fmt::format("distance {:.3g}{}", proof.least, joints_text(scene, proof));
+      return fmt::format("{}distance {:.3g}{}", proof.always ? "in every configuration, " : "", proof.least,
+                         joints_text(scene, proof));
     case MotionVerdict::within:
       return fmt::format(
           "comes within the clearance: distance {:.3g}{}{}", proof.least, joints_text(scene, proof),
@@ -111,60 +112,59 @@ std::string rate_text(std::size_t draws) {
   return fmt::format("{:.3g} %", std::ceil(percent / unit * (1 - 1e-12)) * unit);
 }
 
-std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
-  if (!s.motions) return "";
-  const auto of = [](const Counts& counts, MotionVerdict verdict) {
+std::vector<std::string> verdict_lines(const SceneOptions& q, const SceneStudy& s) {
+  const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
+  const auto count = [](const Counts& counts, MotionVerdict verdict) {
     return counts[static_cast<std::size_t>(verdict)];
   };
-  const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
-  std::string text = fmt::format(
-      "over all motions, {}: {} proved never within {}, {} refuted by a configuration, {}{} open{}",
-      counted(s.pairs.size(), "pair"), of(pairs, MotionVerdict::never), q.clearance,
-      of(pairs, MotionVerdict::refuted),
-      q.clearance > 0
-          ? fmt::format("{} within the clearance without a contact, ", of(pairs, MotionVerdict::within))
-          : "",
-      of(pairs, MotionVerdict::open), why_open(s.motions->pairs));
-  if (!s.motions->exemptions.empty())
-    text += fmt::format(". \"Never\" in the SRDF, {}: {} proved, {} REFUTED, {} open",
-                        counted(s.motions->exemptions.size(), "link pair"),
-                        of(exempt, MotionVerdict::never) + of(exempt, MotionVerdict::within),
-                        of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
-  if (of(exempt, MotionVerdict::within) > 0)
-    text += fmt::format(" ({} of the proved pairs come within the clearance, but never touch)",
-                        of(exempt, MotionVerdict::within));
-  text += fmt::format(". Time of the proofs: {:.1f} s", s.motions->ms / 1000);
+  std::vector<std::string> lines{
+      fmt::format("never    {} of {}, proved over all motions to be farther apart than {} ({:.1f} s)",
+                  count(pairs, MotionVerdict::never), counted(s.pairs.size(), "pair"), q.clearance,
+                  s.motions->ms / 1000),
+      fmt::format("refuted  {}, each by a configuration in which they overlap or touch",
+                  count(pairs, MotionVerdict::refuted))};
+  if (q.clearance > 0)
+    lines.push_back(fmt::format("within   {} come within the clearance, and no contact was found",
+                                count(pairs, MotionVerdict::within)));
+  lines.push_back(
+      fmt::format("open     {}{}", count(pairs, MotionVerdict::open), why_open(s.motions->pairs)));
   if (s.motions->contradicted > 0)
-    text += fmt::format(
-        ". NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
-        s.motions->contradicted);
-  return text;
+    lines.push_back(
+        fmt::format("NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
+                    s.motions->contradicted));
+  if (!s.motions->exemptions.empty()) {
+    const std::size_t near = count(exempt, MotionVerdict::within);
+    lines.push_back(fmt::format(
+        "\"Never\" in the SRDF, {}: {} proved{}, {} REFUTED, {} open",
+        counted(s.motions->exemptions.size(), "link pair"), count(exempt, MotionVerdict::never) + near,
+        near > 0 ? fmt::format(" ({} come within the clearance, but never touch)", near) : "",
+        count(exempt, MotionVerdict::refuted), count(exempt, MotionVerdict::open)));
+  }
+  return lines;
 }
 
-std::string motions_text(const Scene& scene, const SceneStudy& s) {
-  if (!s.motions) return "";
-  std::string text;
-  for (const ExemptionProof& e : s.motions->exemptions) {
-    const Exemption& said = scene.exemptions[e.exemption];
-    text += fmt::format("  {:<8} {} - {}, \"Never\" in the SRDF: {}\n", to_string(e.verdict),
-                        scene.links[said.a].name, scene.links[said.b].name, exemption_text(scene, e));
+std::vector<std::string> proof_lines(const Scene& scene, const SceneStudy& s, bool all) {
+  std::vector<std::string> lines;
+  if (!s.motions) return lines;
+  std::vector<const ExemptionProof*> exemptions;
+  for (const ExemptionProof& e : s.motions->exemptions)
+    if (all || e.verdict == MotionVerdict::refuted || e.verdict == MotionVerdict::open)
+      exemptions.push_back(&e);
+  std::ranges::stable_sort(exemptions, {}, &ExemptionProof::verdict);
+  for (const ExemptionProof* e : exemptions) {
+    const Exemption& said = scene.exemptions[e->exemption];
+    lines.push_back(fmt::format("  {:<8} {} - {}, \"Never\" in the SRDF: {}", to_string(e->verdict),
+                                scene.links[said.a].name, scene.links[said.b].name,
+                                exemption_text(scene, *e)));
   }
-  std::vector<const MotionProof*> sorted;
-  for (const MotionProof& proof : s.motions->pairs) sorted.push_back(&proof);
-  std::ranges::stable_sort(sorted, {}, [](const MotionProof* proof) { return risk_of(*proof); });
-  std::size_t left_out = 0;
-  for (const MotionProof* proof : sorted) {
-    if (proof->verdict == MotionVerdict::never) {
-      ++left_out;
-      continue;
-    }
-    text += fmt::format("  {:<8} {} - {}: {}\n", to_string(proof->verdict), scene.bodies[proof->a].name,
-                        scene.bodies[proof->b].name, proof_text(scene, *proof));
-  }
-  if (left_out > 0)
-    text += fmt::format("  {:<8} {} more, which --json lists\n", to_string(MotionVerdict::never),
-                        counted(left_out, "pair"));
-  return text;
+  std::vector<const MotionProof*> pairs;
+  for (const MotionProof& proof : s.motions->pairs)
+    if (all || proof.verdict != MotionVerdict::never) pairs.push_back(&proof);
+  std::ranges::stable_sort(pairs, {}, [](const MotionProof* proof) { return risk_of(*proof); });
+  for (const MotionProof* proof : pairs)
+    lines.push_back(fmt::format("  {:<8} {} - {}: {}", to_string(proof->verdict), scene.bodies[proof->a].name,
+                                scene.bodies[proof->b].name, proof_text(scene, *proof)));
+  return lines;
 }
 
 }  // namespace cyl

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scenes/study/scene_study.hpp"
 
@@ -20,11 +21,11 @@ std::pair<MotionVerdict, double> risk_of(const MotionProof& proof);
 /// Returns "0.75 %": the upper bound at 95 % of a rate if none of these draws failed, rounded up.
 std::string rate_text(std::size_t draws);
 
-/// Returns how many pairs are proved, and how many link pairs that the SRDF calls "Never". Empty if no proof
-/// was wanted.
-std::string motions_words(const SceneOptions& question, const SceneStudy& study);
-/// Returns a line for each link pair that the SRDF calls "Never", and one for each pair, worst first. Without
-/// `every_pair`, one line counts the pairs that are proved to stay clear.
-std::string motions_text(const Scene& scene, const SceneStudy& study);
+/// Returns how many pairs are never near, refuted and open, a line each, and the same of the link pairs that
+/// the SRDF calls "Never". The study has proofs.
+std::vector<std::string> verdict_lines(const SceneOptions& question, const SceneStudy& study);
+/// Returns a line for each link pair that the SRDF calls "Never", then one for each pair, the worst first.
+/// Those that are proved are among them if `all`.
+std::vector<std::string> proof_lines(const Scene& scene, const SceneStudy& study, bool all);
 
 }  // namespace cyl

@@ -8,9 +8,10 @@
 
 namespace cyl {
 
-/// Returns the study as text, with the seed first. Pairs that are proved to stay clear over all motions are
-/// listed if `every_pair`, else counted.
-std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
+/// Returns the study as text: the verdict, the pairs that are refuted or open, then which models suffice. It
+/// has at most 40 lines, unless `table` adds every pair and every model.
+std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study,
+                       bool table = false);
 
 /// Returns an SRDF that disables link pairs with one link that carries the other ("Adjacent") and link pairs
 /// that are proved never to touch ("Never"). A comment states each proof. Other pairs that are not checked,

@@ -54,21 +54,17 @@ std::string shapes_words(const Scene& scene) {
   for (const auto& [shape, count] : bounded)
     words.push_back(counted(count, shape) +
                     (count == 1 ? " (as a bounding solid)" : " (as bounding solids)"));
-  std::map<std::string, std::size_t> others;
-  for (const auto& [shape, link] : scene.left_out) ++others[shape];
-  for (const auto& [shape, count] : others) words.push_back(counted(count, shape) + " (not tested)");
-  if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not tested");
-  return fmt::format("{}", fmt::join(words, ", "));
+  return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string counts_words(const Scene& scene) {
-  std::size_t turning = 0, mimics = 0;
+  std::size_t moving = 0, mimics = 0;
   for (const Link& link : scene.links) {
-    turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
+    moving += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
   }
   return fmt::format("{}; {}, {}{}", shapes_words(scene), counted(scene.links.size(), "link"),
-                     counted(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
+                     counted(moving, "moving joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
 std::string pairs_words(const Scene& scene, const SceneStudy& s) {
@@ -90,30 +86,69 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   return text;
 }
 
-std::string configurations_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  std::size_t unseen = 0, always = 0, unknown = 0;
-  for (const PairStudy& pair : s.pairs) {
-    unseen += pair.within == 0;
-    const bool known = is_known(scene, pair);
-    unknown += !known;
-    always += known && pair.within == pair.samples;
-  }
-  return fmt::format(
-      "{}, clearance {}: {} clear in all of them, {} within the clearance in all, {} in some{}",
-      counted(s.configurations, "configuration"), q.clearance, counted(unseen, "pair"), always,
-      s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
+const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
+
+/// The most pairs that one line names. --json has them all.
+constexpr std::size_t named_cap = 12;
+
+/// Returns ", because .. (table - hand, table - arm)" of the pairs that are not known.
+std::string why_unknown(const Scene& scene, const SceneStudy& s) {
+  std::vector<std::string> named;
+  std::size_t count = 0;
+  for (const PairStudy& pair : s.pairs)
+    if (!is_known(scene, pair) && ++count <= named_cap)
+      named.push_back(fmt::format("{} - {}", body(scene, pair.a), body(scene, pair.b)));
+  if (count == 0) return "";
+  if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
+  return fmt::format(", because the bounding solid of a mesh or ellipsoid comes within the clearance ({})",
+                     fmt::join(named, ", "));
+}
+
+struct Draws {
+  std::size_t clear = 0, always = 0, sometimes = 0, unknown = 0;  ///< pairs within the clearance
+};
+
+Draws draws_of(const Scene& scene, const SceneStudy& s) {
+  Draws draws;
+  for (const PairStudy& pair : s.pairs)
+    ++(pair.within == 0              ? draws.clear
+       : !is_known(scene, pair)      ? draws.unknown
+       : pair.within == pair.samples ? draws.always
+                                     : draws.sometimes);
+  return draws;
+}
+
+std::string configurations_words(const SceneOptions& q, const SceneStudy& s) {
+  return fmt::format("{} of seed {}, clearance {}", counted(s.configurations, "configuration"), q.seed,
+                     q.clearance);
+}
+
+std::string draws_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
+  const Draws draws = draws_of(scene, s);
+  return fmt::format("{}: {} clear in all, {} within it in some, {} in all, {} not known",
+                     configurations_words(q, s), counted(draws.clear, "pair"), draws.sometimes, draws.always,
+                     draws.unknown);
+}
+
+/// Returns what draws show. Only proofs may report "never".
+std::vector<std::string> draw_lines(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
+  const Draws draws = draws_of(scene, s);
+  return {fmt::format("clear    {} of {} in {} (--prove decides over all motions)", draws.clear,
+                      counted(s.pairs.size() - draws.unknown, "known pair"), configurations_words(q, s)),
+          fmt::format("within   {} in some, {} in all", draws.sometimes, draws.always),
+          fmt::format("open     {}{}", draws.unknown, why_unknown(scene, s))};
 }
 
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
 std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
 
-std::string models_table(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
+std::string models_table(const Scene& scene, const SceneStudy& s, double tolerated) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
   std::string text = "\n";
   text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
                       "false alarm", "missed");
   for (const Level level : enum_values<Level>) {
-    const Total t = total_of(scene, s, level, q.tolerated);
+    const Total t = total_of(scene, s, level, tolerated);
     text += fmt::format(fmt::runtime(row), to_string(level), count_text(t.decided),
                         fmt::format("{:.0f}", s.alone_ns[index_of(level)]), t.suffices, count_text(t.wrong),
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
@@ -132,11 +167,6 @@ std::string cascade_words(const Cascade& cascade) {
   return text + to_string(cascade.last);
 }
 
-const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
-
-/// The most unknown pairs that the text names. --json has them all.
-constexpr std::size_t named_cap = 12;
-
 /// Lists pairs by the most exact model that they need, then by false alarms of capsules, the worst first.
 std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::vector<const PairStudy*> pairs;
@@ -152,7 +182,7 @@ std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStu
   });
   std::string text;
   for (const PairStudy* pair : pairs)
-    text += fmt::format("  {} - {}: {} (capsules: {}, up to {:.3g})\n", body(scene, pair->a),
+    text += fmt::format("\n  {} - {}: {} (capsules: {}, up to {:.3g})", body(scene, pair->a),
                         body(scene, pair->b), cascade_words(pair->cascade),
                         counted(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm.length);
   return text;
@@ -194,21 +224,6 @@ std::string plural_of(Level level, const Scene& scene) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// Returns the pairs that are not known: "NOT KNOWN: 2 pairs, because .. (table - hand, table - arm)".
-std::string not_known_words(const Scene& scene, const SceneStudy& s) {
-  std::vector<std::string> named;
-  std::size_t count = 0;
-  for (const PairStudy& pair : s.pairs) {
-    if (is_known(scene, pair) || ++count > named_cap) continue;
-    named.push_back(fmt::format("{} - {}", body(scene, pair.a), body(scene, pair.b)));
-  }
-  if (count == 0) return "";
-  if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
-  return fmt::format(
-      "NOT KNOWN: {}, because the bounding solid of a mesh or ellipsoid comes within the clearance ({})",
-      counted(count, "pair"), fmt::join(named, ", "));
-}
-
 /// For a mesh or ellipsoid, samples show only that its bounding solid is clear in all of them.
 std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
   const auto rests_on_draws = [&](const PairStudy& pair) {
@@ -231,14 +246,10 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Shapes that were not tested are named next to the recommendation, because boxes touch things too.
 std::vector<std::string> remark_words(const Scene& scene, const SceneStudy& s) {
-  std::vector<std::string> words{clear_bounds_words(scene, s), not_known_words(scene, s)};
+  std::vector<std::string> words{clear_bounds_words(scene, s)};
   if (const std::vector<std::string> held = joints_held_between(scene, s); !held.empty())
     words.push_back(fmt::format("NOT MOVED: {}", fmt::join(held, ", ")));
-  if (!scene.left_out.empty())
-    words.push_back(fmt::format("NOT TESTED: {}", fmt::join(left_out_words(scene), ", ")));
-  std::erase(words, "");
   return words;
 }
 
@@ -284,26 +295,56 @@ std::string verified_words(const SceneStudy& s) {
                      counted(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
 }
 
-std::string line(const std::string& words, const char* before = "") {
-  return words.empty() ? "" : before + words + "\n";
+/// The most lines of a text without tables, and the most notes of its scene among them.
+constexpr std::size_t line_count_cap = 40, notes_cap = 4;
+
+using TextLines = std::vector<std::string>;
+
+/// Shortens a list to so many lines, the last of which counts the others.
+void shorten(TextLines& lines, std::size_t room) {
+  if (lines.size() <= room) return;
+  const std::size_t left = lines.size() - room + 1;
+  lines.resize(room - 1);
+  lines.push_back(fmt::format("  {} more, which --table lists", grouped(left)));
+}
+
+void add(TextLines& lines, const std::string& words, const char* before = "") {
+  if (!words.empty()) lines.push_back(before + words);
+}
+
+TextLines advice(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool table) {
+  TextLines lines, notes;
+  add(lines, counts_words(scene));
+  for (const std::string& note : scene.notes) add(notes, note, "  ");
+  if (!table) shorten(notes, notes_cap);
+  lines.insert(lines.end(), notes.begin(), notes.end());
+  add(lines, pairs_words(scene, s));
+  if (s.pairs.empty()) return lines;
+  if (s.motions) add(lines, draws_words(scene, q, s));
+  if (table) add(lines, models_table(scene, s, q.tolerated));
+  const std::string more = needs_more(scene, q, s);
+  add(lines, enough_words(scene, q, s) + (more.empty() ? "" : table ? ":" + more : " (--table lists them)"));
+  add(lines, recommended_words(scene, s), "recommended: ");
+  for (const std::string& remark : remark_words(scene, s)) add(lines, remark, "  ");
+  add(lines, cost_words(s), "  ");
+  add(lines, forgiven_words(q, s), "  ");
+  add(lines, closest_words(scene, q, s));
+  add(lines, verified_words(s));
+  return lines;
 }
 
 }  // namespace
 
-std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  std::string text = fmt::format("seed {}\n", q.seed) + line(counts_words(scene));
-  for (const std::string& shapes : left_out_words(scene)) text += line(shapes, "  not tested: ");
-  for (const std::string& note : scene.notes) text += line(note, "  ");
-  text += line(pairs_words(scene, s));
-  if (s.pairs.empty()) return text + "nothing to check\n";
-  text += line(configurations_words(scene, q, s)) + models_table(scene, q, s);
-  const std::string more = needs_more(scene, q, s);
-  text += "\n" + line(enough_words(scene, q, s) + (more.empty() ? "" : ":")) + more;
-  text += line(recommended_words(scene, s), "recommended: ");
-  for (const std::string& remark : remark_words(scene, s)) text += line(remark, "  ");
-  text += line(cost_words(s), "  ") + line(forgiven_words(q, s), "  ");
-  return text + line(closest_words(scene, q, s)) + line(verified_words(s)) + line(motions_words(q, s)) +
-         motions_text(scene, s);
+std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool table) {
+  TextLines lines{"nothing to check"}, proofs = proof_lines(scene, s, table);
+  if (!s.pairs.empty() || !proofs.empty()) lines = s.motions ? verdict_lines(q, s) : draw_lines(scene, q, s);
+  const TextLines left_out = left_out_words(scene), rest = advice(scene, q, s, table);
+  lines.push_back(left_out.empty() ? "not read 0 shapes"
+                                   : fmt::format("not read {}", fmt::join(left_out, ", ")));
+  if (!table) shorten(proofs, line_count_cap - lines.size() - rest.size());
+  lines.insert(lines.end(), proofs.begin(), proofs.end());
+  lines.insert(lines.end(), rest.begin(), rest.end());
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
 }  // namespace cyl

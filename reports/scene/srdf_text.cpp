@@ -34,7 +34,8 @@ std::string attribute_text(std::string name) {
 
 /// A comment of XML must not contain two hyphens in a row. The first round leaves two if there are three.
 std::string comment_text(const std::string& words) {
-  return "<!-- " + replaced(replaced(words, "--", "- -"), "--", "- -") + " -->";
+  const std::string plain = replaced(words, " --at ", " at ");
+  return "<!-- " + replaced(replaced(plain, "--", "- -"), "--", "- -") + " -->";
 }
 
 class SrdfWriter {
@@ -55,8 +56,7 @@ class SrdfWriter {
         "<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
         comment_text(fmt::format(
             "Pairs of links of {} that need no check, because one carries the other, or because they "
-            "are proved never to touch in any motion, or because they overlap in all as parts of one rigid "
-            "body. The clearance is {}.",
+            "are proved to touch in no motion or in all motions. The clearance is {}.",
             q_.file, q_.clearance)),
         attribute_text(scene_.name.empty() ? "robot" : scene_.name));
     for (std::size_t b = 0; b < scene_.links.size(); ++b)
@@ -70,21 +70,26 @@ class SrdfWriter {
     return std::minmax(scene_.bodies[a].link, scene_.bodies[b].link);
   }
 
-  /// Whether a pair of shapes belongs to one rigid body and overlaps. Then it does so in every configuration.
-  bool overlaps_for_ever(const MotionProof& proof) const {
-    const Body &a = scene_.bodies[proof.a], &b = scene_.bodies[proof.b];
-    return proof.verdict == MotionVerdict::refuted && rule_.reason(a, b) == PairRule::Reason::same_body;
+  /// Returns the proof of two shapes of the links that overlap in every configuration, or nullptr.
+  const MotionProof* overlap_for_ever(const LinkPair& links) const {
+    const auto found = proofs_.find(links);
+    if (found == proofs_.end()) return nullptr;
+    const auto always = std::ranges::find(found->second, true, &MotionProof::always);
+    return always == found->second.end() ? nullptr : *always;
   }
 
   /// Returns the line that disables two links, or a comment why not. Empty if a checked pair meets.
   std::string line(const LinkPair& links) const {
-    if (carries_directly(scene_, links.first, links.second) && !are_paired(links))
+    const bool wanted = are_paired(links);
+    if (carries_directly(scene_, links.first, links.second) && !wanted)
       return disabled(links, "Adjacent", "one carries the other");
     const auto found = proofs_.find(links);
-    if (found != proofs_.end())
-      for (const MotionProof* proof : found->second)
-        if (overlaps_for_ever(*proof))
-          return disabled(links, "Default", "proved: of one rigid body, " + proof_text(scene_, *proof));
+    if (const MotionProof* proof = overlap_for_ever(links); proof && !wanted) {
+      const bool rigid =
+          rule_.reason(scene_.bodies[proof->a], scene_.bodies[proof->b]) == PairRule::Reason::same_body;
+      return disabled(links, rigid ? "Default" : "Always",
+                      (rigid ? "proved: of one rigid body, " : "proved: ") + proof_text(scene_, *proof));
+    }
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "some shapes were not tested");
     // Links are disabled only if each pair of their shapes has a proof.

@@ -93,9 +93,9 @@ TEST(SrdfText, NoNeverAcrossAJointThatWasNotMoved) {
   EXPECT_GT(held, 0u);
 }
 
-// Two fixed links overlap for ever. The third is clear of the first. The last always overlaps the first two,
-// but a joint moves it.
-TEST(SrdfText, PartsOfOneRigidBodyThatOverlapAreDisabled) {
+// Two fixed links overlap for ever. The third is clear of the first. The last turns, and always overlaps the
+// first two.
+TEST(SrdfText, LinksThatOverlapForEverAreDisabled) {
   const auto link = [](const std::string& name, const std::string& x) {
     return "<link name='" + name + "'><collision><origin xyz='" + x +
            " 0 0'/><geometry><box size='1 1 1'/></geometry></collision></link>";
@@ -114,8 +114,27 @@ TEST(SrdfText, PartsOfOneRigidBodyThatOverlapAreDisabled) {
   EXPECT_EQ(reasons.at({"b", "c"}), "Default");
   EXPECT_EQ(reasons.at({"a", "c"}), "Never");
   EXPECT_EQ(reasons.at({"c", "spun"}), "Never");
-  EXPECT_EQ(reasons.size(), 4u);
-  EXPECT_NE(text.find("<!-- proved: of one rigid body, distance -0.1 as it stands -->"), text.npos) << text;
+  EXPECT_EQ(reasons.at({"a", "spun"}), "Always");
+  EXPECT_EQ(reasons.at({"b", "spun"}), "Always");
+  EXPECT_EQ(reasons.size(), 6u);
+  for (const char* why :
+       {"<!-- proved: of one rigid body, in every configuration, distance -0.1 as it stands -->",
+        "<!-- proved: in every configuration, distance -0."})
+    EXPECT_NE(text.find(why), text.npos) << text;
+}
+
+// A free joint may take a body out of what it overlaps at first. Only what is welded stays in a plane.
+TEST(SrdfText, WhatMayLeaveIsNotDisabled) {
+  const auto reasons = [](const std::string& joint) {
+    const Scene scene =
+        read_text(".xml", "<mujoco><worldbody><geom type='plane' size='1 1 1'/><body><body name='b'>" +
+                              joint + "<geom size='1'/></body></body></worldbody></mujoco>");
+    return read_back(scene, text_of(scene));
+  };
+  EXPECT_EQ(reasons("").at({"b", "world"}), "Default");
+  for (const char* joint :
+       {"<freejoint/>", "<joint type='ball'/>", "<joint type='slide' range='0 2'/>", "<joint/>"})
+    EXPECT_EQ(reasons(joint).size(), 0u) << joint;
 }
 
 // Pairs that its own SRDF disables come back only if they are proved, not if they are refuted or open.
@@ -142,7 +161,8 @@ TEST(SrdfText, KeepsOfAnSrdfWhatIsProved) {
 
 TEST(SrdfText, NamesMayHoldAnything) {
   const std::string one = "one--\"&<\t", other = "other-->\r\n", third = "third--->";
-  Scene scene = still_scene({{"a", {}}, {"b", {{3, 0, 0}, {0, 0, 1}, 1, 1}}, {"c", {}}});
+  Scene scene =
+      still_scene({{"a", {}}, {"b", {{3, 0, 0}, {0, 0, 1}, 1, 1}}, {"c", {{9, 0, 0}, {0, 0, 1}, 1, 1}}});
   scene.links[0].name = one;
   scene.links[1].name = other;
   scene.links[2].name = third;

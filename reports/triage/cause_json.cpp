@@ -77,11 +77,6 @@ Json observation_json(const Cause::RunObservation& seen) {
           {"per_million", {million * rate, million * bounds.lower, million * bounds.upper}}};
 }
 
-Json suppression_json(const std::optional<Suppression>& s) {
-  if (!s) return nullptr;
-  return {{"reason", s->reason}, {"link", s->link}, {"owner", s->owner}, {"expires", s->expires}};
-}
-
 }  // namespace
 
 Json to_json(const Cause& b) {
@@ -94,8 +89,7 @@ Json to_json(const Cause& b) {
          {"status", nullptr},
          {"chance", nullptr},
          {"asked_before", b.asked_before},
-         {"runs", Json::array()},
-         {"suppressed", suppression_json(b.suppressed)}};
+         {"runs", Json::array()}};
   if (b.status) j["status"] = to_string(*b.status);
   if (b.chance) j["chance"] = *b.chance;
   for (const Cause::RunObservation& seen : b.history) j["runs"].push_back(observation_json(seen));
@@ -113,10 +107,7 @@ Cause cause_from_json(const Json& j) {
   Cause b;
   visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
   b.simplest = case_of(j.at("simplest"));
-  if (const Json& worst = j.at("worst"); !worst.is_null()) {
-    b.worst = case_of(worst);
-    b.worst_was_searched = worst.contains("note");
-  }
+  if (const Json& worst = j.at("worst"); !worst.is_null()) b.worst = case_of(worst);
   b.kind = word_of<FindingKind>(j.at("kind"));
   b.severity = word_of<Severity>(j.at("severity"));
   if (const Json& margin = j.at("margin"); !margin.is_null())

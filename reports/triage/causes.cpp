@@ -92,19 +92,6 @@ std::optional<ShownPair> choose_simplest(CauseFindings& group,
   return of_simplest;
 }
 
-/// Whether the searched pair is wrong today in the way it was found, beyond the claim, and worse than the
-/// worst finding.
-bool surpasses(const CauseFindings& group, const Trial& now,
-               std::span<const std::unique_ptr<Method>> methods) {
-  if (group.found == nullptr) return false;
-  const auto m = position_of(methods, group.found->method);
-  if (!m) return false;
-  const std::optional<Finding>& wrong = now.findings[*m];
-  if (!wrong || !wrong->margin || wrong->kind != group.found->kind) return false;
-  return wrong->kind == group.first().kind && wrong->severity == Severity::contract &&
-         wrong->margin->lo > least_margin(*group.worst);
-}
-
 std::optional<CaseDistance> distance_of(const Trial& trial) {
   if (!trial.decided()) return {};
   const double size = size_of(trial.pair);
@@ -115,10 +102,10 @@ std::optional<CaseDistance> distance_of(const Trial& trial) {
 }
 
 /// `finding` is the finding with this pair, or nullptr. If its method is right now, the case has its answer
-/// in the run. `note` is the note of a searched pair, or empty.
+/// in the run.
 ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& distance,
                      const FindingRecord* finding, std::span<const std::unique_ptr<Method>> methods,
-                     const std::string& replayed, const std::string& note = {}) {
+                     const std::string& replayed) {
   const Trial& trial = shown.trial;
   Json c;
   c["pair"] = pair_to_json(trial.pair);
@@ -139,7 +126,6 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
                               finding->method);
     });
   }
-  if (!note.empty()) c["note"] = note;
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
   return {trial.pair, distance ? distance->margin : std::nullopt, c.dump()};
 }
@@ -148,28 +134,16 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
 /// because no hang is worse than another and each costs a second.
 void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
-  const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
-  const std::string file = fmt::format("{}/causes/{}.worst.jsonl", folder, file_name_of(b.key));
   const auto line = parse_case(group.worst->pair, 1).value;
-  const auto found = group.found ? parse_case(group.found->pair, 1).value : std::nullopt;
-  const Pair& as_found = line ? line->pair : group.simplest->pair;
+  const Pair& worst = line ? line->pair : group.simplest->pair;
   const auto blamed = failing_method_of(*group.worst, methods);
   const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
-  const Pair& worst = found ? found->pair : as_found;
   const bool is_simplest =
       numbers_of(worst) == numbers_of(group.simplest->pair) && group.first().method == group.worst->method;
   if (!is_simplest && blamed && blamed->kind == FindingKind::hang) return;
-  ShownPair shown = is_simplest ? simplest : shower.show(worst, failing);
-  b.worst_was_searched = found && surpasses(group, shown.trial, methods);
-  if (!b.worst_was_searched) {
-    if (found) shown = shower.show(as_found, failing);
-    b.worst = shown_case(shown, distance_of(shown.trial), group.worst, methods, stored);
-    return;
-  }
-  const std::string note =
-      fmt::format("found by a search from {}. The worst finding of the run is {}, with the margin {:.3g}",
-                  group.found->method, stored, least_margin(*group.worst));
-  b.worst = shown_case(shown, distance_of(shown.trial), nullptr, methods, file, note);
+  const ShownPair shown = is_simplest ? simplest : shower.show(worst, failing);
+  b.worst = shown_case(shown, distance_of(shown.trial), group.worst, methods,
+                       fmt::format("{}:{}", folder, group.worst->id));
 }
 
 /// Returns the drawn pair scaled to the size of the model and, if `moved`, moved to its place.

@@ -19,7 +19,6 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
 #include "reports/triage/recurrence.hpp"
-#include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {
@@ -59,7 +58,6 @@ struct Cause {
   std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
   bool simplified = false;          ///< the simplest is; else it is as it was found
   bool seen_again = false;          ///< its method, asked alone, failed on the simplest
-  bool worst_was_searched = false;  ///< it comes from a search and is not a finding
   std::string description;          ///< in words
   std::vector<std::string> labels;  ///< the cause and further labels
   std::optional<Share> share;
@@ -69,7 +67,6 @@ struct Cause {
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
   std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
-  std::optional<Suppression> suppressed;
 };
 
 /// The findings of one method, kind, severity and family: their number, the number examined, and how many
@@ -100,17 +97,16 @@ struct TriagedRun {
 /// In the form of the page's Cause, in which it is stored too.
 nlohmann::json to_json(const Cause& cause);
 nlohmann::json to_json(const std::vector<Cause>& causes);
-/// Reads the output of to_json(), except for the suppression, the chance and the runs. Throws
-/// nlohmann::json::exception if the value has another form.
+/// Reads the output of to_json(), except for the chance and the runs. Throws nlohmann::json::exception if the
+/// value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, by key. Status, first and last seen are not set. The
-/// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
-/// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
-/// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
-/// pair of each cause, and the cause's own method about a sample of the stratum. Once `out_of_time()`, a
-/// cause is as in `last`, the result of the last triage, and of a new one only the own method is asked, about
-/// the simplest pair.
+/// worst pair is that of the findings. The simplest pair is one on which its method, asked alone, fails now.
+/// If there is none, it is the first that was found, with its stored answer. Asks every method about the
+/// simplest and the worst pair of each cause, and the cause's own method about a sample of the stratum. Once
+/// `out_of_time()`, a cause is as in `last`, the result of the last triage, and of a new one only the own
+/// method is asked, about the simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
                                const std::vector<Cause>& last, const std::function<bool()>& out_of_time);
 
@@ -142,9 +138,6 @@ using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 
-/// Marks what is suppressed, by its key.
-void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,
-              std::string_view today);
 /// Returns "libccd-mpr.wrong_disjoint" for that key with '/': the name of the files of a cause's pairs,
 /// without the ending. Characters that a file name should not have are replaced, and letters distinguish such
 /// names.

@@ -11,7 +11,6 @@
 #include "corpus/pairs/pair_json.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "reports/triage/group_findings.hpp"
-#include "reports/triage/suppressions.hpp"
 #include "reports/triage/triage.hpp"
 #include "reports/triage/triage_test.hpp"
 
@@ -258,20 +257,6 @@ TEST(Causes, GiveAGroupsCountAsItsKeptOnesAre) {
   const auto counts = count_by_cause(records.groups, records.findings, records.causes);
   EXPECT_EQ(counts.at("often"), 67u);
   EXPECT_EQ(counts.at("rare"), 33u);
-}
-
-TEST(Causes, SuppressedDoNotFail) {
-  Triage t;
-  t.causes.resize(1);
-  t.causes[0].key = "x";
-  t.causes[0].severity = Severity::contract;
-  EXPECT_EQ(exit_code(t), 2);
-  const std::vector<Suppression> all{{"x", "because", "link", "ada", "2026-11-22", 1}};
-  suppress(t.causes, all, "2026-11-22");
-  EXPECT_EQ(t.causes[0].suppressed->owner, "ada");
-  EXPECT_EQ(exit_code(t), 0);
-  suppress(t.causes, all, "2026-11-23");
-  EXPECT_EQ(exit_code(t), 2);
 }
 
 }  // namespace

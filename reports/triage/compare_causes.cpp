@@ -213,12 +213,4 @@ std::string what_changed(const std::vector<Cause>& causes) {
   return text;
 }
 
-void suppress(std::vector<Cause>& causes, const std::vector<Suppression>& suppressions,
-              std::string_view today) {
-  for (Cause& b : causes) {
-    const Suppression* const s = find_suppression(suppressions, b.key, today);
-    b.suppressed = s != nullptr ? std::optional(*s) : std::nullopt;
-  }
-}
-
 }  // namespace cyl

@@ -55,8 +55,6 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
     if (!group_of.contains(s.finding)) continue;
     offer(*group_of[s.finding], by_id[s.finding], s.pair, false, s.ended);
   }
-  for (const WorstRecord& w : records.worsts)
-    if (groups.contains(w.cause) && !w.pair.empty()) groups[w.cause].found = &w;
   for (auto& [key, group] : groups)
     for (const FindingRecord* f : group.findings) offer(group, f, f->pair, true);
   return groups;

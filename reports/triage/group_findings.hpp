@@ -25,7 +25,6 @@ struct TriageRecords {
   std::vector<GroupRecord> groups;
   std::vector<CauseRecord> causes;    ///< by finding; findings without one are left out
   std::vector<SimpleRecord> simples;  ///< by finding
-  std::vector<WorstRecord> worsts;    ///< by cause
 };
 
 /// Returns whether x is worse than y. A refuted verdict is worse than any other finding. Else the larger
@@ -56,7 +55,6 @@ struct CauseFindings {
   std::optional<ShownCandidate> simplest;
   bool seen_again = false;  ///< a rerun of the simplest pair fails again
   const FindingRecord* worst = nullptr;
-  const WorstRecord* found = nullptr;  ///< a pair that a search found, if it is worse
 
   /// The finding that stands for the others.
   const FindingRecord& first() const { return simplest ? *simplest->of : *worst; }

@@ -31,9 +31,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Parts of the budget after which each step ends: the classification, the questions about pairs of earlier
-/// runs, the simplification, then the search for worse pairs. The rest is for questions about the shown
-/// pairs.
-constexpr double classify_part = 0.35, again_part = 0.4, simplify_part = 0.5, search_part = 0.6;
+/// runs, then the simplification. The rest is for questions about the shown pairs.
+constexpr double classify_part = 0.35, again_part = 0.4, simplify_part = 0.6;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
@@ -92,15 +91,7 @@ std::optional<bool> fails_today(const Cause& cause, std::span<const std::unique_
   return fails_alone(methods, {*method, cause.kind}, cause.simplest.pair);
 }
 
-void write_pair(const fs::path& file, const Cause& cause, const Pair& shown) {
-  Json line = pair_to_json(shown);
-  line["id"] = cause.key;
-  line["note"] = cause.description;
-  replace_file(file, line.dump() + '\n');
-}
-
-/// Writes FOLDER/causes/: the simplest pair of each cause, and the worst if a search found it. Each file
-/// holds one case.
+/// Writes FOLDER/causes/: the simplest pair of each cause, each in a file.
 void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes) {
   const fs::path folder = fs::path(run_folder) / "causes";
   if (fs::is_symlink(fs::symlink_status(folder)))
@@ -108,9 +99,10 @@ void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes
   fs::create_directories(folder);
   for (const Cause& b : causes) {
     if (b.status == Recurrence::gone) continue;
-    const std::string name = file_name_of(b.key);
-    write_pair(folder / (name + ".jsonl"), b, b.simplest.pair);
-    if (b.worst_was_searched) write_pair(folder / (name + ".worst.jsonl"), b, b.worst->pair);
+    Json line = pair_to_json(b.simplest.pair);
+    line["id"] = b.key;
+    line["note"] = b.description;
+    replace_file(folder / (file_name_of(b.key) + ".jsonl"), line.dump() + '\n');
   }
 }
 
@@ -126,8 +118,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   classify_findings(context, classify_part);
   const std::vector<ChangedGuest> changed = ask_earlier_pairs(context, earlier, again_part);
   simplify_findings(context, known, simplify_part);
-  search_worst(context, search_part);
-  simplify_findings(context, known, search_part);
   Triage triage;
   triage.progress = context.progress();
   TriagedRun run = read_triaged(options.folder);
@@ -143,7 +133,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     return context.out_of_time();
   };
   run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
-                            context.simples(), context.store().worsts()},
+                            context.simples()},
                            context.grouped(), run.causes, out_of_time);
   check_shown_findings(context, run.methods, run.causes);
   std::set<std::string> certainly_new;
@@ -161,7 +151,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       certainly_new);
   triage.causes = std::move(run.causes);
   write_pairs(options.folder, triage.causes);
-  suppress(triage.causes, options.suppressions, options.today);
   context.store().set_summary(to_json(triage.causes).dump(), part);
   if (!earlier.empty())
     triage.remarks.push_back(fmt::format("compared with {}, the last of them {} of {}",
@@ -175,13 +164,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
       triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
                                            past.id, std::floor(100 * past.part)));
   }
-  if (!options.suppressions.empty()) {
-    std::set<std::string> seen = causes_of(context.grouped(), options.cases, options.suppressions);
-    for (const Cause& b : triage.causes)
-      if (b.count > 0) seen.insert(b.key);
-    for (GateRemark& remark : suppression_remarks(options.suppressions, options.today, seen))
-      triage.remarks.push_back(std::move(remark.text));
-  }
   triage.findings = std::move(context.findings);
   return triage;
 }
@@ -194,7 +176,7 @@ Json causes_json(const std::string& run_folder) {
 int exit_code(const Triage& triage) {
   bool undecided = triage.progress.classified < triage.progress.findings;
   for (const Cause& b : triage.causes) {
-    if (b.status == Recurrence::gone || b.suppressed) continue;
+    if (b.status == Recurrence::gone) continue;
     if (b.severity == Severity::contract) return exit_findings;
     undecided |= b.severity == Severity::unresolved;
   }

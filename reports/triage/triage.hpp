@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Triage finds the causes of the findings of a run. It classifies each stored finding
 // (oracles/trial/mechanism.hpp). While there is time, it simplifies findings, with the kind of failure, the
-// contact feature and the cause unchanged. For each cause it searches for a worse pair
-// (reports/triage/worst_pair.hpp). It stores every result in FOLDER/triage.sqlite at once. So a triage that
-// is killed continues, and one that is run again simplifies more.
+// contact feature and the cause unchanged. It stores every result in FOLDER/triage.sqlite at once. So a
+// triage that is killed continues, and one that is run again simplifies more.
 #pragma once
 
 #include <chrono>
@@ -15,10 +14,8 @@
 #include <vector>
 
 #include "base/json.hpp"
-#include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "reports/triage/causes.hpp"
-#include "reports/triage/suppressions.hpp"
 
 namespace cyl {
 
@@ -29,10 +26,7 @@ struct TriageOptions {
   std::chrono::milliseconds budget{
       30'000};        ///< wall time, the page's included; overrun by a few questions a cause
   unsigned jobs = 2;  ///< processes; do not change the causes
-  std::vector<Suppression> suppressions;
-  std::vector<Case> cases;  ///< of the case files: what a suppression must match
-  std::string today;        ///< YYYY-MM-DD
-  std::string build;        ///< what was found out by another build is found out again
+  std::string build;  ///< what was found out by another build is found out again
 };
 
 /// Returns the source of stored results: the build and its methods, with their versions. Guests are not part
@@ -43,7 +37,6 @@ struct TriageProgress {
   std::size_t findings = 0, classified = 0;  ///< kept, and those whose cause is known
   std::size_t absent = 0;  ///< kept, of guests of the run that are not among the methods: not classified
   std::size_t simplified = 0;
-  std::size_t searched = 0;  ///< causes, for a worse pair
   std::chrono::milliseconds elapsed{0};
 };
 
@@ -52,7 +45,7 @@ struct Triage {
       causes;               ///< new and back first, then beyond claims, of ordinary size, by count; gone last
   TriageProgress progress;  ///< at the end
   std::vector<FindingRecord> findings;  ///< of the run, by id
-  std::vector<std::string> remarks;     ///< on earlier runs half looked at, and on suppressions
+  std::vector<std::string> remarks;     ///< on earlier runs
 };
 
 /// Triages a run. `methods` are all of this build and the guests. Throws UsageError if there is no run, and
@@ -64,7 +57,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
 /// run was never triaged.
 nlohmann::json causes_json(const std::string& run_folder);
 
-/// Returns 2 for a cause beyond a claim that is not suppressed, 3 for none, but undecided truth or findings
+/// Returns 2 for a cause beyond a claim, 3 for none, but undecided truth or findings
 /// that are not classified, else 0.
 int exit_code(const Triage& triage);
 

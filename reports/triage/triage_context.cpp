@@ -83,7 +83,6 @@ TriageProgress TriageContext::progress() const {
   progress.absent = absent.size();
   progress.simplified = static_cast<std::size_t>(
       std::count_if(simple.begin(), simple.end(), [](const SimpleRecord& s) { return s.ended; }));
-  progress.searched = store().worsts().size();
   progress.elapsed = elapsed();
   return progress;
 }

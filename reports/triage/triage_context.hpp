@@ -38,11 +38,6 @@ struct Subject {
   bool recurs() const {
     return kind() != FindingKind::nondeterminism && kind() != FindingKind::state_dependent;
   }
-  /// Crashes and hangs do not have a margin, and touching pairs cannot be searched.
-  bool can_be_searched() const {
-    return method && severity() == Severity::contract &&
-           (kind() == FindingKind::wrong_disjoint || kind() == FindingKind::wrong_intersecting);
-  }
   FindingKind kind() const { return record->kind; }
   Severity severity() const { return record->severity; }
   Failing failing() const { return {*method, kind(), pair}; }
@@ -116,8 +111,6 @@ void simplify_findings(const TriageContext& context, const std::set<std::string>
 /// those beyond a claim, then the largest.
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known);
-/// Searches a worse pair for each cause, until that part of the budget is used up.
-void search_worst(const TriageContext& context, double part);
 /// Judges the shown findings again: of each cause the worst, the least, and one of its severity. A stranger
 /// may have made the run. Throws InputError that names the finding if the referee, the claim or the stored
 /// answer refutes the statement of the run. `asked`: the methods of the run.

@@ -18,8 +18,6 @@ constexpr const char* cause_table =
 constexpr const char* other_tables = R"(
 CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
-CREATE TABLE worst(cause TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
-  pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
 std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
@@ -72,7 +70,7 @@ TriageStore::TriageStore(const std::string& folder, const std::string& asked)
     : file_(open_or_create(file_of(folder))) {
   if (note(*file_, "asked") == asked) return;
   file_->transaction([&] {
-    for (const char* table : {Note::table, CauseRecord::table, SimpleRecord::table, WorstRecord::table})
+    for (const char* table : {Note::table, CauseRecord::table, SimpleRecord::table})
       file_->script(std::string("DELETE FROM ") + table);
     file_->replace(Note{"asked", {asked}});
   });
@@ -87,7 +85,6 @@ void TriageStore::expect(const std::string& guest, const std::string& version,
       Query drop = file_->query(std::string("DELETE FROM ") + table + " WHERE finding = ?");
       for (const std::int64_t finding : findings) drop.run(finding);
     }
-    file_->run("DELETE FROM worst WHERE method = ?", guest);
     file_->replace(Note{key, {version}});
   });
 }
@@ -97,7 +94,6 @@ TriageStore::~TriageStore() = default;
 
 std::vector<CauseRecord> TriageStore::causes() const { return file_->all<CauseRecord>("finding"); }
 std::vector<SimpleRecord> TriageStore::simples() const { return file_->all<SimpleRecord>("finding"); }
-std::vector<WorstRecord> TriageStore::worsts() const { return file_->all<WorstRecord>("cause"); }
 
 void TriageStore::add(std::span<const CauseRecord> causes) {
   file_->transaction([&] {
@@ -107,7 +103,6 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 }
 
 void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
-void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 
 std::string TriageStore::summary() const { return note(*file_, "causes"); }
 void TriageStore::set_summary(const std::string& json, double part) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The results of triage, in one SQLite file of plain records beside that of the run. A triage that is
-// killed continues from there. The size is bounded: two rows for each kept finding and one for each
-// cause.
+// killed continues from there. The size is bounded: two rows for each kept finding.
 #pragma once
 
 #include <cstdint>
@@ -41,18 +40,6 @@ struct SimpleRecord {
   static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.questions, s.ended); }
 };
 
-/// The result of a search for a worse pair than the findings of a cause.
-struct WorstRecord {
-  std::string cause;
-  std::string method;  ///< that is wrong on it
-  FindingKind kind = FindingKind::wrong_disjoint;
-  std::string pair;    ///< one JSON line of corpus/pair_io; empty if no worse pair was found
-  bool ended = false;  ///< by itself: not to be searched again
-
-  static constexpr const char* table = "worst";
-  static auto columns(auto& w) { return std::tie(w.cause, w.method, w.kind, w.pair, w.ended); }
-};
-
 /// FOLDER/triage.sqlite. Several processes may write to it at once. Every call throws std::runtime_error that
 /// names the file if it cannot be read or written.
 class TriageStore {
@@ -60,18 +47,15 @@ class TriageStore {
   /// Creates the file if it does not exist. `asked`: the build and its methods except guests. Results of
   /// other methods are dropped, because causes depend on them.
   TriageStore(const std::string& folder, const std::string& asked);
-  /// Sets the version of a guest. Causes and worst pairs that another version gave are
-  /// dropped.
+  /// Sets the version of a guest. Causes that another version gave are dropped.
   void expect(const std::string& guest, const std::string& version, std::span<const std::int64_t> findings);
   TriageStore(TriageStore&&) noexcept;
   ~TriageStore();
 
   std::vector<CauseRecord> causes() const;    ///< by finding
   std::vector<SimpleRecord> simples() const;  ///< by finding
-  std::vector<WorstRecord> worsts() const;    ///< by cause
   void add(std::span<const CauseRecord> causes);
   void add(const SimpleRecord& simple);
-  void add(const WorstRecord& worst);
   /// The causes as JSON; empty if there are none yet.
   std::string summary() const;
   /// `part`: of the findings, looked at so far.

@@ -11,7 +11,6 @@
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
-#include "oracles/referee/referee.hpp"
 #include "reports/triage/causes.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/triage_store.hpp"
@@ -60,7 +59,6 @@ Triage triage(const std::string& folder, std::chrono::milliseconds budget = std:
   TriageOptions options;
   options.folder = folder;
   options.budget = budget;
-  options.today = "2026-11-22";
   options.build = "test";
   return run_triage(options, quick_methods());
 }
@@ -91,6 +89,8 @@ TEST(Triage, ShowsCausesWhateverTheOrderAndTheNight) {
   EXPECT_EQ(simplest["answers"][overflow.method]["verdict"], "disjoint");
   EXPECT_FALSE(overflow.status);
   EXPECT_NE(simplest["pair"], page_of(*overflow.worst)["pair"]) << "nothing was simplified";
+  for (const Json& shown : {page_of(one.causes[0].simplest), page_of(*one.causes[0].worst)})
+    for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
   EXPECT_EQ(causes_json(first), to_json(one.causes));
   for (Json b : causes_json(first)) {
     b["runs"].clear();
@@ -206,49 +206,6 @@ TEST(Triage, GoesOnWhereItWas) {
   }
   const TriageStore other(folder, "another build");
   EXPECT_TRUE(other.causes().empty());
-}
-
-/// Returns the distance of the solids of apart(), in sizes.
-double margin_of_apart() {
-  const Enclosure d = enclose_distance(apart(), judge(apart()));
-  return d.lo / size_of(apart());
-}
-
-TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
-  const Folder history;
-  FindingRecord printed = finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting);
-  printed.margin = Enclosure{margin_of_apart(), margin_of_apart()};
-  const std::string folder = history.make_run("one", "2026-11-20", {printed});
-  const Triage first = triage(folder);
-  ASSERT_EQ(first.causes.size(), 1u);
-  EXPECT_EQ(first.progress.searched, 1u);
-  const Json worst = page_of(first.causes[0].worst.value());
-  EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
-  EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
-  EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
-  EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
-      << "where the original is";
-  for (const Json& shown : {page_of(first.causes[0].simplest), worst})
-    for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
-  EXPECT_NE(format_causes(first.causes).find("by search"), std::string::npos);
-
-  TriageStore store(folder, methods_line("test", quick_methods()));
-  ASSERT_EQ(store.worsts().size(), 1u);
-  WorstRecord kept = store.worsts()[0];
-  EXPECT_TRUE(kept.ended);
-
-  // A pair that is no longer wrong, or less wrong than the finding, is not shown. A search that ended is not
-  // repeated.
-  kept.pair = format_pair(huge(1));
-  store.add(kept);
-  const Triage again = triage(folder);
-  const Json shown = page_of(again.causes[0].worst.value());
-  EXPECT_FALSE(shown.contains("note"));
-  EXPECT_EQ(shown["pair"], Json::parse(format_pair(apart())));
-  // A search that was cut continues.
-  kept.ended = false;
-  store.add(kept);
-  EXPECT_EQ(page_of(triage(folder).causes[0].worst.value())["margin"], worst["margin"]);
 }
 
 }  // namespace

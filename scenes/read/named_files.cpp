@@ -85,7 +85,11 @@ NamedFiles::NamedFiles(const std::string& first, const std::vector<std::string>&
       break;
     }
   }
-  for (const std::string& folder : folders) permit(folder);
+  for (const std::string& folder : folders) {
+    permit(folder);
+    for (const auto& package : fs::directory_iterator(folder, none))
+      if (fs::exists(package.path() / package_file, none)) permit(package.path());
+  }
 }
 
 void NamedFiles::permit(const fs::path& folder) {

@@ -70,7 +70,9 @@ TEST_F(NamedFilesTest, OutsideOnlyWhereTheUserPermitsIt) {
             "it is outside " + (folder / "bare/urdf").string() + " (--files-from DIR permits a folder)");
   EXPECT_EQ(found("../a.obj", "bare/urdf/arm.urdf", {folder / "bare"}), "bare/a.obj");
   EXPECT_EQ(found(mesh, robot, {folder / "ws/src/other/"}), sibling);
-  EXPECT_EQ(found("package://other/meshes/a.obj", robot, {folder / "ws/src"}), sibling);
+  for (const char* name : {"package://other/meshes/a.obj", "package://hand_description/meshes/a.obj"})
+    EXPECT_EQ(found(name, robot, {folder / "ws/src"}), sibling)
+        << "the folder's name, and that in package.xml";
   EXPECT_EQ(found("/etc/passwd", robot, {folder / "ws/src"}), outside);
 }
 

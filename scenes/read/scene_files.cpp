@@ -204,9 +204,9 @@ Scene read_scene(const std::string& file, const std::string& srdf, const std::ve
     if (ending == ".jsonl") return read_lines(file, false);
     if (ending == ".csv") return read_lines(file, true);
 #ifdef DAYLIGHT_WITH_URDFDOM
-    if (ending == ".urdf") return read_urdf(files);
+    if (ending == ".urdf" || ending == ".xacro") return read_urdf(files);
 #else
-    if (ending == ".urdf")
+    if (ending == ".urdf" || ending == ".xacro")
       throw std::runtime_error("this build reads no URDF, for urdfdom was not there (liburdfdom-dev)");
 #endif
     if (ending == ".xml") return read_mjcf(files);

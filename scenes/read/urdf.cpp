@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <iterator>
 #include <map>
@@ -17,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/mesh_files.hpp"
@@ -75,6 +77,17 @@ void refuse_quaternions(const pugi::xml_node& element, const std::string& text) 
                     1 + std::count(text.begin(), text.begin() + element.offset_debug(), '\n')));
   for (const pugi::xml_node& child : element.children())
     if (std::string_view(child.name()) != "inertial") refuse_quaternions(child, text);
+}
+
+/// Throws std::runtime_error with the command that expands a file of macros, whose robot is not there yet.
+void refuse_macros(const pugi::xml_node& document, const std::filesystem::path& file) {
+  const auto is_macro = [](const pugi::xml_node& node) {
+    return std::string_view(node.name()).starts_with("xacro:");
+  };
+  if (file.extension() != ".xacro" && !document.find_node(is_macro)) return;
+  throw std::runtime_error(
+      fmt::format("it has macros, so expand it first: xacro {} > {}", shell_quoted(file.string()),
+                  shell_quoted(std::filesystem::path(file).replace_filename("expanded.urdf").string())));
 }
 
 /// urdfdom refuses a whole robot if a material is named twice or a shape is unknown. Neither matters here.
@@ -207,8 +220,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
   }
 }
 
-/// Returns the corners of a box or the vertices of a mesh. Throws std::runtime_error with the reason if none.
-/// Returns the size of a box, or the scale of a mesh.
+/// Returns the size of a box, or the scale of a mesh. Throws std::runtime_error with the reason if none.
 Vector3 size_or_scale(const KeptShape& shape) {
   std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
   if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
@@ -353,6 +365,7 @@ class UrdfBuilder {
 Scene read_urdf(NamedFiles& files) {
   pugi::xml_document document;
   const std::string text = files.load(document, files.first(), NamedBy::user);
+  refuse_macros(document, files.first());
   pugi::xml_node robot = document.child("robot");
   if (!robot) throw std::runtime_error("no <robot>");
   const auto all = robot.children("link");

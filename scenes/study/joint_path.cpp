@@ -255,4 +255,17 @@ Travel JointPath::travel(const Vector3& direction) {
   return travel;
 }
 
+// The joints move to their values one after the other, from the one body to the other. Each then turns a
+// rigid part, in which the point is as far from its axis as in the middle.
+Travel JointPath::travel_of(const Vector3& point) const {
+  Travel travel{slack_, std::vector<double>(free_.size(), 0.0)};
+  for (const Move& move : moves_) {
+    const double reach = (point - move.at).cross(move.axis).norm(),
+                 far = move.turns ? std::min(move.half, 2.0) * reach : move.half;
+    travel.length += far;
+    if (!free_.empty()) travel.shares[move.variable] += far;
+  }
+  return travel;
+}
+
 }  // namespace cyl

@@ -48,6 +48,9 @@ class JointPath {
   /// Returns how much less than there the bodies' gap along a unit direction from a to b can be anywhere in
   /// the box, all rounding included.
   Travel travel(const Vector3& direction);
+  /// Returns how far a point of b, or of a, can be anywhere in the box from its place there in the other
+  /// body, all rounding included.
+  Travel travel_of(const Vector3& point) const;
 
  private:
   static constexpr std::size_t ends_cap = 8;

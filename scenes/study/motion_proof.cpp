@@ -10,6 +10,7 @@
 #include "base/stopwatch.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/study/joint_path.hpp"
+#include "scenes/study/overlap_proof.hpp"
 #include "scenes/study/scene_study.hpp"
 
 namespace cyl {
@@ -106,7 +107,7 @@ class Prover {
     JointBox box;
     for (const double x : point) box.push_back({x, x});
     const Pair& placed = path_.place_middle(box);
-    const Distance d = signed_distance(placed);
+    const Distance d = distance(placed.a, placed.b);
     refuted_ |= look(d, box);
     return d.value;
   }
@@ -155,7 +156,7 @@ class Prover {
     ++proof_.boxes;
     cell.number = proof_.boxes;
     const Pair& placed = path_.place_middle(cell.box);
-    const Distance d = signed_distance(placed);
+    const Distance d = distance(placed.a, placed.b);
     refuted_ = look(d, cell.box);
     if (proof_.verdict <= MotionVerdict::within) return true;
     const Travel travel = path_.travel(d.direction);
@@ -278,17 +279,6 @@ void conclude(ExemptionProof& proof) {
 
 }  // namespace
 
-Distance signed_distance(const Pair& pair) {
-  if (!has_box(pair) && !has_half_space(pair)) return distance(pair.a, pair.b);
-  const MeasuredDistance measured = approximate_distance(pair);
-  Distance d;
-  d.value = measured.value;
-  d.direction = measured.direction;
-  // A gap is measured with the same width as a depth. The referee proves what follows from it.
-  d.error = depth_width_tol * (size_of(pair) + (pair.b.center - pair.a.center).norm());
-  return d;
-}
-
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   MotionProof proof = Prover(scene, a, b, question).run();
   // A contact that is not confirmed for the shapes themselves is only one of solids that hold them.
@@ -300,6 +290,7 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
   }
+  proof.always = proof.verdict == MotionVerdict::refuted && overlap_always(scene, a, b);
   return proof;
 }
 

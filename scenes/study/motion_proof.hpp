@@ -48,6 +48,7 @@ struct MotionProof {
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
   bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a mesh or ellipsoid
   bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
+  bool always = false;   ///< `refuted`: they are proved to overlap in every configuration
   bool contradicted = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
@@ -82,10 +83,6 @@ using BodyPairs = std::vector<BodyPair>;
 /// Does this for all these pairs of bodies, for those that the scene's SRDF disables, and for others.
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
                           const BodyPairs& others = {});
-
-/// Returns the distance by the solver. If the pair has a box or a half-space, returns what the referee
-/// measures: `value`, `direction`, and an `error` that is not proved.
-Distance signed_distance(const Pair& pair);
 
 /// Takes back what was proved of two bodies if they are seen nearer.
 void contradict(MotionProof& proof, double seen);

@@ -164,7 +164,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
         range.high = range.low + width;
       }
       const Pair middle = path.place_middle(box);
-      Vector3 n = signed_distance(middle).direction;
+      Vector3 n = distance(middle.a, middle.b).direction;
       if (stream.coin() && !has_half_space(middle)) n = stream.unit_vector();
       const double travel = path.travel(n).length, before = gap_along(middle, n);
       for (int i = 0; i < 10; ++i) {
@@ -176,7 +176,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
                                               : stream.between(range.low, range.high);
         }
         const Pair moved = path.place_middle(other);
-        const Distance d = signed_distance(moved);
+        const Distance d = distance(moved.a, moved.b);
         if (d.value <= 0) continue;
         const double used = before - (d.value + d.error);
         ASSERT_LE(used, travel) << file << ": " << scene.bodies[a].name << " - " << scene.bodies[b].name;
@@ -191,8 +191,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
 void contradict_drawn(const Scene& scene, std::vector<MotionProof>& proofs) {
   for (std::size_t k = 0; k < 2000; ++k) {
     const std::vector<Solid> placed = place(scene, draw_joints(scene, 7, k));
-    for (MotionProof& proof : proofs)
-      contradict(proof, signed_distance({placed[proof.a], placed[proof.b]}).value);
+    for (MotionProof& proof : proofs) contradict(proof, distance(placed[proof.a], placed[proof.b]).value);
   }
 }
 
@@ -207,7 +206,7 @@ TEST(MotionProof, NoConfigurationContradictsIt) {
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
       const std::vector<Solid> placed = place(scene, proof.joints);
-      EXPECT_NEAR(signed_distance({placed[a], placed[b]}).value, proof.least, 1e-11);
+      EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-11);
       EXPECT_EQ(proof.verdict <= MotionVerdict::within || proof.bounded,
                 referee_within({placed[a], placed[b]}, q.clearance) == true);
       EXPECT_EQ(proof.verdict == MotionVerdict::refuted,

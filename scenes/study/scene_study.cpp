@@ -57,20 +57,12 @@ class Study {
 
   void observe(PairStudy& pair, std::size_t configuration) {
     const ProxyModels &a = models_[pair.a], &b = models_[pair.b];
-    const bool refereed = needs_referee(a, b);
+    const Pair solids{placed_[pair.a], placed_[pair.b]};
     std::optional<bool> truth;
-    if (refereed && proximity(Level::sphere, a, b, q_.clearance) == Proximity::apart)
-      truth = false;
-    else if (refereed)
-      truth = referee_within({a.shape, b.shape}, q_.clearance);
-    const auto seen_of = [&](Level level) {
-      if (!refereed || level < Level::cylinder) return proximity(level, a, b, q_.clearance);
-      return !truth ? Proximity::unclear : *truth ? Proximity::within : Proximity::apart;
-    };
     std::size_t set = 0;
     bool decided = false;
     for (const Level level : enum_values<Level>) {
-      const Proximity seen = seen_of(level);
+      const Proximity seen = proximity(level, a, b, q_.clearance);
       if (seen == Proximity::unclear) continue;
       if (index_of(level) < 3) set |= std::size_t{1} << index_of(level);
       if (!std::exchange(decided, true)) ++pair.decided[index_of(level)];
@@ -79,24 +71,20 @@ class Study {
     ++pair.outcomes[set];
     if (!truth) {
       ++result_.asked_referee;
-      if (!refereed) truth = referee_within({a.shape, b.shape}, q_.clearance);
+      truth = referee_within(solids, q_.clearance);
       if (!truth) ++result_.undecided;
     }
     const bool is_within = truth.value_or(true);
-    const double d = signed_distance({a.shape, b.shape}).value;
-    for (const Level level : enum_values<Level>) {
-      const bool by_truth = refereed && level >= Level::cylinder;
-      score(pair.alone[index_of(level)], by_truth ? is_within : accepted(level, a, b, q_.clearance),
-            is_within, d, configuration);
-    }
+    const double d = distance(a.solid, b.solid).value;
+    for (const Level level : enum_values<Level>)
+      score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
     pair.within += is_within;
     const auto miss = [&](double value) { return std::fabs(value - q_.clearance); };
     if (!result_.closest || miss(d) < miss(result_.closest->distance))
-      result_.closest =
-          ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
+      result_.closest = ClosestCall{pair.a, pair.b, configuration, d, size_of(solids)};
     truths_.push_back(is_within);
   }
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/near/model_hierarchy.hpp"
-#include "scenes/near/verification.hpp"
 #include "scenes/scene.hpp"
+#include "scenes/study/model_hierarchy.hpp"
 #include "scenes/study/motion_proof.hpp"
+#include "scenes/study/verification.hpp"
 
 namespace cyl {
 

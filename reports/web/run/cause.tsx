@@ -52,15 +52,10 @@ export function whyNoExport(report: Report, { key, method, kind, simplest, worst
   return works ? "" : shown[0]!;
 }
 
-const day = 86_400_000,
-  suppressedDays = 90;
-
 function NextSteps({ report, b }: { report: Report; b: Cause }) {
   const run = shellQuoted(report.run.folder),
     key = shellQuoted(b.key),
-    reason = whyNoExport(report, b),
-    expires = new Date(Date.now() + suppressedDays * day).toISOString().slice(0, 10),
-    suppression = { cause: b.key, reason: "", link: "", owner: "", expires }; // a person fills it in
+    reason = whyNoExport(report, b);
   return (
     <section class="handling">
       <h3>Next steps</h3>
@@ -73,7 +68,6 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
           text={`./daylight export ${run} ${key} --out upstream`}
         />
       )}
-      <Copy label="A line for suppressions.jsonl" text={safe(JSON.stringify(suppression))} />
     </section>
   );
 }
@@ -112,12 +106,6 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           )}
         </span>
       </p>
-      {b.suppressed && (
-        <p class="warn">
-          Suppressed until {safe(b.suppressed.expires)} by {safe(b.suppressed.owner)}: {safe(b.suppressed.reason)} (
-          {safe(b.suppressed.link)})
-        </p>
-      )}
       {b.runs.length > 0 && <Runs b={b} />}
       <NextSteps report={report} b={b} />
     </>

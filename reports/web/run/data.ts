@@ -62,7 +62,6 @@ export interface Cause {
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   simplest: Case;
   worst: Case;
-  suppressed: { reason: string; link: string; owner: string; expires: string } | null;
   cause: string; // in words
   methods: string[]; // all that it makes wrong; `method` is one of them
   methods_of_kind: string[]; // those that fail in the way that `kind` names

@@ -48,7 +48,7 @@ export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
     .map(({ row }) => row);
 
 const CauseRow = ({ b }: { b: Cause }) => (
-  <tr class={b.suppressed ? "suppressed" : ""}>
+  <tr>
     <td title={about(b.status ?? "")}>
       <b class={b.status === "new" || b.status === "back" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
     </td>
@@ -61,7 +61,6 @@ const CauseRow = ({ b }: { b: Cause }) => (
           <div class="soft">
             {safe(b.cause)}
             {isOfNewFamilies(b) && "; no earlier run tested this method on these families"}
-            {b.suppressed && `, suppressed until ${safe(b.suppressed.expires)}: ${safe(b.suppressed.reason)}`}
           </div>
         </div>
       </div>

@@ -76,13 +76,11 @@ const copied = (page, label) => page.locator(".copy", { hasText: label }).locato
 /** The page begins with its answer: red if something is new, amber if chance cannot be excluded, else green. The table
  *  of causes begins with these. */
 async function beginsWithTheAnswer() {
-  const suppressed = { reason: "r", link: "l", owner: "o", expires: "2027-01-01" };
   for (const [status, kind, head, change = {}] of [
     ["new", "bad", /^6 new faults: \S+.* Compared with 1 earlier run\.$/],
     ["new", "bad", / For 6 new faults, no earlier run tested the method/, { asked_before: false }],
     ["rare", "warn", /^6 causes were not seen before, perhaps by chance:/],
     ["known", "ok", /^Nothing is new and wrong\. Compared with 1 earlier run/],
-    ["new", "ok", /^Nothing is new and wrong\./, { suppressed }],
   ]) {
     const report = sample();
     for (const b of report.causes)
@@ -180,7 +178,6 @@ async function readsACause(page, report) {
   await click(page, worst);
   assert.equal(await worst.getAttribute("aria-selected"), "true");
   assert.equal(await copied(page, "For the maintainers"), `./daylight export runs/sample ${b.key} --out upstream`);
-  assert.equal(JSON.parse(await copied(page, "suppressions.jsonl")).cause, b.key);
   assert.equal(await page.locator(".runs tbody tr").count(), b.runs.length);
   const facts = await page.locator(".detail dl.facts").allInnerTexts();
   assert.doesNotMatch(facts.join(), /\bpairs?\b/, "only the table of runs counts the pairs");

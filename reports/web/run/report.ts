@@ -16,20 +16,6 @@ function libraryOf(methods: Method[]) {
     known.get(method) ?? (ownNames.includes(method) ? "ours" : method.split("-", 1)[0]!);
 }
 
-/** The objects of a list that report_data.cpp packed as columns: a list for each key. In `sparse` null stands for a key
- *  that an object lacks. */
-function objectsOf(packed: Packed): Packed[] {
-  if (Array.isArray(packed)) return packed;
-  const objects: Packed[] = [];
-  for (const kind of ["full", "sparse"])
-    for (const [key, column] of Object.entries<Packed[]>(packed[kind]))
-      for (const [i, x] of column.entries()) {
-        objects[i] ??= {};
-        if (kind === "full" || x !== null) objects[i][key] = x;
-      }
-  return objects;
-}
-
 /** JSON has no number beyond the doubles: "inf" and "-inf" stand for them. */
 const numberOf = (x: Packed) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : Number(x));
 function withEnds(of: Packed): Packed {
@@ -68,7 +54,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
     librariesOf = (of: string[]) => [...new Set(of.map(library))],
     withLibrary = (row: Packed) => ({ ...row, library: library(row.method) });
   const unpacked = cases.map((c: Packed) => caseOf(c, names));
-  const findings: Finding[] = objectsOf(packed.findings).map(({ case: at, ...f }) => ({
+  const findings: Finding[] = packed.findings.map(({ case: at, ...f }: Packed) => ({
     ...unpacked[at],
     ...withLibrary(f),
     margin: f.margin && f.margin.map(numberOf),
@@ -79,7 +65,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
     libraries: librariesOf(b.methods),
     libraries_of_kind: librariesOf(b.methods_of_kind),
     simplest: withEnds(b.simplest),
-    worst: withEnds(b.worst ?? b.simplest), // a hang is not searched for a worse one
+    worst: withEnds(b.worst ?? b.simplest), // no hang is worse than another
   }));
   return {
     ...packed,
@@ -92,7 +78,7 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
     causes,
     findings,
     maps: packed.maps.map((m: Packed) =>
-      inDegrees(withLibrary({ ...m, cells: objectsOf(m.cells).map((c) => ({ ...noCounts, ...c })) })),
+      inDegrees(withLibrary({ ...m, cells: m.cells.map((c: Packed) => ({ ...noCounts, ...c })) })),
     ),
     tallies: packed.tallies.map(withLibrary),
     calibration: packed.calibration.map(withLibrary),

@@ -78,7 +78,7 @@ const namedFaults = 3;
 /** The answer of the run: red if something is new and wrong, amber if that may be chance, else green. */
 function Answer({ report }: { report: Report }) {
   const compared = report.against.length > 0,
-    wrong = report.causes.filter((b) => b.count > 0 && !b.suppressed && b.severity === "contract"),
+    wrong = report.causes.filter((b) => b.count > 0 && b.severity === "contract"),
     faults = wrong.filter((b) => !compared || b.status === "new" || b.status === "back"),
     rare = wrong.filter((b) => compared && b.status === "rare");
   const beyond = report.findings.filter((f) => f.severity === "contract" && f.cause === null),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/near/model_hierarchy.hpp"
+#include "scenes/study/model_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "corpus/pairs/families.hpp"
 #include "oracles/referee/referee.hpp"
-#include "scenes/near/verification.hpp"
+#include "scenes/study/verification.hpp"
 
 namespace cyl {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A hierarchy of models that replace a solid, cheapest first: a ball and a capsule around it, and a capsule
-// inside it. All are rounded solids, which the solver answers like the solid itself. Each level decides
-// whether two solids are within a clearance, or leaves that to a later level. The solver knows no boxes and
-// half-spaces: if one is in a pair, the referee answers in place of the last three levels.
+// inside it. All are rounded solids, which the solver answers like the solid itself. A half-space is a model
+// of itself. Each level decides whether two solids are within a clearance, or leaves that to a later level.
 #pragma once
 
 #include <array>
@@ -40,14 +39,11 @@ enum class Proximity : unsigned char {
 inline constexpr double model_margin = 0x1p-42;
 
 /// A solid with its models.
-struct ProxyModels {  // a model that the shape does not have is invalid: all of a half-space
+struct ProxyModels {
   Prepared solid, ball, outer;
   Prepared inner;  ///< invalid if nothing is inside: for a segment, a disk, a point
-  Solid shape;     ///< the solid as it is
 };
 ProxyModels make_models(const Solid& c) noexcept;
-/// Returns whether only the referee answers about the solids themselves.
-bool needs_referee(const ProxyModels& a, const ProxyModels& b) noexcept;
 std::vector<ProxyModels> models_of(std::span<const Solid> placed);
 
 /// Returns the answer of one level for valid solids. `apart` and `within` are never wrong beyond 1e-13 of the

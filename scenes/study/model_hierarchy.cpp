@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/near/model_hierarchy.hpp"
+#include "scenes/study/model_hierarchy.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
-#include "scenes/near/verification.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -18,9 +17,11 @@ Proximity proximity_of(Verdict verdict) noexcept {
                                             : Proximity::unclear;
 }
 
-/// Answers as within() does for two balls, but without the call, which costs more than the answer.
+/// Answers as within() does, for two balls without the call, which costs more than the answer.
 bool balls_apart(const Prepared& a, const Prepared& b, double clearance) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return false;
+  if (a.shape == Shape::half_space || b.shape == Shape::half_space)
+    return cyl::within(a, b, clearance) == Verdict::disjoint;
   const Vector3 way = b.center - a.center;
   const double far = a.rounding + b.rounding + clearance;
   return way.x() * way.x() + way.y() * way.y() + way.z() * way.z() > far * far;
@@ -50,18 +51,14 @@ ProxyModels models_of_box(const Solid& c) noexcept {
   const double inside = std::min(y, z);
   return {prepare(c), model(0, std::hypot(x, y, z) / 2 + c.rounding + margin),
           model(x, std::hypot(y, z) / 2 + c.rounding + margin),
-          model(x - inside, inside / 2 + c.rounding - margin), c};
+          model(x - inside, inside / 2 + c.rounding - margin)};
 }
 
 }  // namespace
 
-bool needs_referee(const ProxyModels& a, const ProxyModels& b) noexcept {
-  return a.shape.shape != Shape::cylinder || b.shape.shape != Shape::cylinder;
-}
-
 ProxyModels make_models(const Solid& c) noexcept {
   if (is_box(c)) return models_of_box(c);
-  if (is_half_space(c)) return {prepare(c), prepare(c), prepare(c), prepare(c), c};
+  if (is_half_space(c)) return {prepare(c), prepare(c), prepare(c), prepare(c)};
   const double margin = model_margin * (c.radius + c.height + c.rounding);
   const double inside = std::min(c.radius, c.height / 2);
   const auto model = [&](double height, double rounding) {
@@ -70,7 +67,7 @@ ProxyModels make_models(const Solid& c) noexcept {
   return {prepare(c),
           model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
           model(c.height, c.radius + c.rounding + margin),
-          model(c.height - 2 * inside, inside + c.rounding - margin), c};
+          model(c.height - 2 * inside, inside + c.rounding - margin)};
 }
 
 std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
@@ -82,10 +79,6 @@ std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
 
 Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
   // The clearance acts as a rounding of the models, so it gets their margin.
-  if (level >= Level::cylinder && needs_referee(a, b)) {
-    const std::optional<bool> said = referee_within({a.shape, b.shape}, clearance);
-    return !said ? Proximity::unclear : *said ? Proximity::within : Proximity::apart;
-  }
   const double wide = clearance * (1 + model_margin), narrow = clearance * (1 - model_margin);
   switch (level) {
     case Level::sphere:
@@ -109,7 +102,6 @@ bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double cl
     case Level::inner:
       return proximity(level, a, b, clearance) == Proximity::within;
     case Level::distance:
-      if (needs_referee(a, b)) return proximity(level, a, b, clearance) != Proximity::apart;
       return !(distance(a.solid, b.solid).value > clearance);
     default:
       return proximity(level, a, b, clearance) != Proximity::apart;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/near/verification.hpp"
+#include "scenes/study/verification.hpp"
 
 #include "oracles/referee/referee.hpp"
 
