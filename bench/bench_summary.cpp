@@ -2,6 +2,7 @@
 #include "bench/bench_summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,7 @@ std::string format_shapes(std::span<const QueryComparisons> queries) {
         "\n| shapes | `{}` ns | families | with a right method | ratio | least ratio | to |\n"
         "|---|---:|---:|---:|---:|---:|---|\n",
         s.comparisons[0].method);
+    std::vector<std::string> without;
     const auto line = [&](const std::string& shapes, std::span<const Comparison> all) {
       double sum = 0;
       std::size_t right = 0;
@@ -139,17 +141,15 @@ std::string format_shapes(std::span<const QueryComparisons> queries) {
         ++right;
         if (!least || c.right.ratio < least->right.ratio) least = &c;
       }
-      const auto ratio = [](double x) { return std::isfinite(x) ? fmt::format("{:.1f}", x) : "-"; };
-      const Ratios ratios = ratios_of(all, &Comparison::right);
-      table += fmt::format("| {} | {:.0f} | {} | {} | {} | {} | {} |\n", shapes,
+      if (!least) return without.push_back(shapes);
+      table += fmt::format("| {} | {:.0f} | {} | {} | {:.1f} | {:.1f} | `{}`, {} |\n", shapes,
                            std::exp(sum / static_cast<double>(all.size())), all.size(), right,
-                           ratio(ratios.geometric_mean), ratio(ratios.least),
-                           least ? fmt::format("`{}`, {}", least->right.method,
-                                               least->family.substr(least->family.find(' ') + 1))
-                                 : "");
+                           ratios_of(all, &Comparison::right).geometric_mean, least->right.ratio,
+                           least->right.method, least->family.substr(least->family.find(' ') + 1));
     };
     for (const auto& [shapes, all] : by_shapes) line(shapes, all);
     line("all", s.comparisons);
+    if (!without.empty()) table += fmt::format("\nno method is right on: {}\n", fmt::join(without, ", "));
   }
   return text + table;
 }

@@ -39,6 +39,7 @@ ELSEWHERE = {
     'daylight fuzz': 'fuzz_test',
     'oracles/guests/': 'engines_test',
     'bench --curves': 'chart_test',
+    'bench --shapes': 'bench_test',
     '--bench bench.json': 'chart_test',
     '--shard': 'campaign_replay_test',
     'merge runs/night': 'campaign_replay_test',

@@ -107,7 +107,7 @@ void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer
   Hull hull = Hull::space;
   if (c.shape == Shape::box) {
     for (int i = 0; i < 3; ++i) inner.edges[i] -= 2 * inwards;
-    if (!((inner.edges.array() > 2 * room).all())) return;
+    if (!(smaller(smaller(inner.edges[0], inner.edges[1]), inner.edges[2]) > 2 * room)) return;
   } else {
     hull = hull_of(c.radius, 0.5 * c.height, core_size(c) + p.contact);
     const bool line = (hull == Hull::line) | (hull == Hull::center);

@@ -100,9 +100,10 @@ Prepared rescaled(Prepared c, int exponent) noexcept {
   c.center = times_power(c.center, exponent);
   c.radius = moved(c.radius), c.height = moved(c.height), c.rounding = moved(c.rounding);
   mark_moderate(c);
-  c.moderate &= ((c.center.array() == 0) == (before.center.array() == 0)).all() &
-                ((c.radius == 0) == (before.radius == 0)) & ((c.height == 0) == (before.height == 0)) &
-                ((c.rounding == 0) == (before.rounding == 0));
+  const auto kept = [](double x, double y) { return (x == 0) == (y == 0); };
+  c.moderate &=
+      kept(c.radius, before.radius) & kept(c.height, before.height) & kept(c.rounding, before.rounding);
+  for (int i = 0; i < 3; ++i) c.moderate &= kept(c.center[i], before.center[i]);
   return c;
 }
 

@@ -69,5 +69,6 @@ add_dependencies(portable daylight installed_solver)
 # in them, which want a program that has them too.
 if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/cmake/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
-  set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 2400)
+  add_test(NAME amalgamate_test COMMAND ${PROJECT_SOURCE_DIR}/solver/amalgamate_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
+  set_tests_properties(install_test amalgamate_test PROPERTIES LABELS library TIMEOUT 2400)
 endif()

@@ -37,7 +37,7 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
   return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
-// What was proved, into the answer.
+// Writes a proof into the answer.
 inline void hand_out(const Vector3& direction, Answer& answer) noexcept {
   answer.verdict = Verdict::disjoint;
   answer.proof = Proof::direction;

@@ -119,7 +119,7 @@ inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexc
           height0 * half, radius1 * unit, height1 * half, exponent - shift};
 }
 
-// f(d), for d or -d, whichever points to the other solid.
+// f(d), or f(-d) if that is smaller.
 inline double support_gap(const Scaled& p, const Vector3& d) noexcept {
   return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
          p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));

@@ -118,9 +118,9 @@ struct ClippedBox {
 ClippedBox clip(const BoxView& v) noexcept;
 
 /// For cores that are apart, with `way` between their nearest points, which ends at on1. Finds directions.
-/// One of them shows the gap but for rounding: those of axis_of(), and `way`, made square to edges that it
-/// nearly is square to. At a rim also those square to its tangent at on1, and those of the outline
-/// (boxes.md, sections 4 and 5). Returns their number.
+/// One of them shows the gap but for rounding. They are those of axis_of(), `way`, and the directions of the
+/// outline (boxes.md, sections 4 and 5). `way` is also made square to edges and to the rim at on1, if it
+/// nearly is. Others are square to the rim and to an edge. Returns their number.
 inline constexpr int direction_cap = box_axes + 7;
 int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
