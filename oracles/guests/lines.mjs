@@ -46,10 +46,8 @@ function solidOf(solid, origin) {
   return { kind, halfHeight, radius, rounding, lengths, position, turn: turnFromY(solid.axis) };
 }
 
-/** Lengths whose fourth powers single precision holds. */
-const least = 1e-9, most = 1e9;
-/** A point of a half-space this far off leaves the rounding errors of its plane below the claims. */
-const farthest = 1e6;
+/** Lengths whose fourth powers single precision holds. Points of planes are near enough for errors below the claims. */
+const least = 1e-9, most = 1e9, farthest = 1e6;
 
 function fits({ lengths, position, away = 0 }) {
   return away <= farthest && lengths.every((x) => x === 0 || (x >= least && x <= most)) &&

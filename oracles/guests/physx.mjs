@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PhysX's overlap of two solids, and the separation that its GJK finds. Cylinders and rounded boxes are convex cores.
+// PhysX's overlap of two solids, which need a volume. Cylinders and rounded boxes are convex cores.
 import { readFileSync } from 'node:fs';
 import { serve } from './lines.mjs';
 
@@ -50,7 +50,6 @@ function placed(s) {
   return { geometry, pose, end: () => [geometry, pose, turn, at].forEach((gone) => PhysX.destroy(gone)) };
 }
 
-// isValid() of its geometries asks for a volume, hence `zero`.
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of the length scale 1' };
 serve({ npm: 'physx-js-webidl', call: 'PxGeometryQuery.overlap', claim, shapes, sizes: { zero: false } }, (a, b) => {
   const [one, other] = [placed(a), placed(b)];
