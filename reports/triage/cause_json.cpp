@@ -60,10 +60,6 @@ ShownCase case_of(const Json& j) {
   return shown;
 }
 
-Json share_json(const std::optional<Cause::Share>& share) {
-  return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
-}
-
 /// Returns the rate per million pairs, with bounds at 95 %.
 Json observation_json(const Cause::RunObservation& seen) {
   constexpr double million = 1e6;
@@ -85,7 +81,6 @@ Json to_json(const Cause& b) {
          {"worst", b.worst ? parse_json(b.worst->page) : Json()},
          {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
-         {"share", share_json(b.share)},
          {"status", nullptr},
          {"chance", nullptr},
          {"asked_before", b.asked_before},
@@ -112,8 +107,6 @@ Cause cause_from_json(const Json& j) {
   b.severity = word_of<Severity>(j.at("severity"));
   if (const Json& margin = j.at("margin"); !margin.is_null())
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
-  if (const Json& share = j.at("share"); !share.is_null())
-    b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("status"); !status.is_null()) b.status = word_of<Recurrence>(status);
   return b;
 }

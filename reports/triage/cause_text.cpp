@@ -34,10 +34,6 @@ std::string format_cause(const Cause& b) {
                                      counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
-  // A count of none reads as if the cause were not there, although it is only rarer than these pairs.
-  if (b.share && b.share->wrong > 0 && b.count > 0)
-    text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
-                        b.share->asked);
   return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
                             pair_to_json(b.simplest.pair).dump());
 }

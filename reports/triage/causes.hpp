@@ -34,10 +34,6 @@ struct ShownCase {
 
 /// A cause: the findings with this cause, and the data that is shown of them.
 struct Cause {
-  /// How often a method fails in the same way on pairs drawn from the stratum.
-  struct Share {
-    std::uint64_t wrong = 0, asked = 0;
-  };
   /// The pairs of one method in the families of the cause, and those that show it.
   struct RunObservation {
     std::string run, started;
@@ -55,12 +51,11 @@ struct Cause {
   std::vector<std::int64_t> findings;        ///< ids of the stored findings
   std::optional<Enclosure> margin;  ///< the least and the greatest lower bound, of findings of that kind
   ShownCase simplest;
-  std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
-  bool simplified = false;          ///< the simplest is; else it is as it was found
-  bool seen_again = false;          ///< its method, asked alone, failed on the simplest
-  std::string description;          ///< in words
-  std::vector<std::string> labels;  ///< the cause and further labels
-  std::optional<Share> share;
+  std::optional<ShownCase> worst;    ///< empty if the worst finding is another pair that hangs
+  bool simplified = false;           ///< the simplest is; else it is as it was found
+  bool seen_again = false;           ///< its method, asked alone, failed on the simplest
+  std::string description;           ///< in words
+  std::vector<std::string> labels;   ///< the cause and further labels
   std::optional<Recurrence> status;  ///< empty if there is no earlier run
   std::optional<double> chance;      ///< probability that chance explains the status, if it was computed
   bool asked_before = false;         ///< an earlier run asked its method about its families
@@ -104,7 +99,7 @@ Cause cause_from_json(const nlohmann::json& stored);
 /// Makes the causes, by key. Status, first and last seen are not set. The
 /// worst pair is that of the findings. The simplest pair is one on which its method, asked alone, fails now.
 /// If there is none, it is the first that was found, with its stored answer. Asks every method about the
-/// simplest and the worst pair of each cause, and the cause's own method about a sample of the stratum. Once
+/// simplest and the worst pair of each cause. Once
 /// `out_of_time()`, a cause is as in `last`, the result of the last triage, and of a new one only the own
 /// method is asked, about the simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
@@ -156,8 +151,5 @@ inline std::string shown_in_words(const Cause& cause) {
 
 /// A line a cause: findings, margins, what is wrong and the simplest pair.
 std::string format_causes(const std::vector<Cause>& causes);
-
-/// Pairs drawn to see which share of a stratum fails.
-inline constexpr std::uint64_t share_sample = 64;
 
 }  // namespace cyl

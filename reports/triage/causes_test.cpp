@@ -54,16 +54,6 @@ TEST(Causes, WhatHangsIsNotAskedOnceTheTimeIsOver) {
   EXPECT_EQ(causes[0].labels[1], "not asked again: no time was left for endless, which hangs");
 }
 
-TEST(Causes, NoShareIsNamedIfNoRandomPairShowsTheCause) {
-  Cause cause;
-  cause.key = "x/hang";
-  cause.count = 1;
-  cause.share = Cause::Share{1, 64};
-  EXPECT_NE(format_causes({cause}).find("1 of 64 similar"), std::string::npos);
-  cause.share->wrong = 0;
-  EXPECT_EQ(format_causes({cause}).find("of 64"), std::string::npos);
-}
-
 /// A run with one cause, on which one method is wrong for so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
   const std::string key = std::string("x/") + to_string(kind);
