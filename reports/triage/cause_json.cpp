@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "base/number_text.hpp"
-#include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/triage/causes.hpp"
@@ -24,6 +23,7 @@ void visit_plain(B& b, Visit visit) {
   visit("findings", b.findings);
   visit("simplified", b.simplified);
   visit("seen_again", b.seen_again);
+  visit("asked_before", b.asked_before);
   visit("cause", b.description);
   visit("labels", b.labels);
   visit("first_seen", b.first_seen);
@@ -60,19 +60,6 @@ ShownCase case_of(const Json& j) {
   return shown;
 }
 
-/// Returns the rate per million pairs, with bounds at 95 %.
-Json observation_json(const Cause::RunObservation& seen) {
-  constexpr double million = 1e6;
-  const Observation& s = seen.all;
-  const RateBounds bounds = rate_bounds(s.asked, s.count);
-  const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
-  return {{"run", seen.run},
-          {"started", seen.started},
-          {"count", s.count},
-          {"asked", s.asked},
-          {"per_million", {million * rate, million * bounds.lower, million * bounds.upper}}};
-}
-
 }  // namespace
 
 Json to_json(const Cause& b) {
@@ -81,13 +68,8 @@ Json to_json(const Cause& b) {
          {"worst", b.worst ? parse_json(b.worst->page) : Json()},
          {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
-         {"status", nullptr},
-         {"chance", nullptr},
-         {"asked_before", b.asked_before},
-         {"runs", Json::array()}};
+         {"status", nullptr}};
   if (b.status) j["status"] = to_string(*b.status);
-  if (b.chance) j["chance"] = *b.chance;
-  for (const Cause::RunObservation& seen : b.history) j["runs"].push_back(observation_json(seen));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }

@@ -20,13 +20,11 @@ std::string some_of(const std::set<std::string>& names) {
 }
 
 std::string format_cause(const Cause& b) {
-  std::string text = fmt::format(
-      "{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
-      b.status ? std::string(", ") + to_string(*b.status) : "",
-      b.chance && *b.chance < chance_margin ? fmt::format(" (probability of mere chance: {:.1g})", *b.chance)
-      : is_of_new_families(b)               ? ", but no earlier run tested this method on these families"
-                                            : "",
-      b.description);
+  std::string text =
+      fmt::format("{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
+                  b.status ? std::string(", ") + to_string(*b.status) : "",
+                  is_of_new_families(b) ? ", but no earlier run tested this method on these families" : "",
+                  b.description);
   text += b.count == 0 ? "    found in other runs only"
                        : fmt::format("    {}{} in {}, of {}",
                                      b.count > b.findings.size() && !b.findings.empty() ? "about " : "",

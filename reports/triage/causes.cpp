@@ -226,8 +226,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const auto shown_last = std::ranges::find(last, key, &Cause::key);
     if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
       causes.push_back(*shown_last);
-      causes.back().history.clear();  // compare_with_earlier() makes both
-      causes.back().status.reset();
+      causes.back().status.reset();  // compare_with_earlier() sets it
       continue;
     }
     std::optional<ShownPair> shown = choose_simplest(group, of.methods, shower, out_of_time);
