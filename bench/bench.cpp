@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -81,35 +82,36 @@ Cost median(std::span<const Cost> costs) {
   return {quantile(values(costs, &Cost::ns), 0.5), quantile(values(costs, &Cost::instructions), 0.5)};
 }
 
-BenchRow make_row(const Candidate& candidate, const Family& family) {
+BenchRow make_row(const Candidate& candidate, std::string_view family) {
   BenchRow row;
   row.method = candidate.method->name();
   row.name = candidate.method->name_parts();
-  row.family = family.name;
+  row.family = family;
   row.query = candidate.query;
   row.foreign = candidate.method->foreign();
   return row;
 }
 
-void time(std::span<Run> runs, const Family& family, const BenchOptions& options,
+void time(std::span<Run> runs, std::string_view family, std::size_t pairs, const BenchOptions& options,
           const BenchProgress& progress) {
   const double seconds = options.min_time / options.passes;
   std::vector<Cost> empty;
   for (int pass = 0; pass < options.passes; ++pass) {
-    progress(fmt::format("{}: timing, pass {} of {}", family.name, pass + 1, options.passes));
-    empty.push_back(time_nothing(options.pairs, seconds));
+    progress(fmt::format("{}: timing, pass {} of {}", family, pass + 1, options.passes));
+    empty.push_back(time_nothing(pairs, seconds));
     for (Run& run : runs) {
       if (!run.timed.empty()) run.rounds.push_back(time_round(run.candidate, run.timed, seconds));
     }
   }
   for (Run& run : runs) {
     if (run.timed.empty()) continue;
-    progress(fmt::format("{}: slowest pairs of {} ({})", family.name, run.row.method, run.row.query));
+    progress(fmt::format("{}: slowest pairs of {} ({})", family, run.row.method, run.row.query));
     const Cost nothing = run.candidate.query == "batch" ? Cost{0, 0} : median(empty);
     const Cost round = median(run.rounds);
     run.row.median_ns = round.ns - nothing.ns;
     run.row.instructions = round.instructions - nothing.instructions;
     run.row.spread_percent = spread_percent(values(run.rounds, &Cost::ns));
+    if (options.shapes) continue;
     const CallTimes each = time_each(run.candidate, run.timed, options.passes);
     run.row.p50_ns = each.p50_ns;
     run.row.p99_ns = each.p99_ns;
@@ -118,7 +120,7 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
 }
 
 /// Asks one candidate and verifies its answers. Returns nothing if it is asked nothing or gives no distance.
-std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<JudgedPair> proved,
+std::optional<Run> verify(const Candidate& candidate, std::string_view family, std::span<JudgedPair> proved,
                           std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
   std::vector<std::size_t> asked;
@@ -143,21 +145,24 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
   return run;
 }
 
-std::vector<BenchRow> bench_family(const Family& family, std::span<const Candidate> candidates,
-                                   const BenchOptions& options, const BenchProgress& progress) {
-  progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
-  std::vector<JudgedPair> proved;
-  for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family.generate(options.seed, i)));
+std::vector<BenchRow> bench_pairs(std::string_view family, std::vector<JudgedPair>& proved,
+                                  std::span<const Candidate> candidates, const BenchOptions& options,
+                                  const BenchProgress& progress) {
   std::vector<Run> runs;
   for (const Candidate& candidate : candidates) {
-    progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
+    progress(fmt::format("{}: verifying {} ({})", family, candidate.method->name(), candidate.query));
     if (std::optional<Run> run = verify(candidate, family, proved, options.curves ? costly_asked : 0))
       runs.push_back(std::move(*run));
   }
-  time(runs, family, options, progress);
+  time(runs, family, proved.size(), options, progress);
   std::vector<BenchRow> rows;
   for (Run& run : runs) rows.push_back(std::move(run.row));
   return rows;
+}
+
+std::string shapes_of(const Pair& pair) {
+  const auto [first, second] = std::minmax({kind_of(pair.a), kind_of(pair.b)});
+  return fmt::format("{}/{}", to_string(first), to_string(second));
 }
 
 }  // namespace
@@ -168,9 +173,22 @@ std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
   std::vector<Candidate> candidates = candidates_of(methods);
   if (options.curves)
     std::erase_if(candidates, [](const Candidate& c) { return c.query == "raw" || c.query == "depth"; });
+  if (options.shapes)
+    std::erase_if(candidates, [](const Candidate& c) {
+      return c.method->share() > 1 || (c.query != "verdict" && c.query != "certificate");
+    });
   std::vector<BenchRow> rows;
   for (const Family& family : families) {
-    for (BenchRow& row : bench_family(family, candidates, options, progress)) rows.push_back(std::move(row));
+    progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
+    std::map<std::string, std::vector<JudgedPair>> parts;
+    for (std::size_t i = 0; i < options.pairs; ++i) {
+      const Pair pair = family.generate(options.seed, i);
+      parts[options.shapes ? fmt::format("{} {}", shapes_of(pair), family.name) : std::string(family.name)]
+          .push_back(prove(pair));
+    }
+    for (auto& [name, proved] : parts)
+      for (BenchRow& row : bench_pairs(name, proved, candidates, options, progress))
+        rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -24,6 +24,9 @@ struct BenchOptions {
   double min_time = 0.2;     ///< seconds of timing a row, all rounds together
   int passes = 9;            ///< rounds of each row, the rows of a family taking turns
   bool curves = false;       ///< for bench/curves.hpp: its queries alone, costly methods on more pairs
+  /// For format_shapes: verdict and certificate alone, without costly methods and p99. Each family is split
+  /// by the shapes of its pairs, and its name becomes "sphere/box box_sphere".
+  bool shapes = false;
 };
 
 /// For curves, a costly method with a smaller share is asked about at least this many pairs and timed on this

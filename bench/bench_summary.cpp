@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "bench/bench_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace cyl {
@@ -26,14 +29,19 @@ const BenchRow* own_row(std::span<const BenchRow> rows, std::string_view family,
   });
 }
 
+std::size_t off(const BenchRow& row) {
+  return row.wrong_disjoint + row.wrong_intersecting + row.undecided + row.failed;
+}
+
 /// A pair that is declined takes no time.
 bool answers(const BenchRow& row) {
   return static_cast<double>(row.undecided + row.failed) <= right_tol * static_cast<double>(row.pairs);
 }
 
 Competitor competitor_of(const BenchRow* row, double our_ns) {
-  return row ? Competitor{row->method, row->median_ns, row->median_ns / our_ns, row->max_error}
-             : Competitor{};
+  if (!row) return {};
+  return {row->method, row->median_ns, row->median_ns / our_ns,
+          1 - static_cast<double>(off(*row)) / static_cast<double>(row->pairs), row->max_error};
 }
 
 Comparison comparison_of(std::span<const BenchRow> rows, const BenchRow& ours) {
@@ -78,8 +86,7 @@ Ratios ratios_of(std::span<const Comparison> comparisons, Competitor Comparison:
 }  // namespace
 
 bool is_right(const BenchRow& row) {
-  const std::size_t off = row.wrong_disjoint + row.wrong_intersecting + row.undecided + row.failed;
-  return static_cast<double>(off) <= right_tol * static_cast<double>(row.pairs);
+  return static_cast<double>(off(row)) <= right_tol * static_cast<double>(row.pairs);
 }
 
 std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows) {
@@ -103,6 +110,48 @@ std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows) {
     queries.push_back(std::move(s));
   }
   return queries;
+}
+
+std::string format_shapes(std::span<const QueryComparisons> queries) {
+  std::string text, table;
+  for (const QueryComparisons& s : queries) {
+    text += fmt::format("\n{:<50}{:>11}  {:<30}{:>9}{:>9}{:>8}\n", s.query, "ours ns", "right", "ns",
+                        "right %", "ratio");
+    std::map<std::string, std::vector<Comparison>> by_shapes;
+    for (const Comparison& c : s.comparisons) {
+      const std::string shapes = c.family.substr(0, c.family.find(' '));
+      by_shapes[shapes].push_back(c);
+      text += fmt::format("{:<50}{:>11.1f}  {:<30}{:>9.1f}{:>9.1f}{:>8.1f}\n", c.family, c.ns,
+                          c.right.method.empty() ? "-" : c.right.method, c.right.ns,
+                          100 * c.right.right_share, c.right.ratio);
+    }
+    table += fmt::format(
+        "\n| shapes | `{}` ns | families | with a right method | ratio | least ratio | to |\n"
+        "|---|---:|---:|---:|---:|---:|---|\n",
+        s.comparisons[0].method);
+    const auto line = [&](const std::string& shapes, std::span<const Comparison> all) {
+      double sum = 0;
+      std::size_t right = 0;
+      const Comparison* least = nullptr;
+      for (const Comparison& c : all) {
+        sum += std::log(c.ns);
+        if (c.right.method.empty()) continue;
+        ++right;
+        if (!least || c.right.ratio < least->right.ratio) least = &c;
+      }
+      const auto ratio = [](double x) { return std::isfinite(x) ? fmt::format("{:.1f}", x) : "-"; };
+      const Ratios ratios = ratios_of(all, &Comparison::right);
+      table += fmt::format("| {} | {:.0f} | {} | {} | {} | {} | {} |\n", shapes,
+                           std::exp(sum / static_cast<double>(all.size())), all.size(), right,
+                           ratio(ratios.geometric_mean), ratio(ratios.least),
+                           least ? fmt::format("`{}`, {}", least->right.method,
+                                               least->family.substr(least->family.find(' ') + 1))
+                                 : "");
+    };
+    for (const auto& [shapes, all] : by_shapes) line(shapes, all);
+    line("all", s.comparisons);
+  }
+  return text + table;
 }
 
 }  // namespace cyl

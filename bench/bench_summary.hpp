@@ -22,6 +22,7 @@ struct Competitor {
   std::string method;  ///< empty: there is none
   double ns = not_measured;
   double ratio = not_measured;  ///< its time over ours
+  double right_share = not_measured;
   double max_error = not_measured;
 };
 
@@ -58,5 +59,9 @@ struct QueryComparisons {
 
 /// Returns the queries that we have rows of, in the order verdict, raw, certificate, batch, distance, depth.
 std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows);
+
+/// For rows made with BenchOptions::shapes. Returns a line for each pair of shapes and family, and a table in
+/// Markdown with a line for each pair of shapes.
+std::string format_shapes(std::span<const QueryComparisons> queries);
 
 }  // namespace cyl

@@ -177,6 +177,23 @@ TEST(Bench, AsksCostlyMethodsTheirShare) {
   EXPECT_EQ(run(fake)[0].pairs, quick.pairs / 16);
 }
 
+TEST(Bench, SplitsAFamilyByShapes) {
+  BenchOptions options = quick;
+  options.shapes = true;
+  std::size_t pairs = 0;
+  const auto rows = run(std::move(select_methods(own_methods(), "intersect")[0]), "box_edges", options);
+  for (const BenchRow& row : rows) {
+    EXPECT_TRUE(row.family.ends_with("box box_edges")) << row.family;
+    EXPECT_EQ(row.query, "verdict");
+    pairs += row.pairs;
+  }
+  EXPECT_GE(rows.size(), 2u);
+  EXPECT_EQ(pairs, quick.pairs);
+  Fake costly;
+  costly.share_ = 16;
+  EXPECT_TRUE(run(std::make_unique<Fake>(costly), "random", options).empty());
+}
+
 TEST(Bench, MeasuresTheErrorOfDistances) {
   std::size_t first_disjoint = 0;
   while (judge(pair_at(first_disjoint)).verdict != Verdict::disjoint) ++first_disjoint;
@@ -282,6 +299,18 @@ TEST(Summary, TakesTheFastestThatIsRight) {
   EXPECT_EQ(batch.comparisons[0].right.method, "good") << "a batch is held against verdicts";
   EXPECT_DOUBLE_EQ(batch.right.least, 45);
   EXPECT_DOUBLE_EQ(batch.fastest.least, 25);
+}
+
+TEST(Summary, ByShapesTakesTheMeanAndTheLeast) {
+  const BenchRow rows[] = {
+      row_of("intersect", "sphere/box x", "verdict", 10), row_of("good", "sphere/box x", "verdict", 40, 1),
+      row_of("intersect", "sphere/box y", "verdict", 40), row_of("good", "sphere/box y", "verdict", 360),
+      row_of("intersect", "box/box x", "verdict", 10),    row_of("good", "box/box x", "verdict", 40, 3)};
+  const std::string text = format_shapes(summarise(rows));
+  EXPECT_NE(text.find("| sphere/box | 20 | 2 | 2 | 6.0 | 4.0 | `good`, x |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| box/box | 10 | 1 | 0 | - | - |  |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" good "), std::string::npos);
+  EXPECT_NE(text.find(" 100.0 "), std::string::npos) << text;
 }
 
 TEST(Summary, UndecidedAndFailedAreNotRight) {

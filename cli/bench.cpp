@@ -29,7 +29,6 @@ struct BenchArguments {
   BenchOptions bench;
   std::string methods = "all";
   std::string families = "random,margin_1e-06,margin_1e-09";
-  bool curves = false;
   std::string json;
   GuestOptions guests;
 };
@@ -44,22 +43,23 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
-/// Sets the options that --curves stands for, unless the command line gives them. Five margins of the 600
-/// pairs have as many pairs as `digits_low` needs.
-void set_curves(const Command& command, BenchArguments& options) {
+/// Sets the options that --curves or --shapes stands for, unless the command line gives them. Five margins of
+/// the 600 pairs have as many pairs as `digits_low` needs. One of 1000 answers may be wrong for `is_right`.
+void set_defaults(const Command& command, BenchArguments& options) {
   const auto unless_given = [&](const char* name, auto& option, auto value) {
     if (!command.given(name)) option = value;
   };
-  unless_given("--families", options.families, "random,margin_1e");
-  unless_given("--pairs", options.bench.pairs, std::size_t{600});
+  const bool shapes = options.bench.shapes;
+  if (!shapes && !options.bench.curves) return;
+  unless_given("--families", options.families, shapes ? "all" : "random,margin_1e");
+  unless_given("--pairs", options.bench.pairs, std::size_t{shapes ? 1000u : 600u});
   unless_given("--min-time", options.bench.min_time, 0.01);
   unless_given("--passes", options.bench.passes, 3);
-  options.bench.curves = true;
 }
 
 std::vector<std::unique_ptr<Method>> methods_for(const BenchArguments& options, MethodSet set) {
   auto methods = std::move(set.methods);
-  if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
+  if (options.bench.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
 }
 
@@ -85,12 +85,10 @@ void run(const BenchArguments& options) {
 
   const std::vector<BenchRow> rows = bench(methods, families, options.bench, progress);
   std::vector<QueryComparisons> queries;
-  if (options.curves) {
-    fmt::print("{}", format_curves(speed_points(rows)));
-  } else {
-    queries = summarise(rows);
-    fmt::print("{}{}", format_bench_table(rows), format_comparisons(queries));
-  }
+  if (!options.bench.curves) queries = summarise(rows);
+  fmt::print("{}", options.bench.curves   ? format_curves(speed_points(rows))
+                   : options.bench.shapes ? format_shapes(queries)
+                                          : format_bench_table(rows) + format_comparisons(queries));
   for (const auto& method : methods)
     if (std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
       fmt::print("{}: no row, because it does not support these pairs\n", method->name());
@@ -121,8 +119,11 @@ void add_bench(Program& program) {
   command.number("--passes N", options->bench.passes,
                  "times that each row is timed, in rotation with the others", 1);
   command.section("What to measure");
-  command.flag("--curves", options->curves,
+  command.flag("--curves", options->bench.curves,
                "time each method at more settings, for the chart of speed against accuracy");
+  command.flag(
+      "--shapes", options->bench.shapes,
+      "split each family by the shapes of its pairs, and compare ours with others for each of these");
   command.section("Output");
   command.option("--json FILE", options->json, "also write the results as JSON").writable();
   command.examples(
@@ -130,7 +131,7 @@ void add_bench(Program& program) {
       "  daylight bench --curves --json bench.json",
       "The exit codes 2 and 3 do not occur for bench.");
   command.run([options, command] {
-    if (options->curves) set_curves(command, *options);
+    set_defaults(command, *options);
     run(*options);
     return exit_pass;
   });

@@ -43,7 +43,7 @@ ELSEWHERE = {
     '--shard': 'campaign_replay_test',
     'merge runs/night': 'campaign_replay_test',
     '--pairs 1000000000': 'docs/results.md',
-    '--pairs 200000': 'docs/results.md',
+    '--pairs 25000 ': 'docs/engines.md',
     'runs/readme/run': 'compared, see check_numbers',
     'daylight COMMAND': 'no command but a pattern',
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
@@ -198,7 +198,7 @@ def commands_of(text):
 
 def shortened(words, number):
     """The same with less to do; a run without a name gets one, for two of them may begin within a second."""
-    least = {'--for': '1s', '--tier': 'smoke', '--pairs': '300', '--evaluations': '300', '--configurations': '10'}
+    least = {'--for': '1s', '--count': '300', '--pairs': '300', '--evaluations': '300', '--configurations': '10'}
     words = [least.get(before, word) if before in least else word for before, word in zip([''] + words, words)]
     patterns = {'KEY': 'fcl-libccd/overflow', 'CASE': 'one.jsonl', 'FOLDER': 'sent', 'METHOD': 'ode',
                 'libccd-mpr/wrong_disjoint': 'fcl-libccd/overflow'}

@@ -29,7 +29,7 @@ class BoxDistance {
       out.iterations = found.steps;
       const double most = std::sqrt(found.square);
       Vector3 directions[direction_cap];
-      const int count = find_directions(view_, found.on1 - found.on0, directions);
+      const int count = find_directions(view_, found.on0, found.on1, directions);
       for (int i = 0; i < count; ++i) consider(directions[i]);
       // If it is as good, the way between the points belongs to them.
       if (const Vector3 way = (found.on1 - found.on0) / most; view_.gap(way) > best_ - 0.25 * out.error) {

@@ -137,19 +137,26 @@ bool middle_of_part(const Vector3& from, const Vector3& g, const Vector3& half, 
 
 }  // namespace
 
-int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direction_cap]) noexcept {
+int find_directions(const BoxView& v, const Vector3& on0, const Vector3& on1,
+                    Vector3 (&found)[direction_cap]) noexcept {
+  const Vector3 way = on1 - on0, tangent = v.e[0].cross(on1 - v.d);
+  const bool round = !v.box && v.r > 0;
   int count = 0;
   for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);
-  for (const double square_tol : {0.0, 0x1p-26, 0x1p-10}) {
-    Vector3 d = way;
-    const double most = square_tol * length(way);
-    for (int j = 0; j < (v.box ? 3 : 1); ++j)
-      if (std::fabs(dot(d, v.e[j])) < most) d -= dot(d, v.e[j]) * v.e[j];
-    for (int i = 0; i < 3; ++i)
-      if (std::fabs(d[i]) < most) d[i] = 0;
-    found[count++] = d;
-  }
-  if (v.box || v.r == 0) return count;
+  // Square to edges of the other one, of the first box, or of both, which may differ by less than `most`.
+  for (const double square_tol : {0.0, 0x1p-26, 0x1p-10})
+    for (int which = v.box && square_tol > 0 ? 1 : 3; which <= 3; ++which) {
+      Vector3 d = way;
+      const double most = square_tol * length(way);
+      for (int j = 0; j < (v.box ? 3 : 1); ++j)
+        if ((which & 1) && std::fabs(dot(d, v.e[j])) < most) d -= dot(d, v.e[j]) * v.e[j];
+      for (int i = 0; i < 3; ++i)
+        if ((which & 2) && std::fabs(d[i]) < most) d[i] = 0;
+      found[count++] = d;
+      if (round) found[count++] = dot(tangent, tangent) * d - dot(tangent, d) * tangent;
+    }
+  if (!round) return count;
+  for (int i = 0; i < 3; ++i) found[count++] = tangent.cross(Vector3(i == 0, i == 1, i == 2));
   const ClippedBox clipped = clip(v);
   found[count++] = clipped.out;
   if (clipped.edge < 0) return count;

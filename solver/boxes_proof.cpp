@@ -45,35 +45,48 @@ class BoxProof {
  private:
   bool prove_cores() noexcept {
     const int axis = separating_axis(view_);
-    if (axis >= 0 && try_direction(axis_of(view_, axis))) return true;
-    Vector3 at;
-    if (!flat_ && find_common_point(shrunk_, at) && try_point(at)) return true;
+    if (axis >= 0) {
+      if (try_direction(axis_of(view_, axis))) return true;
+    } else {
+      Vector3 at;
+      if (!flat_ && find_common_point(shrunk_, at) && try_point(at)) return true;
+      if (view_.box || view_.r == 0 || clip(view_).meets) return false;  // no direction separates
+    }
     const NearestPoints found = nearest_points(view_, -1);
-    return try_directions(found.on1 - found.on0);
+    return found.square > error_ * error_ && try_directions(found.on0, found.on1);
   }
 
   bool prove_near() noexcept {
     if (!view_.box && view_.r == 0) {
       const SegmentPoint found = nearest_on_segment(view_, p_.contact);
       if (!found.near && try_direction(found.way)) return true;
+      if (is_hopeless(found.way)) return false;
       const Vector3 on1 = view_.d + found.t * view_.e[0];
       if (try_points(on1, on1)) return true;
       const SegmentPoint again = nearest_on_segment(shrunk_, 0);
       const Vector3 nearest = view_.d + again.t * view_.e[0];
-      return try_points(nearest, nearest) || try_directions(found.way);
+      return try_points(nearest, nearest) || try_directions(on1 - found.way, on1);
     }
     const NearestPoints found = nearest_points(view_, p_.contact);
     if (found.apart ? try_direction(found.on1 - found.on0) : try_points(found.on0, found.on1)) return true;
+    if (is_hopeless(found.on1 - found.on0)) return false;
     Vector3 at;
     if (!flat_ && separating_axis(shrunk_) < 0 && find_common_point(shrunk_, at) && try_point(at))
       return true;
     const NearestPoints all = nearest_points(view_, -1);
-    return try_points(all.on0, all.on1) || try_directions(all.on1 - all.on0);
+    return try_points(all.on0, all.on1) || try_directions(all.on0, all.on1);
   }
 
-  bool try_directions(const Vector3& way) noexcept {
+  // Whether nothing can be proved, because two points have the distance `contact` but for rounding, and the
+  // way between them separates as much.
+  bool is_hopeless(const Vector3& way) const noexcept {
+    const double size = length(way), below = p_.contact - error_;
+    return (below > 0) & (size <= p_.contact + 0.5 * error_) & (view_.gap(way) > below * size);
+  }
+
+  bool try_directions(const Vector3& on0, const Vector3& on1) noexcept {
     Vector3 found[direction_cap];
-    const int count = find_directions(view_, way, found);
+    const int count = find_directions(view_, on0, on1, found);
     for (int i = 0; i < count; ++i)
       if (try_direction(found[i])) return true;
     return false;

@@ -77,6 +77,16 @@ TEST(Boxes, ClosedForms) {
                        "plane and cylinder");
 }
 
+TEST(Boxes, TinyGapsAreExact) {
+  for (const double gap : {1e-11, 1e-10, 1e-7}) {
+    const double out = gap / std::sqrt(2.0), x = (3 + out) * std::cos(0.9), y = (3 + out) * std::sin(0.9);
+    const Solid cube = box({x + 0.5, y + 0.5, 0.6 + out}, 1, 1, 1);
+    EXPECT_NEAR(distance(upright(0, 0, 0, 3, 0.2), cube).value, gap, 1e-14) << "vertex and rim";
+    const Solid flat = box({-1, -0.5, 1}, 4, 3, 0, {0, gap, 2, -2}), other = box({1, 0.5, -2}, 1, 2, 3);
+    EXPECT_NEAR(distance(flat, other).value, 1.5 * out, 1e-14) << "nearly square to edges of both";
+  }
+}
+
 TEST(Boxes, WhatIsNoPair) {
   const Solid plane = half_space({0, 0, 0}, {0, 0, 1}), cube = box({0, 0, 3}, 1, 1, 1);
   EXPECT_EQ(intersect(plane, plane), Verdict::invalid);

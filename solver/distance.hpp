@@ -31,7 +31,8 @@ struct Distance {
   /// * Apart: |value - exact| <= error, always. It is the distance of the two points minus the gap
   ///   that `direction` proves, plus rounding. On all pairs tried it is at most 1e-13 * (size + |Delta|), or
   ///   2^-1071 if that is subnormal (distance.md, section 4). If it is more, pass it on to your user.
-  ///   With a box, more is reported for some gaps below 1e-8, up to 2e-10.
+  ///   With a box, 1 in 240 gaps reports more, up to 4e-10 times the size, because the points are not the
+  ///   nearest. But `value` is off by at most 2e-14 times the size, on the 110,000 gaps tried.
   /// * Overlapping: the exact depth is at most -value + error, always. See `least`.
   double error = 0;
   /// A unit vector that points from a to b (up to rounding). If b moves along it by error - value or more,
@@ -51,7 +52,8 @@ struct Distance {
   /// * Overlapping: true is proved (distance.md, section 6). If false, such a direction may exist.
   ///   distance.md, section 4, has the rates by family.
   /// * A box that overlaps a cylinder with a radius: false. The least of 4 circles of directions is taken, by
-  ///   samples (boxes.md, section 7). Any other pair with a box or a half-space: true.
+  ///   samples (boxes.md, section 7). So the depth is not promised. It was off by at most 1e-13 times the
+  ///   size on the 35,000 overlaps tried. Any other pair with a box or a half-space: true.
   /// * Apart: false, because `error` is the bound.
   bool least = false;
   int iterations = 0;  ///< at most distance_step_cap

@@ -14,7 +14,8 @@ double core_support(const Prepared& c, const Vector3& n) noexcept {
     return 0.5 * (c.edges[0] * std::fabs(along[0]) + c.edges[1] * std::fabs(along[1]) +
                   c.edges[2] * std::fabs(along[2]));
   }
-  return c.radius * length(n.cross(c.unit_axis)) + 0.5 * c.height * std::fabs(dot(n, c.unit_axis));
+  const double along = 0.5 * c.height * std::fabs(dot(n, c.unit_axis));
+  return c.radius == 0 ? along : c.radius * length(n.cross(c.unit_axis)) + along;
 }
 
 double core_size(const Prepared& c) noexcept {

@@ -3,7 +3,6 @@
 #include "solver/decide.hpp"
 #include "solver/detail/both_solids.hpp"
 #include "solver/detail/iteration_cap.hpp"
-#include "solver/detail/rounded.hpp"
 #include "solver/detail/sections.hpp"
 #include "solver/detail/shapes.hpp"
 
@@ -57,13 +56,13 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
   return magnitude(cosine) <= steep_cosine ? intersect_sections(sections(p)) : intersect_shallow(p);
 }
 
-// Not inlined, to keep the common path small.
+// Spheres and capsules. Not inlined, as the next one, to keep each path small.
+[[gnu::noinline]] Verdict intersect_thin_pair(const Prepared& a, const Prepared& b) noexcept {
+  Verdict found = Verdict::undecided;
+  return intersect_thin(a, b, a.rounding + b.rounding, found) ? found : intersect_rounded(a, b, 0);
+}
+
 [[gnu::noinline]] Verdict intersect_other(const Prepared& a, const Prepared& b) noexcept {
-  if (a.ball & b.ball) {
-    const Vector3 delta = b.center - a.center;
-    const double contact_distance = a.rounding + b.rounding;
-    return verdict_of(dot(delta, delta) <= contact_distance * contact_distance);
-  }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (has_other_shape(a, b)) return intersect_shapes(a, b, 0);
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, 0);
@@ -74,7 +73,8 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
 }  // namespace
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  if (!(a.ordinary & b.ordinary)) return intersect_other(a, b);
+  if (!(a.ordinary & b.ordinary))
+    return (a.thin & b.thin) ? intersect_thin_pair(a, b) : intersect_other(a, b);
   const double cosine = cosine_of(a, b);
   return magnitude(cosine) <= steep_cosine ? intersect_steep(a, b, cosine)
                                            : intersect_shallow(as_it_is(a, b).couple());

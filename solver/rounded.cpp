@@ -129,17 +129,11 @@ bool intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double cl
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
   if (a.moderate & b.moderate & (clearance <= moderate_length)) {
-    const Vector3 delta = b.center - a.center;
-    if (a.ball & b.ball) return verdict_of(dot(delta, delta) <= contact_distance * contact_distance);
     if (a.thin & b.thin) {
-      const double c = dot(a.unit_axis, b.unit_axis);
-      const NearestParameters nearest = nearest_of_segments(
-          0.5 * a.height, 0.5 * b.height, dot(delta, a.unit_axis), -dot(delta, b.unit_axis), c);
-      const Vector3 e = delta + (nearest.t * b.unit_axis - nearest.s * a.unit_axis);
-      if (nearest.reliable) return verdict_of(dot(e, e) <= contact_distance * contact_distance);
+      if (Verdict there = Verdict::undecided; intersect_thin(a, b, contact_distance, there)) return there;
     } else if (a.ball | b.ball) {
       const Prepared* const solids[] = {&a, &b};
-      return meets_point(*solids[a.ball], delta, contact_distance);
+      return meets_point(*solids[a.ball], b.center - a.center, contact_distance);
     }
     QuickVerdict seen =
         (a.thin & b.thin) ? QuickVerdict::neither : classify_by_filter(as_it_is(a, b), contact_distance);

@@ -60,8 +60,7 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, 
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
-  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
-                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
+  const double f = support_gap(p, d);
   if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
     return false;
   hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
@@ -83,6 +82,15 @@ bool is_beyond(double least, double square_of_way, double contact_distance, doub
   return (least > 0) & (least * least > beyond * beyond * square_of_way);
 }
 
+// Whether nothing can be proved. The points with the vector e between them are so near each other, and e
+// separates so much, that no other points and no other direction pass (rounded.md, section 4).
+bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noexcept {
+  const double reach = reach_of(p) + contact_distance,
+               below = contact_distance - 4 * membership_error * reach;
+  if (!(below > 0 && dot(e, e) <= square(contact_distance + 0.5 * separation_error * reach))) return false;
+  return -support_gap(p, e) > below * length(e);
+}
+
 // Two cores, each a segment or a point. Their nearest points are known in closed form (rounded.md, section
 // 3). They serve as certificate, or by the vector between them.
 bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) noexcept {
@@ -90,7 +98,7 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   if (!nearest.reliable) return false;
   const double reach = reach_of(p) + contact_distance, error = 4 * membership_error * reach + underflow_error;
   const Vector3 e = p.delta + (nearest.t * p.w1 - nearest.s * p.w0);
-  const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
+  const double least = dot(e, p.delta) - (p.h0 * std::fabs(dot(e, p.w0)) + p.h1 * std::fabs(dot(e, p.w1)));
   if (is_beyond(least, dot(e, e), contact_distance, reach)) {
     hand_out(power_of_two(-exponent_of(max_abs(e))) * e, answer);
     return true;
@@ -101,7 +109,8 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   const double t = hull1 == Hull::center ? 0 : clamped(nearest.t, p.h1 - 2 * error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
   const double within = contact_distance - 5 * error;
-  if (!((within > 0) & (dot(between, between) <= within * within))) return false;
+  if (!((within > 0) & (dot(between, between) <= within * within)))
+    return is_hopeless(p, e, contact_distance);
   hand_out(Proof::points, times_power(on0, p.exponent), times_power(on1, p.exponent), hull0, hull1, answer);
   return true;
 }
@@ -130,11 +139,14 @@ bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexce
     return true;
   }
   const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-  if (!is_beyond(least, square_of_way, contact_distance, reach)) return false;
+  if (!is_beyond(least, square_of_way, contact_distance, reach))
+    return is_hopeless(p, p.delta + nearest(-p.delta, p.w1, p.r1, p.h1) - nearest(p.delta, p.w0, p.r0, p.h0),
+                       contact_distance);
   hand_out(power_of_two(-exponent_of(max_abs(e))) * (second ? e : Vector3(-e)), answer);
   return true;
 }
 
+// True if there is a proof, or can be none.
 bool prove_in_closed_form(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   if (p.exponent <= coarse_exponent) return false;  // points may lose bits on their way back
   if (p.r0 + p.r1 == 0) return prove_segments(p, contact_distance, answer);
@@ -151,21 +163,21 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
   }
   for (int i = 0; i < step_cap; ++i) {
     const Vector3 on1 = p.delta + nearest(on0 - p.delta, p.w1, p.r1, p.h1), e = on1 - on0;
-    if (dot(e, e) <= square(contact_distance)) return try_points(p, on0, on1, contact_distance, answer);
-    if (try_rounded_direction(p, e, contact_distance, answer)) return true;
+    if (dot(e, e) <= square(contact_distance))
+      return try_points(p, on0, on1, contact_distance, answer) || is_hopeless(p, e, contact_distance);
+    if (try_rounded_direction(p, e, contact_distance, answer) || is_hopeless(p, e, contact_distance))
+      return true;
     on0 = nearest(on1, p.w0, p.r0, p.h0);
   }
   return false;
 }
 
-}  // namespace
-
-Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  if (out_of_order(a, b)) return turned(decide_rounded(b, a, clearance));
+// For solids in their order.
+[[gnu::noinline]] Answer prove_in_full(const Prepared& a, const Prepared& b, double clearance) noexcept {
   Answer answer;
   const double contact_distance = contact_distance_of(a, b, clearance);
   if (contact_distance >= huge_distance) {
-    answer = decide_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
+    answer = prove_in_full(shrunk(a), shrunk(b), huge_shrink * clearance);
     answer.point_head /= huge_shrink;
     answer.point_tail /= huge_shrink;
     return answer;
@@ -181,6 +193,17 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
   const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
   if (try_rounded_direction(p, d.direction, scaled_contact, answer)) return answer;
   try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_contact, answer);
+  return answer;
+}
+
+}  // namespace
+
+Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  Answer answer;
+  // An exchange of the solids changes no digit in closed form.
+  if (!(a.moderate & b.moderate & (clearance <= power_of_two(moderate_exponent))) ||
+      !prove_in_closed_form(as_it_is(a, b), contact_distance_of(a, b, clearance), answer))
+    answer = out_of_order(a, b) ? turned(prove_in_full(b, a, clearance)) : prove_in_full(a, b, clearance);
   return answer;
 }
 

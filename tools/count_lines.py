@@ -11,7 +11,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).parent.parent
 KINDS = {  # the first that matches a path
-    'not counted': r'page_template\.html$|package-lock\.json$|^vectors/v1/|(^|/)docs/(?!.*test)',
+    'not counted': r'page_template\.html$|package-lock\.json$|^vectors/v\d/|(^|/)docs/(?!.*test)',
     'tests': r'_test\.\w+$|_test/|/tests?/',
     'C++ sources': r'\.(cpp|hpp|h|in)$',
     'web': r'\.(ts|tsx|mjs|js|css|html)$',

@@ -4,7 +4,7 @@
     PYTHONPATH=vectors python3 -m pytest -p daylight_vectors --daylight mine:collide
 
 It adds a test for each flag and decade of margin. The function gets two solids as dictionaries (center, axis, radius,
-height, rounding; often quaternion). It returns one of these:
+height, rounding; often quaternion; in v2 also boxes and half-spaces, which have a shape). It returns one of these:
 
 * a bool (do they meet?),
 * a number (the signed distance),
@@ -31,20 +31,30 @@ except ImportError:  # to judge takes the standard library only
     Collector = Item = object
 
 FOLDER = pathlib.Path(__file__).parent / 'v1'
+V2 = FOLDER.parent / 'v2'
 WORDS = ('disjoint', 'touching', 'intersecting', 'invalid')
 STORE = '.daylight-vectors.json'
 LIMIT = 10.0  # seconds that an answer may take
 
 
 def load(tier='smoke'):
-    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be a path, such as a file of `daylight vectors`."""
-    path = FOLDER / f'{tier}.json'
-    return json.loads((path if path.exists() else pathlib.Path(tier)).read_text(encoding='utf-8'))
+    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be v2, or a path, such as a file of `daylight vectors`."""
+    path = V2 / 'vectors.jsonl' if tier == 'v2' else FOLDER / f'{tier}.json'
+    text = (path if path.exists() else pathlib.Path(tier)).read_text(encoding='utf-8')
+    if text.startswith('{"schema"'):
+        return json.loads(text)
+    return {'vectors': [with_names_of_v1(json.loads(line)) for line in text.splitlines()]}
+
+
+def with_names_of_v1(v):
+    low, high = v['answer']['distance']
+    return dict(v, result=v['truth'], distance=[low, high], acceptable_below=max(high, -low))
 
 
 def known_flags():
     """The meaning of each flag, its class of bug, and the projects that met it."""
-    return json.loads((FOLDER / 'flags.json').read_text(encoding='utf-8'))
+    return {flag: about for folder in (FOLDER, V2)
+            for flag, about in json.loads((folder / 'flags.json').read_text(encoding='utf-8')).items()}
 
 
 def exclusions(path):
@@ -76,7 +86,7 @@ def solid_of(solid):
     """A copy with numbers instead of the words of JSON."""
     def number(x):
         return [number(y) for y in x] if isinstance(x, list) else float(x)
-    return dict({'rounding': 0.0}, **{name: number(x) for name, x in solid.items()})
+    return dict({'rounding': 0.0}, **{name: x if name == 'shape' else number(x) for name, x in solid.items()})
 
 
 def judge(v, said, tolerance=0.0):
@@ -255,9 +265,9 @@ def report(flag, failing, results):
 
 
 def pytest_addoption(parser):
-    group = parser.getgroup('daylight', 'vectors of cylinders, capsules and spheres')
+    group = parser.getgroup('daylight', 'vectors of solids')
     group.addoption('--daylight', metavar='MODULE:FUNCTION', help='ask this function about each vector')
-    group.addoption('--daylight-tier', default='smoke', help='smoke, standard, or a file of `daylight vectors`')
+    group.addoption('--daylight-tier', default='smoke', help='smoke, standard, v2, or a file of `daylight vectors`')
     group.addoption('--daylight-tolerance', type=float, default=0.0, help='a length that the library states')
     group.addoption('--daylight-limit', type=float, default=LIMIT, help='seconds that an answer may take')
     group.addoption('--daylight-exclude', metavar='FILE', help='an id and a reason a line')

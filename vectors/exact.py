@@ -172,7 +172,6 @@ def equations(solid, hull):
     if hull == 'space' or is_half_space(solid):
         return []
     w = vector(solid['axis'])
-    w = vector(solid['axis'])
     if hull == 'plane':
         return [(w, dot(w, c))]
     units = [[Fraction(i == j) for j in range(3)] for i in range(3)]

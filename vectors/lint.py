@@ -140,6 +140,9 @@ def wrong(v, flags):
 def lint(document, flags):
     """A line for each vector that is wrong, and for what is wrong with all."""
     vectors = document['vectors']
+    if 'schema' not in document:  # of v2
+        yield from (f'{v["id"]}: {why}' for v in vectors if (why := exact.fault(v, v['answer'])))
+        return
     if document['count'] != len(vectors):
         yield f'{len(vectors)} vectors, not {document["count"]}'
     seen = {}

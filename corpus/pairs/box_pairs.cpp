@@ -22,11 +22,6 @@ using enum SolidKind;
 constexpr std::array<double, 6> offsets{1e2, 1e4, 1e6, 1e8, 1e10, 1e12};
 constexpr std::array<double, 8> quaternion_lengths{1e-300, 1e-150, 1e-20, -1, 3, 1e20, 1e150, 1e300};
 
-double margin_at(std::uint64_t index) {
-  const double margin = tenths[1 + index / 2 % 15];
-  return index % 2 == 0 ? margin : -margin;
-}
-
 SolidKind draw_box_kind(RandomStream& s) { return s.below(4) == 0 ? rounded_box : box; }
 
 template <std::size_t count>
@@ -34,70 +29,12 @@ SolidKind draw_one(const std::array<SolidKind, count>& kinds, RandomStream& s) {
   return kinds[s.below(count)];
 }
 
-Pair in_any_order(const Pair& p, RandomStream& s) { return s.coin() ? p : Pair{p.b, p.a}; }
-
-void draw_center(Solid& c, RandomStream& s) {
-  for (int i = 0; i < 3; ++i) c.center[i] = s.coin() ? 0 : s.between(-1, 1);
-}
-
-/// Puts the contacts of the cores apart along n by the roundings and the margin.
-void put_beside(Pair& p, const Vector3& on_a, const Vector3& on_b, const Vector3& n, double margin,
-                RandomStream& s) {
-  draw_center(p.a, s);
-  p.b.center = p.a.center + (on_a + (p.a.rounding + p.b.rounding + margin * size_of(p)) * n - on_b);
-}
-
-struct Frame {
-  Vector3 n, u;
-};
-/// One time in four they are coordinate axes.
-Frame draw_frame(RandomStream& s) {
-  if (s.below(4) != 0) {
-    const Vector3 n = s.unit_vector();
-    return {n, s.perpendicular(n)};
-  }
-  const Vector3 n = s.coordinate_axis();
-  Vector3 u = s.coordinate_axis();
-  while (inner_product(n, u) != 0) u = s.coordinate_axis();
-  return {n, u};
-}
-
-double decade(RandomStream& s, std::size_t first, std::size_t last) {
-  return tenths[first + s.below(last - first + 1)];
-}
-
-/// Returns a unit vector square to n. Its angle from u is a power of ten, any, or a right one.
-Vector3 turned_about(const Vector3& n, const Vector3& u, RandomStream& s) {
-  const Vector3 third = n.cross(u);
-  switch (s.below(8)) {
-    case 0:
-      return s.perpendicular(n);
-    case 1:
-      return s.sign() * third;
-    case 2:
-      return u;
-    default:
-      return normalise(u + s.sign() * decade(s, 0, 15) * third);
-  }
-}
-
 Pair draw_edges(RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{box, box, box, rounded_box, capsule, cylinder, rounded};
   Pair p;
   p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
   p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
-  const auto [n, u] = draw_frame(s);
-  const Vector3 v = turned_about(n, u, s);
-  const bool at_corners = s.coin();
-  const auto draw_place = [&] {
-    const double sign = s.sign();
-    return TouchPlace{sign * (at_corners ? 1 - decade(s, 1, 9) : s.between(0, 0.6)), 0};
-  };
-  const TouchPlace place_a = draw_place(), place_b = draw_place();
-  const Vector3 on_a = touch_plane(p.a, TouchPart::line, n, u, place_a, s);
-  const Vector3 on_b = touch_plane(p.b, TouchPart::line, -n, v, place_b, s);
-  put_beside(p, on_a, on_b, n, margin_at(index), s);
-  return in_any_order(p, s);
+  return put_in_contact(p, {TouchPart::line, TouchPart::line}, margin_at(index), s);
 }
 
 // A tilted solid meets the facet in the point of it that is farthest along -n.
@@ -116,7 +53,7 @@ Pair draw_flush(RandomStream& s, std::uint64_t index) {
   if (flat) {
     on_b = touch_plane(p.b, part, -n, v, {z, 0}, s);
   } else {
-    const Vector3 towards = normalise(n + decade(s, 2, 15) * s.perpendicular(n));
+    const Vector3 towards = normalise(n + draw_decade(s, 2, 15) * s.perpendicular(n));
     touch_plane(p.b, part, -towards, s.perpendicular(towards), {0, 0}, s);
     const Vec3<double> lowest = farthest(terms_of<double>(p.b), Vec3<double>{-n.x(), -n.y(), -n.z()});
     on_b = Vector3(lowest.x, lowest.y, lowest.z);
@@ -165,7 +102,7 @@ Pair draw_nested(RandomStream& s, std::uint64_t index) {
   Pair p;
   p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
   p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
-  const double part = decade(s, 1, 12) * s.between(0.3, 1);
+  const double part = draw_decade(s, 1, 12) * s.between(0.3, 1);
   for (double* x : {&p.b.radius, &p.b.height, &p.b.rounding, &p.b.edges[0], &p.b.edges[1], &p.b.edges[2]})
     *x *= part;
   const auto [n, u] = draw_frame(s);
@@ -243,7 +180,7 @@ Pair draw_lattice(RandomStream& s, std::uint64_t) {
     if (n[i] != 0) p.b.center[i] = p.a.center[i] + n[i] * reach;
   switch (s.below(3)) {
     case 0:  // nearly a quarter
-      p.a.quaternion[s.below(4)] += s.sign() * decade(s, 3, 16);
+      p.a.quaternion[s.below(4)] += s.sign() * draw_decade(s, 3, 16);
       break;
     case 1: {
       double& x = p.b.center[static_cast<Eigen::Index>(s.below(3))];

@@ -145,18 +145,22 @@ Pair needle_and_disk(RandomStream& s, std::uint64_t) {
   return p;
 }
 
+/// By index, the length is 0 in a, in b or in both.
+void flatten(Pair& p, double Solid::*length, std::uint64_t index) {
+  if (index % 3 != 1) p.a.*length = 0;
+  if (index % 3 != 0) p.b.*length = 0;
+}
+
 Pair segments(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
-  if (index % 3 != 1) p.a.radius = 0;
-  if (index % 3 != 0) p.b.radius = 0;
+  flatten(p, &Solid::radius, index);
   if (s.coin()) cross_over(s, p);
   return p;
 }
 
 Pair flat_disks(RandomStream& s, std::uint64_t index) {
   Pair p = random_pair(s);
-  if (index % 3 != 1) p.a.height = 0;
-  if (index % 3 != 0) p.b.height = 0;
+  flatten(p, &Solid::height, index);
   scatter(s, p);
   return p;
 }
@@ -282,6 +286,27 @@ using enum ContactKind;
 using enum CloseKind;
 using enum SolidKind;
 
+template <SolidKind a, SolidKind b>
+Pair rounded_pair(RandomStream& s, std::uint64_t index) {
+  return draw_rounded(a, b, s, index);
+}
+
+template <HalfSpaceKind kind>
+Pair half_space_pair(RandomStream& s, std::uint64_t index) {
+  return draw_half_space(kind, s, index);
+}
+
+/// A rounded box and a solid of each kind in turn.
+Pair rounded_box_pair(RandomStream& s, std::uint64_t index) {
+  constexpr std::uint64_t kinds = enum_values<SolidKind>.size();
+  return draw_rounded(rounded_box, static_cast<SolidKind>(index % kinds), s, index / kinds);
+}
+
+template <BoxKind kind>
+Pair box_pair(RandomStream& s, std::uint64_t index) {
+  return draw_with_box(kind, s, index);
+}
+
 struct Entry {
   std::string_view name, summary;
   Pair (*draw)(RandomStream&, std::uint64_t index);
@@ -289,21 +314,15 @@ struct Entry {
 
 constexpr Entry entries[] = {
     {"random", "any two solids, lengths 0.1 to 10, about half of the pairs intersecting", random_pair},
-    {"touching_side_side", "side meets side at margins 1e-2 to 1e-15, gap and penetration",
-     touching<side_side>},
-    {"touching_side_rim", "side meets rim at margins 1e-2 to 1e-15, gap and penetration", touching<side_rim>},
-    {"touching_rim_rim", "rim meets rim at margins 1e-2 to 1e-15, gap and penetration", touching<rim_rim>},
-    {"touching_cap_rim", "a rim stands on a cap at margins 1e-2 to 1e-15, gap and penetration",
-     touching<cap_rim>},
-    {"touching_cap_side", "a side lies on a cap at margins 1e-2 to 1e-15, gap and penetration",
-     touching<cap_side>},
-    {"touching_cap_cap", "cap faces cap at margins 1e-2 to 1e-15, gap and penetration", touching<cap_cap>},
-    {"touching_parallel_sides", "parallel sides at margins 1e-2 to 1e-15, gap and penetration",
-     touching<parallel_sides>},
-    {"touching_needles", "crossing needles at margins 1e-6 to 1e-15, gap and penetration",
-     touching<needle_needle>},
-    {"touching_disks", "rims of thin disks at margins 1e-6 to 1e-15, gap and penetration",
-     touching<disk_disk>},
+    {"touching_side_side", "side meets side, 1e-2 to 1e-15 apart or deep", touching<side_side>},
+    {"touching_side_rim", "side meets rim, 1e-2 to 1e-15 apart or deep", touching<side_rim>},
+    {"touching_rim_rim", "rim meets rim, 1e-2 to 1e-15 apart or deep", touching<rim_rim>},
+    {"touching_cap_rim", "a rim stands on a cap, 1e-2 to 1e-15 apart or deep", touching<cap_rim>},
+    {"touching_cap_side", "a side lies on a cap, 1e-2 to 1e-15 apart or deep", touching<cap_side>},
+    {"touching_cap_cap", "cap faces cap, 1e-2 to 1e-15 apart or deep", touching<cap_cap>},
+    {"touching_parallel_sides", "parallel sides, 1e-2 to 1e-15 apart or deep", touching<parallel_sides>},
+    {"touching_needles", "crossing needles, 1e-6 to 1e-15 apart or deep", touching<needle_needle>},
+    {"touching_disks", "rims of thin disks, 1e-6 to 1e-15 apart or deep", touching<disk_disk>},
     {"axes_parallel", "axes exactly parallel or antiparallel", axes_parallel},
     {"axes_nearly_parallel", "axes 1e-2 to 1e-16 rad from parallel or antiparallel", axes_nearly_parallel},
     {"axes_perpendicular", "axes at right angles, half of them exactly", axes_perpendicular},
@@ -326,9 +345,6 @@ constexpr Entry entries[] = {
     {"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
     {"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
      coins_edge_to_edge},
-};
-
-constexpr Entry close_entries[] = {
     {"close_contacts", "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
      close<by_decade>},
     {"close_contacts_by_angle", "margins 0.1 to 1 of the axes' small angle, which is 1e-1 to 1e-13 rad",
@@ -338,14 +354,6 @@ constexpr Entry close_entries[] = {
     {"range_ends", "beside the largest and the smallest doubles, and farther apart than either",
      draw_range_end},
     {"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
-};
-
-template <SolidKind a, SolidKind b>
-Pair rounded_pair(RandomStream& s, std::uint64_t index) {
-  return draw_rounded(a, b, s, index);
-}
-
-constexpr Entry rounded_entries[] = {
     {"sphere_sphere", "two balls", rounded_pair<sphere, sphere>},
     {"sphere_capsule", "a ball and a capsule", rounded_pair<sphere, capsule>},
     {"sphere_cylinder", "a ball and a cylinder", rounded_pair<sphere, cylinder>},
@@ -357,14 +365,6 @@ constexpr Entry rounded_entries[] = {
     {"rounded_rounded", "two rounded cylinders", rounded_pair<rounded, rounded>},
     {"rounded_unequal", "nearly touching at margins 1e-1 to 1e-12, one solid 1e-6 to 1 of the other",
      draw_unequal},
-};
-
-template <HalfSpaceKind kind>
-Pair half_space_pair(RandomStream& s, std::uint64_t index) {
-  return draw_half_space(kind, s, index);
-}
-
-constexpr Entry half_space_entries[] = {
     {"half_space_sphere", "a half-space and a ball", rounded_pair<half_space, sphere>},
     {"half_space_capsule", "a half-space and a capsule", rounded_pair<half_space, capsule>},
     {"half_space_cylinder", "a half-space and a cylinder", rounded_pair<half_space, cylinder>},
@@ -376,20 +376,6 @@ constexpr Entry half_space_entries[] = {
     {"half_space_far", "a plane and a solid 1e2 to 1e12 from the origin",
      half_space_pair<HalfSpaceKind::far>},
     {"half_space_normal", "normals of length 1e-300 to 1e300", half_space_pair<HalfSpaceKind::scaled_normal>},
-};
-
-/// A rounded box and a solid of each kind in turn.
-Pair rounded_box_pair(RandomStream& s, std::uint64_t index) {
-  constexpr std::uint64_t kinds = enum_values<SolidKind>.size();
-  return draw_rounded(rounded_box, static_cast<SolidKind>(index % kinds), s, index / kinds);
-}
-
-template <BoxKind kind>
-Pair box_pair(RandomStream& s, std::uint64_t index) {
-  return draw_with_box(kind, s, index);
-}
-
-constexpr Entry box_entries[] = {
     {"box_sphere", "a box and a ball", rounded_pair<box, sphere>},
     {"box_capsule", "a box and a capsule", rounded_pair<box, capsule>},
     {"box_cylinder", "a box and a cylinder", rounded_pair<box, cylinder>},
@@ -412,48 +398,32 @@ constexpr Entry box_entries[] = {
      box_pair<BoxKind::quaternion>},
 };
 
-template <const auto& some, std::size_t i>
+template <std::size_t i>
 Pair generate(std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream(some[i].name, seed, index);
-  return some[i].draw(stream, index);
+  RandomStream stream(entries[i].name, seed, index);
+  return entries[i].draw(stream, index);
 }
 
-template <const auto& some, std::size_t... i>
+template <std::size_t... i>
 constexpr std::array<Family, sizeof...(i)> make_families(std::index_sequence<i...>) {
-  return {Family{some[i].name, some[i].summary, generate<some, i>}...};
+  return {Family{entries[i].name, entries[i].summary, generate<i>}...};
 }
 
-// The families of a campaign: first those without rounding.
-constexpr auto drawn = [] {
-  std::array<Family, std::size(entries) + std::size(close_entries) + std::size(rounded_entries) +
-                         std::size(half_space_entries) + std::size(box_entries)>
-      all;
-  auto next = all.begin();
-  const auto add = [&](const auto& some) { next = std::ranges::copy(some, next).out; };
-  add(make_families<entries>(std::make_index_sequence<std::size(entries)>()));
-  add(make_families<close_entries>(std::make_index_sequence<std::size(close_entries)>()));
-  add(make_families<rounded_entries>(std::make_index_sequence<std::size(rounded_entries)>()));
-  add(make_families<half_space_entries>(std::make_index_sequence<std::size(half_space_entries)>()));
-  add(make_families<box_entries>(std::make_index_sequence<std::size(box_entries)>()));
-  return all;
-}();
+constexpr auto drawn = make_families(std::make_index_sequence<std::size(entries)>());
+
+/// Returns the families from the first name up to, but without, the second.
+constexpr std::span<const Family> part_of(std::string_view first, std::string_view end) {
+  const auto at = std::ranges::find(drawn, first, &Family::name);
+  return {at, std::ranges::find(drawn, end, &Family::name)};
+}
 
 }  // namespace
 
-std::span<const Family> families() {
-  return std::span(drawn).first<std::size(entries) + std::size(close_entries)>();
-}
-std::span<const Family> close_families() { return families().last<std::size(close_entries)>(); }
-std::span<const Family> rounded_families() {
-  return std::span(drawn)
-      .subspan<std::size(entries) + std::size(close_entries), std::size(rounded_entries)>();
-}
-std::span<const Family> half_space_families() {
-  return std::span(drawn)
-      .last<std::size(half_space_entries) + std::size(box_entries)>()
-      .first<std::size(half_space_entries)>();
-}
-std::span<const Family> box_families() { return std::span(drawn).last<std::size(box_entries)>(); }
+std::span<const Family> families() { return part_of("random", "sphere_sphere"); }
+std::span<const Family> close_families() { return part_of("close_contacts", "sphere_sphere"); }
+std::span<const Family> rounded_families() { return part_of("sphere_sphere", "half_space_sphere"); }
+std::span<const Family> half_space_families() { return part_of("half_space_sphere", "box_sphere"); }
+std::span<const Family> box_families() { return part_of("box_sphere", ""); }
 std::span<const Family> campaign_families() { return drawn; }
 
 const Family* find_family(std::string_view name) {

@@ -4,11 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "corpus/pairs/stratum.hpp"
+
 namespace cyl {
 namespace {
 
-constexpr std::array<double, 14> margins{1e-2, 1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
-                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
 constexpr std::array<double, 2> slender_decades{1e-4, 1e-3};
 
 bool is_slender(ContactKind kind) {
@@ -88,8 +88,8 @@ std::pair<Feature, Feature> features_of(ContactKind kind) {
 }  // namespace
 
 double contact_margin(ContactKind kind, std::uint64_t index) {
-  const std::size_t first = is_slender(kind) ? 4 : 0;
-  const double margin = margins[first + (index / 2) % (margins.size() - first)];
+  const std::size_t first = is_slender(kind) ? 6 : 2;
+  const double margin = tenths[first + index / 2 % (16 - first)];
   return index % 2 == 0 ? margin : -margin;
 }
 

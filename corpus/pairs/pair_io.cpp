@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "base/enum_words.hpp"
@@ -357,42 +356,20 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::size_t list_start_ = 0;
 };
 
-std::span<const double> numbers(const Vector3& v) { return {v.data(), 3}; }
-
-void append(std::string& out, std::string_view name, std::span<const double> v) {
-  out.append("\"").append(name).append("\":[");
-  for (std::size_t i = 0; i < v.size(); ++i) out.append(i > 0 ? "," : "").append(format_double(v[i]));
-  out += ']';
-}
-
 void append(std::string& out, const Solid& c) {
+  const std::string_view fields = is_half_space(c) ? "pn" : is_box(c) ? "ceqg" : "carhg";
+  const auto numbers = numbers_of(c);
   out += '{';
-  if (is_half_space(c)) {
-    out.append("\"shape\":\"half_space\",");
-    append(out, "point", numbers(c.center));
-    out += ',';
-    append(out, "normal", numbers(c.axis));
-    out += '}';
-    return;
+  if (c.shape != Shape::cylinder) out.append("\"shape\":\"").append(to_string(c.shape)).append("\",");
+  for (const char letter : fields) {
+    if (letter == 'g' && c.rounding == 0) continue;
+    const auto& [name, first, count] = solid_fields[letters_of_fields.find(letter)];
+    out.append("\"").append(name).append(count > 1 ? "\":[" : "\":");
+    for (std::size_t i = 0; i < count; ++i)
+      out.append(i > 0 ? "," : "").append(format_double(numbers[first + i]));
+    out.append(count > 1 ? "]," : ",");
   }
-  if (is_box(c)) {
-    out.append("\"shape\":\"box\",");
-    append(out, "center", numbers(c.center));
-    out += ',';
-    append(out, "edges", c.edges);
-    out += ',';
-    append(out, "quaternion", c.quaternion);
-    if (c.rounding != 0) out.append(",\"rounding\":").append(format_double(c.rounding));
-    out += '}';
-    return;
-  }
-  append(out, "center", numbers(c.center));
-  out += ',';
-  append(out, "axis", numbers(c.axis));
-  out.append(",\"radius\":").append(format_double(c.radius));
-  out.append(",\"height\":").append(format_double(c.height));
-  if (c.rounding != 0) out.append(",\"rounding\":").append(format_double(c.rounding));
-  out += '}';
+  out.back() = '}';
 }
 
 }  // namespace

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 namespace {
 
 constexpr std::array<double, 2> lengths{0.1, 1};  // 0.1 to 10
-constexpr std::array<double, 15> margins{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
-                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
 constexpr std::array<double, 6> parts{1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> dusts{1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
 constexpr std::array<double, 8> scales{1e-300, 1e-150, 1e-50, 1e-10, 1e10, 1e50, 1e100, 1e150};
@@ -97,11 +96,7 @@ Vector3 touch_anywhere(Solid& c, const Vector3& n, RandomStream& s) {
     c.axis = s.sign() * n;
     return half * n + s.between(0, inside_part) * c.radius * v;
   }
-  const double along = s.between(0.3, 1), across = s.between(0.3, 1);
-  const Vector3 towards = normalise(along * n + across * third),
-                radial = normalise(across * n - along * third);
-  c.axis = s.sign() * towards;
-  return half * towards + c.radius * radial;
+  return touch_plane(c, TouchPart::point, n, v, {0, 0}, s);
 }
 
 Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
@@ -129,46 +124,16 @@ Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
   return p;
 }
 
-/// Does the same to a pair with a box.
-Pair made_awkward(Pair p, RandomStream& s) {
+Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
+  Pair p = draw_anywhere(a, b, s);
   const Vector3 along = is_box(p.a) ? edge_direction(p.a, s.below(3)) : p.a.axis;
   switch (s.below(6)) {
-    case 0:
+    case 0:  // in line
       lay_along(p.b, along, s);
       p.b.center = p.a.center + s.between(-1, 1) * (reach(p.a) + reach(p.b)) * along;
       break;
-    case 1:
-      lay_along(p.b, along, s);
-      break;
-    case 2:
-      p.b.center = p.a.center;
-      break;
-    case 3: {
-      const double scale = s.pick(scales);
-      for_each_length(p, [&](double& x) { x *= scale; });
-      break;
-    }
-    case 4:
-      p.a.edges[s.below(3)] *= s.pick(dusts);
-      p.b.edges[s.below(3)] *= s.pick(dusts);
-      break;
-    default:
-      p.a.rounding *= s.pick(dusts);
-      p.b.rounding *= s.pick(dusts);
-  }
-  return p;
-}
-
-Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
-  Pair p = draw_anywhere(a, b, s);
-  if (has_box(p)) return made_awkward(p, s);
-  switch (s.below(6)) {
-    case 0:  // in line
-      p.b.axis = s.sign() * p.a.axis;
-      p.b.center = p.a.center + s.between(-1, 1) * (reach(p.a) + reach(p.b)) * p.a.axis;
-      break;
     case 1:  // side by side
-      p.b.axis = s.sign() * p.a.axis;
+      lay_along(p.b, along, s);
       break;
     case 2:
       p.b.center = p.a.center;
@@ -179,8 +144,8 @@ Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
       break;
     }
     case 4:  // thinner, shorter
-      p.a.radius *= s.pick(dusts);
-      p.b.height *= s.pick(dusts);
+      (has_box(p) ? p.a.edges[s.below(3)] : p.a.radius) *= s.pick(dusts);
+      (has_box(p) ? p.b.edges[s.below(3)] : p.b.height) *= s.pick(dusts);
       break;
     default:
       p.a.rounding *= s.pick(dusts);
@@ -199,13 +164,12 @@ constexpr std::array<double, 7> normal_lengths{1e-300, 1e-150, 1e-20, 3, 1e20, 1
 // The cores lie on either side of two parallel planes. The planes are as far apart as both roundings and the
 // margin together. So the cores are too, at the two contacts.
 Pair put_near(Pair p, RandomStream& s, std::uint64_t index) {
-  const double margin = margins[(index / 2) % margins.size()] * (index % 2 == 0 ? 1 : -1);
   const Vector3 n = s.unit_vector();
   const Vector3 on_a = touch_anywhere(p.a, n, s), on_b = touch_anywhere(p.b, -n, s);
   for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
   // An overlap deeper than both roundings would make the cores overlap, so the cores then touch. With a box
   // they overlap.
-  const double apart = p.a.rounding + p.b.rounding + margin * size_of(p);
+  const double apart = p.a.rounding + p.b.rounding + margin_at(index) * size_of(p);
   p.b.center = p.a.center + (on_a + (has_box(p) ? apart : std::fmax(0, apart)) * n - on_b);
   return p;
 }

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/rounded_pairs.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 namespace {
@@ -131,6 +134,30 @@ std::vector<Pair> draw_in_all_strata(std::uint64_t per_cell, std::uint64_t seed)
       if (const auto pair = draw_in_stratum(stratum.feature, stratum.decade, seed, index))
         pairs.push_back(*pair);
   return pairs;
+}
+
+namespace {
+
+/// Returns the parts of a solid that a plane can touch.
+std::span<const TouchPart> parts_of(SolidKind kind) {
+  static constexpr std::array parts{TouchPart::point, TouchPart::line, TouchPart::face};
+  if (kind == SolidKind::half_space) return std::span(parts).last(1);
+  return std::span(parts).first(kind == SolidKind::sphere ? 1 : kind == SolidKind::capsule ? 2 : 3);
+}
+
+}  // namespace
+
+Pair draw_in_stratum(const Kinds& kinds, std::uint64_t seed, std::uint64_t index) {
+  RandomStream s(std::string(to_string(kinds.first)) + '-' + to_string(kinds.second), seed, index);
+  const double margin = tenths[first_decade + index % drawn_decade_count] * s.between(0.11, 0.99);
+  const std::uint64_t turn = index / drawn_decade_count;
+  const std::span<const TouchPart> of_first = parts_of(kinds.first), of_second = parts_of(kinds.second);
+  const std::array parts{of_first[turn / 2 % of_first.size()],
+                         of_second[turn / 2 / of_first.size() % of_second.size()]};
+  Pair p;
+  p.a = draw_kind(kinds.first, s, draw_moderate);
+  p.b = draw_kind(kinds.second, s, draw_moderate);
+  return put_in_contact(p, parts, turn % 2 == 0 ? margin : -margin, s);
 }
 
 }  // namespace cyl

@@ -9,6 +9,7 @@
 
 #include "base/fnv.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 
 namespace cyl {
 namespace {
@@ -46,6 +47,18 @@ TEST(Strata, AreTheSameOnEveryMachine) {
   std::uint64_t digest = fnv1a({});
   for (const Pair& pair : draw_in_all_strata(20, seed)) digest = fnv1a(format_pair(pair), digest);
   EXPECT_EQ(digest, 9218288875759756704u);
+}
+
+TEST(Strata, OfShapesHaveTheKindsTheyName) {
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k < drawn_kinds.size(); ++k)
+    for (std::uint64_t index = 0; index < 300; ++index) {
+      const Pair pair = draw_in_stratum(drawn_kinds[k], seed, index);
+      ASSERT_TRUE(is_legal(pair)) << format_pair(pair);
+      EXPECT_EQ(number_of_kinds(pair), k) << format_pair(pair);
+      EXPECT_TRUE(seen.insert(format_pair(pair)).second) << format_pair(pair);
+    }
+  EXPECT_EQ(number_of_kinds({{}, {}}), drawn_kinds.size());
 }
 
 }  // namespace

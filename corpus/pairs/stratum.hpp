@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "base/enum_words.hpp"
@@ -46,6 +47,12 @@ constexpr auto words_of(AngleClass) noexcept {
 /// tenths[d] is 10^-d.
 inline constexpr std::array<double, 18> tenths{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
                                                1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17};
+
+/// Returns the margin of an index: 1e-1 to 1e-15 by turns, a gap at an even index, an overlap at an odd one.
+constexpr double margin_at(std::uint64_t index) {
+  const double margin = tenths[1 + index / 2 % 15];
+  return index % 2 == 0 ? margin : -margin;
+}
 
 /// Returns d if 10^(-d-1) < margin <= 10^-d; from 0, for margins above 0.1, to 16, for all up to 1e-16.
 inline constexpr int margin_decade_count = 17;

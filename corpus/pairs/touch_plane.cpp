@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "corpus/pairs/support.hpp"
 
 namespace cyl {
@@ -108,6 +109,67 @@ Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u
   const Vector3 towards = normalise(along * n + across * w), radial = normalise(across * n - along * w);
   c.axis = s.sign() * towards;
   return half * towards + c.radius * radial;
+}
+
+Pair in_any_order(const Pair& p, RandomStream& s) { return s.coin() ? p : Pair{p.b, p.a}; }
+
+double draw_decade(RandomStream& s, std::size_t first, std::size_t last) {
+  return tenths[first + s.below(last - first + 1)];
+}
+
+void draw_center(Solid& c, RandomStream& s) {
+  for (int i = 0; i < 3; ++i) c.center[i] = s.coin() ? 0 : s.between(-1, 1);
+}
+
+ContactFrame draw_frame(RandomStream& s) {
+  if (s.below(4) != 0) {
+    const Vector3 n = s.unit_vector();
+    return {n, s.perpendicular(n)};
+  }
+  const Vector3 n = s.coordinate_axis();
+  Vector3 u = s.coordinate_axis();
+  while (inner_product(n, u) != 0) u = s.coordinate_axis();
+  return {n, u};
+}
+
+void put_beside(Pair& p, const Vector3& on_a, const Vector3& on_b, const Vector3& n, double margin,
+                RandomStream& s) {
+  draw_center(p.a, s);
+  p.b.center = p.a.center + (on_a + (p.a.rounding + p.b.rounding + margin * size_of(p)) * n - on_b);
+}
+
+namespace {
+
+/// Returns a unit vector square to n. Its angle from u is a power of ten, any, or a right one.
+Vector3 turned_about(const Vector3& n, const Vector3& u, RandomStream& s) {
+  const Vector3 third = n.cross(u);
+  switch (s.below(8)) {
+    case 0:
+      return s.perpendicular(n);
+    case 1:
+      return s.sign() * third;
+    case 2:
+      return u;
+    default:
+      return normalise(u + s.sign() * draw_decade(s, 0, 15) * third);
+  }
+}
+
+}  // namespace
+
+Pair put_in_contact(Pair p, const std::array<TouchPart, 2>& parts, double margin, RandomStream& s) {
+  const auto [n, u] = draw_frame(s);
+  const Vector3 v = turned_about(n, u, s);
+  const bool at_border = s.coin();
+  const auto draw_place = [&] {
+    const double sign = s.sign();
+    return TouchPlace{sign * (at_border ? 1 - draw_decade(s, 1, 9) : s.between(0, 0.6)), 0};
+  };
+  const TouchPlace place_a = draw_place(), place_b = draw_place();
+  const Vector3 on_a = touch_plane(p.a, parts[0], n, u, place_a, s);
+  const Vector3 on_b = touch_plane(p.b, parts[1], -n, v, place_b, s);
+  put_beside(p, on_a, on_b, n, margin, s);
+  return in_any_order(p, s);
 }
 
 }  // namespace cyl

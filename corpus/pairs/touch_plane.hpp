@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "corpus/pairs/random_stream.hpp"
 #include "solver/solid.hpp"
@@ -41,5 +42,27 @@ struct TouchPlace {
 /// rounding.
 Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u, const TouchPlace& place,
                     RandomStream& s);
+
+Pair in_any_order(const Pair& pair, RandomStream& s);
+/// Returns a power of ten.
+double draw_decade(RandomStream& s, std::size_t first, std::size_t last);
+
+/// One coordinate in two is 0, the others are from -1 to 1.
+void draw_center(Solid& c, RandomStream& s);
+
+/// Two directions square to each other, one time in four coordinate axes.
+struct ContactFrame {
+  Vector3 n, u;
+};
+ContactFrame draw_frame(RandomStream& s);
+
+/// Puts the contacts of the cores apart along n by the roundings and the margin.
+void put_beside(Pair& p, const Vector3& on_a, const Vector3& on_b, const Vector3& n, double margin,
+                RandomStream& s);
+
+/// Turns and puts two solids so that these parts of them meet, in any order. A gap has this margin, an
+/// overlap may be less deep. The lines u of both parts are parallel, 1e-15 to 1 rad from parallel, square, or
+/// at any angle. Half of the contacts are at the border of a part.
+Pair put_in_contact(Pair p, const std::array<TouchPart, 2>& parts, double margin, RandomStream& s);
 
 }  // namespace cyl

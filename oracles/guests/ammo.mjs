@@ -37,11 +37,9 @@ function placed(s) {
   return { object, end: () => [object, shape, pose, at, turn].forEach((gone) => Bullet.destroy(gone)) };
 }
 
-const rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
+const rounded_rims = 0.04; // at most: CONVEX_DISTANCE_MARGIN
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({
-  name: 'ammo', npm: 'ammo.js', call: 'btCollisionWorld.contactPairTest', claim, takes: Object.keys(shapes), rounded_rims: rims,
-}, (a, b) => {
+serve({ npm: 'ammo.js', call: 'btCollisionWorld.contactPairTest', claim, shapes, rounded_rims }, (a, b) => {
   const one = placed(a), other = placed(b);
   least = Infinity;
   world.contactPairTest(one.object, other.object, heard);

@@ -18,9 +18,7 @@ const placed = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: 1e-6, source: 'cannon-es.js, Vec3.almostZero: an axis shorter than 1e-6 is passed over' };
-serve({
-  name: 'cannon', npm: 'cannon-es', call: 'ConvexPolyhedron.findSeparatingAxis', claim, takes: Object.keys(shapes),
-}, (a, b) => {
+serve({ npm: 'cannon-es', call: 'ConvexPolyhedron.findSeparatingAxis', claim, shapes }, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   const [one, at, turn] = placed(a), [other, ...there] = placed(b), axis = new Vec3();
   const meet = a.kind === 'half_space'

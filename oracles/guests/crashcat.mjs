@@ -22,7 +22,7 @@ const operand = (s) => {
 };
 
 const claim = { relative: 1e-6, absolute: settings.collisionTolerance, source: 'collisionTolerance of its default settings: closer is considered to be colliding' };
-serve({ name: 'crashcat', npm: 'crashcat', call: 'collideShapeVsShape', claim, takes: Object.keys(shapes) }, (a, b) => {
+serve({ npm: 'crashcat', call: 'collideShapeVsShape', claim, shapes }, (a, b) => {
   const kinds = [a.kind, b.kind];
   if (kinds.includes('half_space') && kinds.includes('rounded')) return { declined: 'its planes see sharp cylinders' };
   found.reset();

@@ -28,12 +28,9 @@ const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
 
 // It turns a cylinder into a prism of 16 sides inside it. As small spheres show, the edges of boxes are rounded by 0.015, and
 // rims by at most as much.
-const rims = 0.015;
+const rounded_rims = 0.015;
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
-serve({
-  name: 'havok', npm: '@babylonjs/havok', call: 'HP_World_ShapeProximityWithCollector', claim,
-  takes: Object.keys(shapes), rounded_rims: rims,
-}, (a, b) => {
+serve({ npm: '@babylonjs/havok', call: 'HP_World_ShapeProximityWithCollector', claim, shapes, rounded_rims }, (a, b) => {
   const made = [a, b].map((s) => shapes[s.kind](s));
   if (made.some(([result]) => result !== Havok.Result.RESULT_OK)) return { declined: 'it makes no such shape' };
   const [one, other] = made.map(must);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jolt's CollideShape of two solids. `jolt.mjs --default`: cylinders and boxes as its default makes them, whose edges it rounds.
+// Jolt's CollideShape of two solids with sharp edges.
 import initJolt from 'jolt-physics';
 import { serve } from './lines.mjs';
 
@@ -19,18 +19,15 @@ function engineSettings() {
   return settings;
 }
 
-// cDefaultConvexRadius of PhysicsSettings.h. The lengths of a shape include it.
-const rounds = process.argv.includes('--default'), rounded_rims = rounds ? 0.05 : 0;
-const rims_of = (...halves) => (Math.min(...halves) >= rounded_rims ? rounded_rims : 0);
-// A convex radius rounds only what its GJK sees; its penetration depth takes the sharp solid. So it has no rounded one.
+// A convex radius rounds only what its GJK sees; its penetration depth takes the sharp solid. So it is 0.
 const shapes = {
   sphere: (s) => new Jolt.SphereShape(s.rounding),
   capsule: (s) => new Jolt.CapsuleShape(s.halfHeight, s.rounding),
-  cylinder: (s) => new Jolt.CylinderShape(s.halfHeight, s.radius, rims_of(s.halfHeight, s.radius)),
+  cylinder: (s) => new Jolt.CylinderShape(s.halfHeight, s.radius, 0),
   half_space: () => new Jolt.PlaneShape(plane),
   box: (s) => {
     half.Set(...s.half);
-    return new Jolt.BoxShape(half, rims_of(...s.half));
+    return new Jolt.BoxShape(half, 0);
   },
 };
 
@@ -46,10 +43,7 @@ function placed(s) {
 }
 
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
-const name = rounds ? 'jolt-default' : 'jolt';
-serve({
-  name, npm: 'jolt-physics', call: 'TransformedShape.CollideShape', claim, takes: Object.keys(shapes), rounded_rims,
-}, (a, b) => {
+serve({ npm: 'jolt-physics', call: 'TransformedShape.CollideShape', claim, shapes }, (a, b) => {
   const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
   one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
   const meet = hit.HadHit();

@@ -56,8 +56,9 @@ function fits({ lengths, position, away = 0 }) {
     Object.values(position).every((x) => Math.abs(x) <= most);
 }
 
-/** `answer` takes two solids and gives an answer line as an object. `npm` names the package that it asks. */
-export function serve({ npm, ...hello }, answer) {
+/** `answer` takes two solids and gives an answer line as an object. `npm` names the package that it asks. The keys of
+    `shapes` are the kinds that it takes. */
+export function serve({ npm, shapes, ...hello }, answer) {
   const { version } = JSON.parse(readFileSync(new URL(`node_modules/${npm}/package.json`, import.meta.url)));
   // Answers to lines that arrive together leave together: a write for each line would take longer than the answer.
   let said = '';
@@ -66,7 +67,8 @@ export function serve({ npm, ...hello }, answer) {
     if (said === '') setImmediate(flush);
     said += JSON.stringify(object) + '\n';
   };
-  say({ ...hello, version, install: `npm install --prefix . ${npm}@${version}`, files: ['lines.mjs'] });
+  const install = `npm install --prefix . ${npm}@${version}`;
+  say({ ...hello, version, takes: Object.keys(shapes), install, files: ['lines.mjs'] });
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
     try {

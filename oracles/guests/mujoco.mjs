@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// MuJoCo's mj_geomDistance. `mujoco.mjs --contacts`: whether mj_forward makes a contact. `mujoco.mjs --libccd`: the same, with
-// its older algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
+// MuJoCo's mj_geomDistance. With --contacts: whether mj_forward makes a contact. With --libccd: the same, by its older
+// algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
 import load from '@mujoco/mujoco';
 import { serve } from './lines.mjs';
 
 const MuJoCo = await load(), option = ['contacts', 'libccd'].find((word) => process.argv.includes(`--${word}`));
 
-const sizes = {
+const lengths = {
   sphere: (s) => [s.rounding],
   capsule: (s) => [s.rounding, s.halfHeight],
   cylinder: (s) => [s.radius, s.halfHeight],
@@ -17,35 +17,28 @@ const quarter = Math.SQRT1_2; // from its z to y, but not for boxes
 const turnOf = ({ half, turn: t }) => half
   ? [t.w, t.x, t.y, t.z]
   : [(t.w + t.x) * quarter, (t.x - t.w) * quarter, (t.y - t.z) * quarter, (t.z + t.y) * quarter];
-const posed = (s) => `pos="${Object.values(s.position).join(' ')}" quat="${turnOf(s).join(' ')}"`;
-const geom = (s) => `geom type="${s.kind.replace('half_space', 'plane')}" size="${sizes[s.kind](s).join(' ')}"`;
-const reach = (s) => s.lengths.reduce((sum, x) => sum + x, 0);
+const shown = (numbers) => numbers.map((x) => (Math.abs(x) < 1e-300 ? 0 : x)).join(' '); // no denormal numbers
+const posed = (s) => `pos="${shown(Object.values(s.position))}" quat="${shown(turnOf(s))}"`;
+const geom = (s) => `geom type="${s.kind.replace('half_space', 'plane')}" size="${lengths[s.kind](s).join(' ')}"`;
+const beyond = 1e10; // all distances of pairs that lines.mjs accepts
 
 const name = option ? `mujoco3-${option}` : 'mujoco3';
-const claim = { relative: 1e-12, absolute: 1e-6, source: 'ccd_tolerance, 1e-6: tolerance of the convex collision algorithm' };
-serve({
-  name, npm: '@mujoco/mujoco', call: option ? 'mj_forward' : 'mj_geomDistance', claim, takes: Object.keys(sizes),
-  sizes: { zero: false },
-}, (a, b) => {
+const claim = { relative: 1e-12, absolute: 1e-6, source: 'ccd_tolerance: tolerance of the convex collision algorithm' };
+const call = option ? 'mj_forward' : 'mj_geomDistance';
+serve({ name, npm: '@mujoco/mujoco', call, claim, shapes: lengths, sizes: { zero: false } }, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   // The second moves, since solids that are fixed to the world make no contact.
-  MuJoCo.FS.writeFile('/pair.xml', `<mujoco><option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option>
+  MuJoCo.FS.writeFile('/pair.xml', `<mujoco>
+  <option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option>
   <worldbody>
     <${geom(a)} ${posed(a)}/>
     <body ${posed(b)}><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><${geom(b)}/></body>
   </worldbody></mujoco>`);
-  let model;
-  try {
-    model = MuJoCo.MjModel.mj_loadXML('/pair.xml');
-  } catch (error) {
-    return { error: String(error) }; // it refuses 5e-324 as too large
-  }
-  const data = new MuJoCo.MjData(model);
+  const model = MuJoCo.MjModel.mj_loadXML('/pair.xml'), data = new MuJoCo.MjData(model);
   try {
     MuJoCo.mj_forward(model, data);
     if (option) return { verdict: data.ncon > 0 ? 'intersecting' : 'disjoint' };
-    const far = Math.hypot(...[0, 1, 2].map((i) => data.geom_xpos[i] - data.geom_xpos[i + 3])) + reach(a) + reach(b);
-    const distance = MuJoCo.mj_geomDistance(model, data, 0, 1, far, new Float64Array(6));
+    const distance = MuJoCo.mj_geomDistance(model, data, 0, 1, beyond, new Float64Array(6));
     return { verdict: distance <= 0 ? 'intersecting' : 'disjoint', distance };
   } finally {
     data.delete();

@@ -24,11 +24,9 @@ function placed(s) {
   return [shapes[s.kind](s), at];
 }
 
-const rims = oimo.common.Setting.defaultGJKMargin; // inside the solid; less for a thin box
+const rounded_rims = oimo.common.Setting.defaultGJKMargin; // inside the solid; less for a thin box
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1. Its EPA ends after 40 steps' };
-serve({
-  name: 'oimo', npm: 'oimophysics', call: 'GjkEpa.computeClosestPoints', claim, takes: Object.keys(shapes), rounded_rims: rims,
-}, (a, b) => {
+serve({ npm: 'oimophysics', call: 'GjkEpa.computeClosestPoints', claim, shapes, rounded_rims }, (a, b) => {
   const [one, at] = placed(a), [other, there] = placed(b);
   const status = gjk.computeClosestPoints(one, other, at, there, null);
   if (status !== 0) return { error: `GjkEpaResultState ${status}` };

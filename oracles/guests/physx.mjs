@@ -52,10 +52,7 @@ function placed(s) {
 
 // isValid() of its geometries asks for a volume, hence `zero`.
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of the length scale 1' };
-serve({
-  name: 'physx', npm: 'physx-js-webidl', call: 'PxGeometryQuery.overlap', claim, takes: Object.keys(shapes),
-  sizes: { zero: false },
-}, (a, b) => {
+serve({ npm: 'physx-js-webidl', call: 'PxGeometryQuery.overlap', claim, shapes, sizes: { zero: false } }, (a, b) => {
   const [one, other] = [placed(a), placed(b)];
   const meet = query.overlap(one.geometry, one.pose, other.geometry, other.pose);
   for (const gone of [one, other]) gone.end();

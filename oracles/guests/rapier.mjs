@@ -14,9 +14,7 @@ const shapes = {
   rounded_box: (s) => new RAPIER.RoundCuboid(...s.half, s.rounding),
   rounded: (s) => new RAPIER.RoundCylinder(s.halfHeight, s.radius, s.rounding),
 };
-serve({
-  name: 'rapier', npm: '@dimforge/rapier3d-compat', call: 'Shape.intersectsShape', claim, takes: Object.keys(shapes),
-}, (a, b) => {
+serve({ npm: '@dimforge/rapier3d-compat', call: 'Shape.intersectsShape', claim, shapes }, (a, b) => {
   const [first, second] = [a, b].map((s) => shapes[s.kind](s));
   const meet = first.intersectsShape(a.position, a.turn, second, b.position, b.turn);
   return { verdict: meet ? 'intersecting' : 'disjoint' };

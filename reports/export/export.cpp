@@ -284,22 +284,13 @@ std::string without_folders(std::string text, const Guest& guest) {
   return text;
 }
 
-/// Returns a script that installs the library and runs the program, if that can show the failure.
-std::string alone(const Upstream& upstream, const std::string& command, const Trial& p) {
-  if (upstream.call.empty() || upstream.install.empty() || !is_refuted_verdict(p.finding()->kind)) return {};
-  return fmt::format(
-      "#!/bin/sh\n# Installs the library into this folder, and asks it about case.jsonl.\nset -e\n"
-      "cd -- \"$(dirname -- \"$0\")\"\n{} >&2\nanswer=$({} <case.jsonl | tail -n 1)\n"
-      "printf '%s\\n' \"$answer\"\ncase $answer in *'\"verdict\":\"{}\"'*) echo WRONG; exit 1 ;; esac\n",
-      upstream.install, command, to_string(p.answer().verdict));
-}
-
 Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
   Guest elsewhere = guest;
   elsewhere.what = without_folders(guest.what, guest);
   const std::string kind = guest.kind == GuestKind::plugin ? "plug-in" : "program";
   const Upstream& upstream = guest.upstream;
-  if (const std::string script = alone(upstream, elsewhere.what, p); !script.empty()) {
+  if (const std::string script = reproducing_script(upstream, elsewhere.what, p, method.claim());
+      !script.empty()) {
     const std::string package = upstream.install.substr(upstream.install.rfind(' ') + 1);
     Export files{{"reproduce.sh", script}, {"case.jsonl", format_pair(p.pair) + '\n'}};
     for (const fs::path file : upstream.files) {

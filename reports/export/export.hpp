@@ -15,8 +15,8 @@
 namespace cyl {
 
 /// The texts of the folder, by the names of their files: exact.py and issue.md. A packaged library also has
-/// reproduce.cpp, and build.sh, which builds the program beside itself and runs it. A guest has case.jsonl. If
-/// it is known how to install its library, it also has its own files and reproduce.sh, which runs them.
+/// reproduce.cpp, and build.sh, which builds the program beside itself and runs it. A guest has case.jsonl.
+/// If it is known how to install its library, it also has its own files and reproduce.sh, which runs them.
 using Export = std::map<std::string, std::string>;
 
 /// Returns the command that asks the guest again about the case in the file. `daylight` is how the program is

@@ -41,6 +41,10 @@ TEST(Export, AProgramThatInstallsItsLibraryNeedsNoDaylight) {
   EXPECT_EQ(run("sh reproduce.sh >printed"), 1);
   EXPECT_EQ(run("sed -i s/disjoint/intersecting/ more.sh && sh reproduce.sh >printed && test -e engine@3"),
             0);
+  std::ofstream(folder + "/more.sh") << "echo '{\"verdict\":\"intersecting\",\"distance\":-2.25}'\n";
+  write_export(make_export(methods, "mine", FindingKind::distance_outside, equal, &opened.guest), sent);
+  EXPECT_EQ(run("sh reproduce.sh >printed"), 1);
+  EXPECT_EQ(run("sed -i s/2.25/2.0/ more.sh && sh reproduce.sh >printed"), 0);
 }
 
 }  // namespace

@@ -332,4 +332,25 @@ std::string reproducing_program(const LibraryCall& call, const Trial& asked, con
          filled(template_text(program.source), words);
 }
 
+std::string reproducing_script(const Upstream& upstream, const std::string& command, const Trial& asked,
+                               const Claim& claim) {
+  const FindingKind kind = asked.finding()->kind;
+  const bool of_distance = kind == FindingKind::distance_outside && !asked.answer().at_least;
+  if (upstream.call.empty() || upstream.install.empty() || !(of_distance || is_refuted_verdict(kind)))
+    return {};
+  const double error = reach(claim, size_of(asked.pair));
+  const std::string is_wrong =
+      of_distance
+          ? fmt::format(
+                "echo \"$answer\" | sed 's/.*\"distance\":\\([^,}}]*\\).*/\\1/' | "
+                "awk '{{ exit !($1 < {} || $1 > {}) }}'",
+                format_double(asked.distance.lo - error), format_double(asked.distance.hi + error))
+          : fmt::format("echo \"$answer\" | grep -q '\"verdict\":\"{}\"'", to_string(asked.answer().verdict));
+  return fmt::format(
+      "#!/bin/sh\n# Installs the library into this folder, and asks it about case.jsonl.\nset -e\n"
+      "cd -- \"$(dirname -- \"$0\")\"\n{} >&2\nanswer=$({} <case.jsonl | tail -n 1)\necho \"$answer\"\n"
+      "if {}; then echo WRONG; exit 1; fi\n",
+      upstream.install, command, is_wrong);
+}
+
 }  // namespace cyl

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracles/methods/guest.hpp"
 #include "oracles/trial/compare.hpp"
 #include "oracles/trial/trial.hpp"
 
@@ -49,5 +50,11 @@ Pair as_given(const Pair& pair);
 /// It exits with 1 if the answer is wrong as in the finding, and with 0 if it is right. `asked` must have a
 /// finding of a kind that program_shows(), of a method with a LibraryCall.
 std::string reproducing_program(const LibraryCall& call, const Trial& asked, const Method& method);
+
+/// Returns a script that installs the library of a guest and asks the guest about case.jsonl. It exits with 1
+/// if the verdict, or the distance, is wrong as in the finding. The text is empty if the guest does not state
+/// how to install its library, or if the finding is of another kind.
+std::string reproducing_script(const Upstream& upstream, const std::string& command, const Trial& asked,
+                               const Claim& claim);
 
 }  // namespace cyl

@@ -120,9 +120,7 @@ inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
-  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
-                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-  const double size = length(d);
+  const double f = support_gap(p, d), size = length(d);
   if (!(f < -separation_error * size * q.reach)) {
     q.overlap = smaller(q.overlap, f / size);
     return false;

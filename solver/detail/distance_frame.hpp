@@ -12,12 +12,6 @@
 
 namespace cyl {
 
-// At a unit vector.
-inline double support_gap(const Scaled& p, const Vector3& d) noexcept {
-  return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
-         p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-}
-
 // The point of a centred solid nearest to x.
 inline Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) noexcept {
   const double along = dot(x, w);

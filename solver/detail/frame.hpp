@@ -119,6 +119,12 @@ inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexc
           height0 * half, radius1 * unit, height1 * half, exponent - shift};
 }
 
+// f(d), for d or -d, whichever points to the other solid.
+inline double support_gap(const Scaled& p, const Vector3& d) noexcept {
+  return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
+         p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
+}
+
 // w0 x w1 from the sum and the difference of the axes (with one reversed if they are opposite). Up to the
 // rounding of their lengths these two are perpendicular, so their cross product is accurate relative to its
 // own length at any angle. Swapping the roles changes at most the sign of `cross`.

@@ -49,6 +49,30 @@ inline NearestParameters nearest_of_segments(const Scaled& p) noexcept {
   return nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), dot(p.w0, p.w1));
 }
 
+// Two moderate solids whose cores are segments or points. Returns false if their nearest points are not
+// reliable.
+[[gnu::always_inline]] inline bool intersect_thin(const Prepared& a, const Prepared& b,
+                                                  double contact_distance, Verdict& verdict) noexcept {
+  const Vector3 delta = b.center - a.center;
+  Vector3 e = delta;
+  bool reliable = true;
+  if (!(a.ball & b.ball)) {
+    if (a.ball | b.ball) {
+      const Prepared* const solids[] = {&a, &b};
+      const Prepared& segment = *solids[a.ball];
+      e -= clamped(dot(delta, segment.unit_axis), 0.5 * segment.height) * segment.unit_axis;
+    } else {
+      const NearestParameters nearest =
+          nearest_of_segments(0.5 * a.height, 0.5 * b.height, dot(delta, a.unit_axis),
+                              -dot(delta, b.unit_axis), dot(a.unit_axis, b.unit_axis));
+      e += nearest.t * b.unit_axis - nearest.s * a.unit_axis;
+      reliable = nearest.reliable;
+    }
+  }
+  verdict = verdict_of(dot(e, e) <= contact_distance * contact_distance);
+  return reliable;
+}
+
 // From there on a contact distance or a gap may overflow, so the solids are first made smaller. Lengths that
 // vanish beside the contact distance do not matter.
 inline constexpr double huge_distance = 0x1p1000, huge_shrink = 0x1p-100;

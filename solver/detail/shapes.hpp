@@ -111,11 +111,13 @@ struct ClippedBox {
 /// A box and a cylinder whose radius is > 0.
 ClippedBox clip(const BoxView& v) noexcept;
 
-/// For cores that are apart, with `way` between their nearest points. Finds directions. One of them shows the
-/// gap but for rounding. They are those of axis_of(), `way`, `way` made square to edges that it nearly is
-/// square to, and the directions of the outline (boxes.md, sections 4 and 5). Returns their number.
-inline constexpr int direction_cap = box_axes + 5;
-int find_directions(const BoxView& v, const Vector3& way, Vector3 (&found)[direction_cap]) noexcept;
+/// For cores that are apart, with these nearest points and the way between them. Finds directions. One of
+/// them shows the gap but for rounding. They are those of axis_of(), the way, the way made square to edges
+/// that it nearly is square to, the directions of the outline, and those square to an edge and to the rim at
+/// on1 (boxes.md, sections 4 and 5). Returns their number.
+inline constexpr int direction_cap = box_axes + 7;
+int find_directions(const BoxView& v, const Vector3& on0, const Vector3& on1,
+                    Vector3 (&found)[direction_cap]) noexcept;
 
 /// The segment d + t e[0] and the box: finds t of the nearest point, unless it is known before whether the
 /// distance is at most `contact`.

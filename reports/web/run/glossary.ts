@@ -57,5 +57,6 @@ export const glossary: Record<string, string> = {
   undecided: "The method answered neither yes nor no.",
   versions: "The versions of the library in the first and the last run that have the cause.",
   "within its claim": "Wrong, but the claim of the method covers the error.",
+  "wrong pairs": "The number of pairs on which one method of the cause is wrong, estimated if not all are stored.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
