@@ -70,11 +70,6 @@ double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong) {
   return std::min(1.0, high / n);
 }
 
-double chance_of_all_in(std::uint64_t count, std::uint64_t part, std::uint64_t all) {
-  if (all == 0) return 1;
-  return std::pow(static_cast<double>(part) / static_cast<double>(all), static_cast<double>(count));
-}
-
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto rank = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5);

@@ -20,10 +20,6 @@ RateBounds rate_bounds(std::uint64_t trials, std::uint64_t failures);
 /// trials: about 3/n if none is wrong. Returns 1 without trials.
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 
-/// Returns the probability that `count` events, each in one of `all` places with equal chance, all fall in
-/// the same `part` of them. Returns 1 if `all` is 0.
-double chance_of_all_in(std::uint64_t count, std::uint64_t part, std::uint64_t all);
-
 /// Returns the value of rank q (count - 1), rounded, or NaN without values.
 double quantile(std::vector<double> values, double q);
 

@@ -28,9 +28,7 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/random_stream.hpp"
 #include "corpus/store/case_files.hpp"
-#include "fuzz/guided/record.hpp"
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
 #include "reports/gate/gate_writers.hpp"
@@ -41,7 +39,6 @@ namespace {
 struct GateArguments {
   std::string cap, methods, junit, json, against, keep;
   std::optional<std::string> cases;
-  std::string corpus;
   std::optional<std::uint64_t> seed, pairs;
   bool laws = false;
   GuestOptions guests;
@@ -53,20 +50,6 @@ void print_laws() {
   for (const Law& law : all_laws())
     fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
                law.statement, "", law.where);
-}
-
-/// Pairs of a corpus that a gate draws. They are asked under all laws, as the cases are.
-constexpr std::size_t corpus_cap = 200;
-
-void add_corpus(std::vector<Case>& cases, const std::string& folder, std::uint64_t seed) {
-  std::vector<Pair> pairs = read_corpus(folder);
-  RandomStream stream("gate corpus", seed, 0);
-  for (std::size_t i = 0; i < std::min(corpus_cap, pairs.size()); ++i) {
-    std::swap(pairs[i], pairs[i + stream.below(pairs.size() - i)]);
-    Case& c = cases.emplace_back();
-    c.pair = pairs[i];
-    c.source = "the corpus of a fuzzer";
-  }
 }
 
 /// Returns the failures as lines of a case file, to be kept beside the other cases.
@@ -142,7 +125,7 @@ int gate(const GateArguments& arguments) {
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
   const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
-  std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
+  const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
   GateBase base;
   if (!arguments.against.empty()) {
     base = read_base(arguments.against);
@@ -150,7 +133,6 @@ int gate(const GateArguments& arguments) {
     options.pairs = base.pairs;
     options.amount = base.amount;
   }
-  if (!arguments.corpus.empty()) add_corpus(cases, arguments.corpus, options.seed);
   const StopSignals signals;  // before the first line, after which a caller may stop the gate
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
@@ -190,8 +172,6 @@ void add_gate(Program& program) {
       .default_text(std::to_string(GateOptions{}.seed));
   command.option("--cases DIR", arguments->cases, "folder of known cases to run first; '' for none")
       .default_text("corpus/cases/");
-  command.option("--corpus DIR", arguments->corpus,
-                 fmt::format("corpus of a fuzz run; the seed draws at most {} pairs of it", corpus_cap));
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
   command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();

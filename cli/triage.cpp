@@ -33,7 +33,7 @@ struct TriageArguments {
   GuestOptions guests;
 };
 
-/// Whether the run has the cause, and the cause is new, back or rare, or nothing is compared.
+/// Whether the run has the cause, and the cause is new, or nothing is compared.
 bool is_new(const Cause& b) { return b.count > 0 && b.status != Recurrence::known; }
 
 int triage(const TriageArguments& arguments) {
@@ -100,8 +100,7 @@ void add_triage(Program& program) {
   add_run_guests_option(command, arguments->guests);
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
-  command.flag("--new-only", arguments->new_only,
-               "report only new, back and rare causes; only these set exit code 2");
+  command.flag("--new-only", arguments->new_only, "report only new causes; only these set exit code 2");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --new-only --json new.json",

@@ -13,10 +13,10 @@
 #include <cstring>
 #include <ctime>
 #include <optional>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
-#include "base/process/exception_text.hpp"
 #include "base/process/process.hpp"
 
 namespace cyl {
@@ -35,7 +35,7 @@ constexpr milliseconds ending_cap{1000};
 constexpr rlim_t output_cap = rlim_t{16} << 20;
 
 /// The bytes of its output that a reason shows, and the bytes in which an exception is searched for.
-constexpr std::size_t shown_cap = 90, exception_cap = std::size_t{1} << 16;
+constexpr std::size_t shown_cap = 90, printed_cap = std::size_t{1} << 16;
 
 /// While it lives, a write to a pipe without readers is an error of this thread, not a signal.
 class NoPipeSignal {
@@ -71,6 +71,16 @@ void write_text(int fd, const char* text) {
   if (chdir(folder) == 0) execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
   write_text(STDERR_FILENO, "its folder or /bin/sh is gone");
   _exit(127);
+}
+
+/// Returns the last line that tells the error. A traceback of Python ends with the exception. Node.js prints
+/// the stack, which is indented, and its version after the exception.
+std::string error_line(const std::string& printed) {
+  std::istringstream lines(printed);
+  std::string told;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line[0] != ' ' && !line.starts_with("Node.js v")) told = line;
+  return told;
 }
 
 }  // namespace
@@ -146,11 +156,10 @@ std::string LineProgram::death() {
   if (const auto& ending = process_->wait())
     how = WIFSIGNALED(ending->status) ? signal_name(WTERMSIG(ending->status))
                                       : "ended with status " + std::to_string(WEXITSTATUS(ending->status));
-  std::string all(exception_cap, '\0');
+  std::string all(printed_cap, '\0');
   const ssize_t got = pread(printed_, all.data(), all.size(), 0);
   all.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-  if (const std::string thrown = exception_text(all, shown_cap); !thrown.empty()) return thrown + "; " + how;
-  const std::string printed = last_line(printed_, shown_cap);
+  const std::string printed = error_line(all).substr(0, shown_cap);
   return printed.empty() ? how : how + ", after printing: " + printed;
 }
 

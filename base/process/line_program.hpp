@@ -41,8 +41,8 @@ class LineProgram {
   Read receive(std::string& line, const Cap& cap);
   /// Returns whether it has answered more than was received.
   bool has_answered_more();
-  /// Returns how it ended: "ended with status 1, after printing: ..." (on standard error), or "ValueError: no
-  /// such shape (mine.py:12); ended with status 1". Only after Read::ended.
+  /// Returns how it ended: "ended with status 1, after printing: ValueError: no such shape" (the last line of
+  /// standard error, without a stack). Only after Read::ended.
   std::string death();
 
  private:

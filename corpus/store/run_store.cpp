@@ -228,10 +228,6 @@ std::vector<FindingRecord> RunStore::findings() const {
   return without_deep_texts(*file_, file_->all<FindingRecord>("id"));
 }
 
-std::vector<FindingHead> RunStore::finding_heads() const {
-  return file_->rows<FindingHead>("SELECT id, method, kind, severity, family FROM wrong_answer");
-}
-
 std::vector<CellRecord> RunStore::cells() const { return file_->all<CellRecord>("plane, x, y"); }
 
 std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {

@@ -96,13 +96,6 @@ struct FindingRecord : FindingGroup {
   }
 };
 
-/// The group of a stored finding.
-struct FindingHead : FindingGroup {
-  std::int64_t id = 0;
-
-  static auto columns(auto& f) { return std::tie(f.id, f.method, f.kind, f.severity, f.family); }
-};
-
 /// How many findings of a group there were, kept or not.
 struct GroupRecord : FindingGroup {
   std::uint64_t count = 0;
@@ -156,7 +149,6 @@ class RunStore {
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
   std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
-  std::vector<FindingHead> finding_heads() const;
   /// By plane, x and y.
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;

@@ -121,7 +121,7 @@ TEST(GuestCommand, ADeathIsACrashAndItIsStartedAgain) {
       ask_with_trouble(
           "printf 'RangeError: no shape\\n    at f (/x/mine.js:3:9)\\n\\nNode.js v20\\n' >&2; exit 1")[1]
           .reason,
-      "RangeError: no shape (mine.js:3); ended with status 1");
+      "ended with status 1, after printing: RangeError: no shape");
 }
 
 TEST(GuestCommand, AHangIsEnded) {

@@ -40,30 +40,6 @@ std::string beyond_in_words(const RegionEnd& end) {
   return end.right_samples == 0 ? "right" : fmt::format("right ({})", counted(end.right_samples, "sample"));
 }
 
-/// Returns "reports intersecting for solids up to 9.9e-07 apart", ...
-std::string failure_in_words(const Trial& asked, const std::vector<FailingRegion>& regions) {
-  switch (asked.finding()->kind) {
-    case FindingKind::wrong_intersecting:
-      return fmt::format("reports {} for solids up to {:.3g} apart", to_string(asked.answer().verdict),
-                         std::max(regions[0].high.fails_at, asked.distance.lo));
-    case FindingKind::wrong_disjoint: {
-      const double depth = std::max(-regions[0].low.fails_at, -asked.distance.hi);
-      return depth > 0 ? fmt::format("reports disjoint for solids that overlap by up to {:.3g}", depth)
-                       : "reports disjoint for solids that touch";
-    }
-    case FindingKind::distance_outside:
-      return fmt::format("returns a distance of {} for solids {}", said_distance(asked),
-                         distance_in_words(asked));
-    case FindingKind::bad_witness:
-      return fmt::format("returns a witness that proves nothing for solids {}", distance_in_words(asked));
-    case FindingKind::reported:
-      return fmt::format("failed on solids {}: {}", distance_in_words(asked), asked.answer().reason);
-    default:
-      return fmt::format("ends in {} on solids {}", to_string(asked.finding()->kind),
-                         distance_in_words(asked));
-  }
-}
-
 /// The samples that fail, with the pair itself.
 unsigned failing_samples(const FailingRegion& r) {
   return r.low.failing_samples + r.high.failing_samples + 1;
@@ -139,8 +115,7 @@ std::string explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                               std::chrono::duration<double>(cpu_cap_of(*method)).count());
   const std::vector<FailingRegion> regions = failing_regions(method, asked);
   const auto index = static_cast<std::size_t>(&method - methods.data());
-  std::string sentences = fmt::format("{} {}. {}", name, failure_in_words(asked, regions),
-                                      cause_in_words(methods, {index, kind, pair}, asked));
+  std::string sentences = cause_in_words(methods, {index, kind, pair}, asked);
   if (const auto only = supported_ranges(regions); !only.empty())
     sentences += fmt::format(" In the samples, it fails only with {}.", fmt::join(only, " and "));
   if (regions[0].at != 0 && std::isfinite(regions[0].at))

@@ -274,20 +274,6 @@ void add_findings(json& report, const RunData& run) {
   report["names"] = names.list();
 }
 
-// Causes
-// -----------------------------------------------------------------------------------------------------------
-
-/// Adds the causes of the last triage, and the earlier runs that they were compared with.
-void add_causes(json& report, const RunData& run) {
-  std::set<std::string> against;
-  json causes = causes_json(run.folder);
-  for (const json& cause : causes)
-    for (const json& night : cause.value("runs", json::array())) against.insert(night.at("run"));
-  against.erase(report.at("run").at("id").get<std::string>());
-  report["causes"] = std::move(causes);
-  report["changes"] = {{"against", against}};
-}
-
 // Charts and the report
 // -----------------------------------------------------------------------------------------------------------
 
@@ -307,8 +293,8 @@ std::string report_json(const RunData& run) {
   json report = {{"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
                  {"families", families_json(run, tallies)},
-                 {"tallies", tallies_json(tallies)}};
-  add_causes(report, run);
+                 {"tallies", tallies_json(tallies)},
+                 {"causes", causes_json(run.folder)}};
   add_findings(report, run);
   add_charts(report, run);
   return report.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "base/number_text.hpp"
-#include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/triage/causes.hpp"
@@ -24,6 +23,7 @@ void visit_plain(B& b, Visit visit) {
   visit("findings", b.findings);
   visit("simplified", b.simplified);
   visit("seen_again", b.seen_again);
+  visit("asked_before", b.asked_before);
   visit("cause", b.description);
   visit("labels", b.labels);
   visit("first_seen", b.first_seen);
@@ -60,23 +60,6 @@ ShownCase case_of(const Json& j) {
   return shown;
 }
 
-Json share_json(const std::optional<Cause::Share>& share) {
-  return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
-}
-
-/// Returns the rate per million pairs, with bounds at 95 %.
-Json observation_json(const Cause::RunObservation& seen) {
-  constexpr double million = 1e6;
-  const Observation& s = seen.all;
-  const RateBounds bounds = rate_bounds(s.asked, s.count);
-  const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
-  return {{"run", seen.run},
-          {"started", seen.started},
-          {"count", s.count},
-          {"asked", s.asked},
-          {"per_million", {million * rate, million * bounds.lower, million * bounds.upper}}};
-}
-
 }  // namespace
 
 Json to_json(const Cause& b) {
@@ -85,14 +68,8 @@ Json to_json(const Cause& b) {
          {"worst", b.worst ? parse_json(b.worst->page) : Json()},
          {"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
-         {"share", share_json(b.share)},
-         {"status", nullptr},
-         {"chance", nullptr},
-         {"asked_before", b.asked_before},
-         {"runs", Json::array()}};
+         {"status", nullptr}};
   if (b.status) j["status"] = to_string(*b.status);
-  if (b.chance) j["chance"] = *b.chance;
-  for (const Cause::RunObservation& seen : b.history) j["runs"].push_back(observation_json(seen));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
@@ -112,8 +89,6 @@ Cause cause_from_json(const Json& j) {
   b.severity = word_of<Severity>(j.at("severity"));
   if (const Json& margin = j.at("margin"); !margin.is_null())
     b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
-  if (const Json& share = j.at("share"); !share.is_null())
-    b.share = Cause::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("status"); !status.is_null()) b.status = word_of<Recurrence>(status);
   return b;
 }

@@ -20,13 +20,11 @@ std::string some_of(const std::set<std::string>& names) {
 }
 
 std::string format_cause(const Cause& b) {
-  std::string text = fmt::format(
-      "{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
-      b.status ? std::string(", ") + to_string(*b.status) : "",
-      b.chance && *b.chance < chance_margin ? fmt::format(" (probability of mere chance: {:.1g})", *b.chance)
-      : is_of_new_families(b)               ? ", but no earlier run tested this method on these families"
-                                            : "",
-      b.description);
+  std::string text =
+      fmt::format("{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
+                  b.status ? std::string(", ") + to_string(*b.status) : "",
+                  is_of_new_families(b) ? ", but no earlier run tested this method on these families" : "",
+                  b.description);
   text += b.count == 0 ? "    found in other runs only"
                        : fmt::format("    {}{} in {}, of {}",
                                      b.count > b.findings.size() && !b.findings.empty() ? "about " : "",
@@ -34,10 +32,6 @@ std::string format_cause(const Cause& b) {
                                      counted(b.methods.size(), "method"));
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
-  // A count of none reads as if the cause were not there, although it is only rarer than these pairs.
-  if (b.share && b.share->wrong > 0 && b.count > 0)
-    text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
-                        b.share->asked);
   return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
                             pair_to_json(b.simplest.pair).dump());
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,10 +17,8 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/stored_answers.hpp"
-#include "oracles/trial/contact.hpp"
 #include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
@@ -36,9 +33,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr Caps share_caps = attended_caps(2);
-/// The seed of the sample of a stratum.
-constexpr std::uint64_t share_seed = 1;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
@@ -146,63 +140,25 @@ void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest,
                        fmt::format("{}:{}", folder, group.worst->id));
 }
 
-/// Returns the drawn pair scaled to the size of the model and, if `moved`, moved to its place.
-Pair like(const Pair& drawn, const Pair& model, bool moved) {
-  const auto exponent = [](const Pair& p) { return size_of(p) > 0 ? std::ilogb(size_of(p)) : 0; };
-  Pair pair = scaled(drawn, exponent(model) - exponent(drawn));
-  if (moved)
-    for (Solid* c : {&pair.a, &pair.b}) c->center += model.a.center;
-  return pair;
-}
-
-/// Counts how often the method fails in the same way on drawn pairs of the same stratum. They have the size
-/// of the simplest pair and, if that matters, its place.
-std::optional<Cause::Share> share_of(const Pair& simplest, double margin, ContactFeature feature, bool moved,
-                                     const std::unique_ptr<Method>& method, FindingKind kind) {
-  std::vector<Pair> pairs;
-  for (std::uint64_t index = 0; index < share_sample; ++index)
-    if (const auto drawn = draw_in_stratum(feature, margin_decade(margin), share_seed, index))
-      pairs.push_back(like(*drawn, simplest, moved));
-  if (pairs.empty()) return {};
-  Cause::Share share;
-  for (const Trial& trial : try_method(method, pairs, share_caps)) {
-    if (trial.answer().status == Status::declined || trial.truth.verdict == Verdict::undecided) continue;
-    ++share.asked;
-    share.wrong += trial.fails(kind);
-  }
-  return share;
-}
-
-/// Fills in what is seen of the simplest pair and its stratum.
+/// Fills in what is seen of the simplest pair.
 void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
-                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
+                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
   const Trial& now = shown.trial;
   const Pair& pair = group.simplest->pair;
-  const auto distance = distance_of(now);
   const std::string file = fmt::format("{}/causes/{}.jsonl", folder, file_name_of(b.key));
-  b.simplest =
-      shown_case(shown, distance, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
+  b.simplest = shown_case(shown, distance_of(now), group.simplest->as_found ? group.simplest->of : nullptr,
+                          methods, file);
   b.simplified = group.simplest->finished;
   b.seen_again = group.seen_again;
-  std::optional<double> margin;
-  if (distance && distance->margin)
-    margin = std::min(distance->margin->hi, std::numeric_limits<double>::max());
-  const auto feature = contact_feature(pair, now.truth);
   const auto m = position_of(methods, b.method);
-  if (!m) return;
-  if (b.kind == FindingKind::bad_witness)
-    if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
-      b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
-  // If the method hangs, each question would cost a second or two.
-  const bool answers = now.answers[*m].failure != Failure::hang && now.answers[*m].status != Status::declined;
-  const bool moved = group.mechanism() == Mechanism::offset;
-  if (drawn && answers && margin && feature)
-    b.share = share_of(pair, *margin, *feature, moved, methods[*m], b.kind);
+  if (!m || b.kind != FindingKind::bad_witness) return;
+  if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
+    b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
 }
 
 /// Sums up the findings of a cause. `shown` is its simplest pair.
 Cause sum_up(const std::string& key, const CauseFindings& group, std::uint64_t count, const ShownPair& shown,
-             const GroupedMethods& of, const std::string& folder, bool drawn) {
+             const GroupedMethods& of, const std::string& folder) {
   Cause b;
   b.key = key;
   b.method = group.first().method;
@@ -221,7 +177,7 @@ Cause sum_up(const std::string& key, const CauseFindings& group, std::uint64_t c
     b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
   b.description = cause_in_words(key, group.mechanism(), reasons);
-  show_simplest(b, group, shown, of.methods, folder, drawn);
+  show_simplest(b, group, shown, of.methods, folder);
   b.labels = labels_of(b, group, shown, of);
   return b;
 }
@@ -254,7 +210,7 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
   group.simplest = ShownCandidate{true, false, complexity(fault.pair), &found, fault.pair};
   const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
   group.seen_again = shown.fails(failing);
-  Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder, !out_of_time());
+  Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder);
   b.findings.clear();
   return b;
 }
@@ -270,8 +226,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const auto shown_last = std::ranges::find(last, key, &Cause::key);
     if (shown_last != last.end() && shown_last->findings.size() == group.findings.size() && out_of_time()) {
       causes.push_back(*shown_last);
-      causes.back().history.clear();  // compare_with_earlier() makes both
-      causes.back().status.reset();
+      causes.back().status.reset();  // compare_with_earlier() sets it
       continue;
     }
     std::optional<ShownPair> shown = choose_simplest(group, of.methods, shower, out_of_time);
@@ -282,7 +237,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
     if (!shown) shown = shower.show(group.simplest->pair, failing);
     Cause b = sum_up(key, group, counted != counts.end() ? counted->second : group.findings.size(), *shown,
-                     of, records.folder, !out_of_time());
+                     of, records.folder);
     show_worst(b, group, *shown, shower, of.methods, records.folder);
     causes.push_back(std::move(b));
   }

@@ -18,12 +18,19 @@
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
-#include "reports/triage/recurrence.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {
 
 struct TriageRecords;
+
+/// Since earlier runs.
+enum class Recurrence : unsigned char {
+  fresh,  ///< no earlier run has it; its word is "new"
+  known,
+  gone  ///< the last run has it, this one does not, and its method is right on its pair now
+};
+constexpr auto words_of(Recurrence) noexcept { return std::array{"new", "known", "gone"}; }
 
 /// A pair that is shown of a cause.
 struct ShownCase {
@@ -34,17 +41,6 @@ struct ShownCase {
 
 /// A cause: the findings with this cause, and the data that is shown of them.
 struct Cause {
-  /// How often a method fails in the same way on pairs drawn from the stratum.
-  struct Share {
-    std::uint64_t wrong = 0, asked = 0;
-  };
-  /// The pairs of one method in the families of the cause, and those that show it.
-  struct RunObservation {
-    std::string run, started;
-    Observation all = {};  ///< also findings that were not kept or not examined: they count in proportion
-    Observation examined = {};  ///< the part that was looked at, by kind: chance is judged by it
-  };
-
   std::string key;
   std::string method;                              ///< of the finding that the simplest pair comes from
   FindingKind kind = FindingKind::wrong_disjoint;  ///< of the same finding
@@ -55,34 +51,16 @@ struct Cause {
   std::vector<std::int64_t> findings;        ///< ids of the stored findings
   std::optional<Enclosure> margin;  ///< the least and the greatest lower bound, of findings of that kind
   ShownCase simplest;
-  std::optional<ShownCase> worst;   ///< empty if the worst finding is another pair that hangs
-  bool simplified = false;          ///< the simplest is; else it is as it was found
-  bool seen_again = false;          ///< its method, asked alone, failed on the simplest
-  std::string description;          ///< in words
-  std::vector<std::string> labels;  ///< the cause and further labels
-  std::optional<Share> share;
+  std::optional<ShownCase> worst;    ///< empty if the worst finding is another pair that hangs
+  bool simplified = false;           ///< the simplest is; else it is as it was found
+  bool seen_again = false;           ///< its method, asked alone, failed on the simplest
+  std::string description;           ///< in words
+  std::vector<std::string> labels;   ///< the cause and further labels
   std::optional<Recurrence> status;  ///< empty if there is no earlier run
-  std::optional<double> chance;      ///< probability that chance explains the status, if it was computed
   bool asked_before = false;         ///< an earlier run asked its method about its families
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
-  std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
 };
-
-/// The findings of one method, kind, severity and family: their number, the number examined, and how many
-/// have each cause.
-struct ExaminedFindings {
-  std::uint64_t found = 0, looked_at = 0;
-  std::map<std::string, std::uint64_t> by_cause;
-
-  /// Shares `found` among the causes in proportion. The larger parts get the remainder first.
-  std::map<std::string, std::uint64_t> shares() const;
-};
-using ExaminedGroups = std::map<FindingGroup, ExaminedFindings>;
-
-ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
-                               const std::vector<FindingHead>& findings,
-                               const std::vector<CauseRecord>& causes);
 
 /// The causes of a triaged run, for the comparison of runs.
 struct TriagedRun {
@@ -90,21 +68,19 @@ struct TriagedRun {
   std::vector<MethodRecord> methods;  ///< those that are here
   std::vector<TallyRecord> tallies;
   std::vector<Cause> causes;
-  ExaminedGroups examined;
   double part = 1;  ///< of its findings that were looked at
 };
 
 /// In the form of the page's Cause, in which it is stored too.
 nlohmann::json to_json(const Cause& cause);
 nlohmann::json to_json(const std::vector<Cause>& causes);
-/// Reads the output of to_json(), except for the chance and the runs. Throws nlohmann::json::exception if the
-/// value has another form.
+/// Reads the output of to_json(). Throws nlohmann::json::exception if the value has another form.
 Cause cause_from_json(const nlohmann::json& stored);
 
 /// Makes the causes, by key. Status, first and last seen are not set. The
 /// worst pair is that of the findings. The simplest pair is one on which its method, asked alone, fails now.
 /// If there is none, it is the first that was found, with its stored answer. Asks every method about the
-/// simplest and the worst pair of each cause, and the cause's own method about a sample of the stratum. Once
+/// simplest and the worst pair of each cause. Once
 /// `out_of_time()`, a cause is as in `last`, the result of the last triage, and of a new one only the own
 /// method is asked, about the simplest pair.
 std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethods& methods,
@@ -129,12 +105,11 @@ std::string version_in(const std::vector<MethodRecord>& methods, const std::stri
 /// unknown.
 using FailsToday = std::function<std::optional<bool>(const Cause&)>;
 
-/// Sets status, chance, runs, first and last seen of the run's causes, compared with `earlier` triaged
-/// runs, the earliest first. A cause in `certainly_new` is new at any rate, even if its key is known. Adds
-/// the causes of the last one that the run does not have: known if a stored pair fails now, gone if all are
-/// right. Methods that the run did not ask lose nothing. New causes come first, then those that are back,
-/// rare, known and gone. Within these, those beyond claims come first, then those of ordinary sizes, then by
-/// count.
+/// Sets status, first and last seen of the run's causes, compared with `earlier` triaged runs, the earliest
+/// first. A cause in `certainly_new` is new at any rate, even if its key is known. Adds the causes of the
+/// last one that the run does not have: known if the method fails on the stored pair now, gone if it is
+/// right. Methods that the run did not ask lose nothing. New causes come first, then those that are known and
+/// gone. Within these, those beyond claims come first, then those of ordinary sizes, then by count.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today, const std::set<std::string>& certainly_new = {});
 
@@ -156,8 +131,5 @@ inline std::string shown_in_words(const Cause& cause) {
 
 /// A line a cause: findings, margins, what is wrong and the simplest pair.
 std::string format_causes(const std::vector<Cause>& causes);
-
-/// Pairs drawn to see which share of a stratum fails.
-inline constexpr std::uint64_t share_sample = 64;
 
 }  // namespace cyl

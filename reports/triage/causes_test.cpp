@@ -54,122 +54,54 @@ TEST(Causes, WhatHangsIsNotAskedOnceTheTimeIsOver) {
   EXPECT_EQ(causes[0].labels[1], "not asked again: no time was left for endless, which hangs");
 }
 
-TEST(Causes, NoShareIsNamedIfNoRandomPairShowsTheCause) {
-  Cause cause;
-  cause.key = "x/hang";
-  cause.count = 1;
-  cause.share = Cause::Share{1, 64};
-  EXPECT_NE(format_causes({cause}).find("1 of 64 similar"), std::string::npos);
-  cause.share->wrong = 0;
-  EXPECT_EQ(format_causes({cause}).find("of 64"), std::string::npos);
-}
-
-/// A run with one cause, on which one method is wrong for so many pairs of 1000.
-TriagedRun triaged(const std::string& id, std::uint64_t pairs, FindingKind kind = FindingKind::hang) {
-  const std::string key = std::string("x/") + to_string(kind);
-  TriagedRun run{id, id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
-  if (pairs == 0) return run;
-  Cause b;
-  b.key = key;
-  b.method = "x";
-  b.methods = {"x"};
-  b.families = {"f"};
-  b.severity = Severity::contract;
-  b.count = 3 * pairs;
-  b.first_seen = b.last_seen = b.first_version = b.last_version = id;
-  run.causes = {b};
-  run.examined[{"x", kind, Severity::contract, "f"}] = {pairs, pairs, {{key, pairs}}};
+/// A run with causes of one method in one family.
+TriagedRun triaged(const std::string& id, const std::vector<FindingKind>& kinds,
+                   const std::string& family = "f") {
+  TriagedRun run{id, id, id, {{"x", id, 0, 0, "", 1}}, {{"x", family, {1000, 0, 0, 0, 0, 0, 0}}}, {}};
+  for (const FindingKind kind : kinds) {
+    Cause& b = run.causes.emplace_back();
+    b.key = std::string("x/") + to_string(kind);
+    b.methods = {b.method = "x"};
+    b.families = {family};
+    b.severity = Severity::contract;
+    b.count = 3;
+    b.first_seen = b.last_seen = b.first_version = b.last_version = id;
+  }
   return run;
 }
 
-/// Sets the findings of the group "x/hang", how many are examined, and how many of these have the cause.
-void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std::uint64_t of_cause) {
-  ExaminedFindings& e =
-      run.examined[{"x", FindingKind::hang, Severity::contract, "f"}] = {found, looked_at, {}};
-  if (of_cause > 0) e.by_cause["x/hang"] = of_cause;
-}
-
-/// Compares without an answer of today.
-void compare(TriagedRun& run, const TriagedRun& earlier) {
-  compare_with_earlier(run, {earlier}, [](const Cause&) { return std::nullopt; });
-}
-
-TEST(Causes, GoneIsWhatAnswersRightToday) {
-  for (const auto& [answer, status] :
-       {std::pair(std::optional(false), Recurrence::gone), std::pair(std::optional(true), Recurrence::known),
-        std::pair(std::optional<bool>(), Recurrence::gone)}) {
-    const std::optional<bool> today = answer;
-    TriagedRun run = triaged("2", 0);
-    compare_with_earlier(run, {triaged("1", 30)}, [&](const Cause&) { return today; });
-    ASSERT_EQ(run.causes.size(), 1u);
-    EXPECT_EQ(run.causes[0].status, status);
-    EXPECT_EQ(run.causes[0].count, 0u);
-    EXPECT_EQ(run.causes[0].last_version, "1");
-  }
-  TriagedRun run = triaged("2", 0);
-  compare(run, triaged("1", 3));
-  EXPECT_EQ(run.causes[0].status, Recurrence::rare) << "nobody knows, and it may be chance";
-}
-
-TEST(Causes, WhatWasNotLookedAtIsNotMissed) {
-  TriagedRun run = triaged("2", 5), earlier = triaged("1", 0);
-  compare(run, earlier);
-  EXPECT_NEAR(*run.causes[0].chance, 1 / 32.0, 1e-9);
-  run = triaged("2", 5);
-  examine(earlier, 10, 1, 0);
-  compare(run, earlier);
-  EXPECT_GT(*run.causes[0].chance, 0.5);
-}
-
-/// If only three of 62 findings are examined, they count as three, even if the cause stands for more.
-TEST(Causes, CountOnlyWhatWasLookedAtInBothRuns) {
-  TriagedRun run = triaged("2", 62), earlier = triaged("1", 0);
-  examine(run, 62, 3, 3);
-  examine(earlier, 60, 4, 0);
-  compare(run, earlier);
-  EXPECT_EQ(run.causes[0].status, Recurrence::rare);
-  const Cause::RunObservation& night = run.causes[0].history.back();
-  EXPECT_EQ(night.examined.count, 3u);
-  EXPECT_EQ(night.examined.asked, 48u);
-  EXPECT_EQ(night.all.count, 62u) << "what is shown is all";
-  run.causes[0].simplest.page = "{}";
-  const Json shown = to_json(run.causes[0])["runs"].back();
-  EXPECT_EQ(shown["count"], 62);
-  EXPECT_EQ(shown["asked"], 1000);
-  EXPECT_DOUBLE_EQ(shown["per_million"][0], 62000);
-  examine(earlier, 60, 0, 0);
-  compare(run, earlier);
-  EXPECT_EQ(run.causes[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
-  run = triaged("2", 62);
-  examine(run, 62, 20, 20);
-  examine(earlier, 60, 20, 0);
-  compare(run, earlier);
-  EXPECT_EQ(run.causes[0].status, Recurrence::fresh);
-}
-
-TEST(Causes, NewComesFirstAndIsNoChance) {
-  TriagedRun run = triaged("2", 30);
-  for (const auto& [pairs, kind] :
-       {std::pair(40, FindingKind::crash), std::pair(2, FindingKind::malformed)}) {
-    TriagedRun other = triaged("2", static_cast<std::uint64_t>(pairs), kind);
-    run.causes.push_back(other.causes[0]);
-    run.examined.merge(other.examined);
-  }
-  compare(run, triaged("1", 30));
-  EXPECT_EQ(run.causes[0].key, "x/crash");
-  EXPECT_LT(run.causes[0].chance, 1e-9);
-  EXPECT_EQ(run.causes[1].status, Recurrence::rare);
-  EXPECT_EQ(run.causes[2].first_version, "1");
-  EXPECT_EQ(what_changed(run.causes), "1 new cause, 1 known, 1 too rare to judge");
+TEST(Causes, AreComparedWithEarlierRuns) {
+  const TriagedRun first = triaged("1", {FindingKind::hang}), second = triaged("2", {FindingKind::crash});
+  const auto compared = [&](TriagedRun run, std::optional<bool> today) {
+    compare_with_earlier(run, {first, second}, [&](const Cause&) { return today; });
+    return run.causes;
+  };
+  const auto causes = compared(triaged("3", {FindingKind::hang, FindingKind::malformed}), true);
+  EXPECT_EQ(what_changed(causes), "1 new cause, 2 known");
+  EXPECT_EQ(causes[0].key, "x/malformed") << "what is new comes first";
+  EXPECT_EQ(causes[0].first_version, "3");
+  EXPECT_EQ(causes[1].key, "x/hang");
+  EXPECT_EQ(causes[1].first_seen, "1") << "though the last run lacks it";
+  EXPECT_EQ(causes[1].last_version, "3");
+  EXPECT_EQ(causes[2].count, 0u);
+  EXPECT_EQ(causes[2].last_seen, "2");
+  const auto gone = compared(triaged("3", {}), false);
+  ASSERT_EQ(gone.size(), 1u);
+  EXPECT_EQ(gone[0].status, Recurrence::gone);
+  EXPECT_EQ(what_changed(gone), "0 new causes, 1 gone");
+  EXPECT_TRUE(compared(triaged("3", {}), {}).empty()) << "nobody knows";
   EXPECT_EQ(what_changed({Cause{}, Cause{}}), "2 causes");
-  TriagedRun other = triaged("1", 0);
-  other.tallies[0].family = "another";
-  run = triaged("2", 30);
-  compare(run, other);
   EXPECT_EQ(
-      what_changed(run.causes),
+      what_changed(compared(triaged("3", {FindingKind::malformed}, "another"), {})),
       "1 new cause. For 1 new cause, no earlier run tested the method on these families, so it is unknown "
       "whether it is really new");
+}
+
+TEST(Causes, WhatIsCertainlyNewIsNewThoughItsKeyIsKnown) {
+  TriagedRun run = triaged("2", {FindingKind::hang});
+  compare_with_earlier(run, {triaged("1", {FindingKind::hang})}, [](const Cause&) { return std::nullopt; },
+                       {"x/hang"});
+  EXPECT_EQ(what_changed(run.causes), "1 new cause");
 }
 
 TEST(Causes, FilesAreCalledAsTheyAre) {

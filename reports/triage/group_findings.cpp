@@ -30,6 +30,24 @@ void offer(CauseFindings& group, const FindingRecord* of, const std::string& lin
   group.candidates.push_back({as_found, finished, complexity(parsed->pair), of, parsed->pair});
 }
 
+/// Adds `found` findings to the counts of their causes, in proportion to those examined. The larger parts get
+/// the remainder first.
+void share_out(std::uint64_t found, const std::map<std::string, std::uint64_t>& examined,
+               std::map<std::string, std::uint64_t>& counts) {
+  std::uint64_t all = 0, given = 0;
+  for (const auto& [cause, n] : examined) all += n;
+  std::vector<std::pair<std::uint64_t, std::string>> parts;
+  for (const auto& [cause, n] : examined) {
+    const std::uint64_t share = found / all * n + found % all * n / all;
+    counts[cause] += share;
+    given += share;
+    parts.emplace_back(n, cause);
+  }
+  std::sort(parts.rbegin(), parts.rend());
+  for (std::size_t i = 0; !parts.empty() && given < found; ++given, ++i)
+    ++counts[parts[i % parts.size()].second];
+}
+
 }  // namespace
 
 double least_margin(const FindingRecord& f) { return f.margin ? f.margin->lo : -1; }
@@ -60,29 +78,16 @@ std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records
   return groups;
 }
 
-std::map<std::string, std::uint64_t> ExaminedFindings::shares() const {
-  std::uint64_t all = 0, given = 0;
-  for (const auto& [cause, n] : by_cause) all += n;
-  std::map<std::string, std::uint64_t> shares;
-  std::vector<std::pair<std::uint64_t, std::string>> parts;
-  for (const auto& [cause, n] : by_cause) {
-    given += shares[cause] = found / all * n + found % all * n / all;
-    parts.emplace_back(n, cause);
-  }
-  std::sort(parts.rbegin(), parts.rend());
-  for (std::size_t i = 0; !parts.empty() && given < found; ++given, ++i)
-    ++shares[parts[i % parts.size()].second];
-  return shares;
-}
-
 std::map<std::string, std::uint64_t> count_by_cause(const std::vector<GroupRecord>& groups,
                                                     const std::vector<FindingRecord>& findings,
                                                     const std::vector<CauseRecord>& causes) {
-  std::vector<FindingHead> heads;
-  for (const FindingRecord& f : findings) heads.push_back({f, f.id});
+  std::map<std::int64_t, const std::string*> cause_of;
+  for (const CauseRecord& c : causes) cause_of[c.finding] = &c.cause;
+  std::map<FindingGroup, std::map<std::string, std::uint64_t>> examined;
+  for (const FindingRecord& f : findings)
+    if (const auto cause = cause_of.find(f.id); cause != cause_of.end()) ++examined[f][*cause->second];
   std::map<std::string, std::uint64_t> counts;
-  for (const auto& [group, examined] : examined_groups(groups, heads, causes))
-    for (const auto& [cause, n] : examined.shares()) counts[cause] += n;
+  for (const GroupRecord& g : groups) share_out(g.count, examined[g], counts);
   return counts;
 }
 

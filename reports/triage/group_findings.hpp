@@ -68,7 +68,7 @@ struct CauseFindings {
 std::map<std::string, CauseFindings> group_by_cause(const TriageRecords& records);
 
 /// Returns the count of each cause. The store counts findings that it did not keep by FindingGroup, and the
-/// causes share that count: ExaminedFindings::shares().
+/// causes share that count in proportion.
 std::map<std::string, std::uint64_t> count_by_cause(const std::vector<GroupRecord>& groups,
                                                     const std::vector<FindingRecord>& findings,
                                                     const std::vector<CauseRecord>& causes);

@@ -42,7 +42,6 @@ TriagedRun read_triaged(const std::string& folder) {
                  store.methods(),
                  store.tallies(),
                  {},
-                 examined_groups(store.groups(), store.finding_heads(), stored_causes(folder)),
                  stored_part(folder)};
   for (const Json& stored : causes_json(folder)) run.causes.push_back(cause_from_json(stored));
   return run;
@@ -132,9 +131,9 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     if (on_progress) on_progress(shown);
     return context.out_of_time();
   };
-  run.causes = make_causes({options.folder, context.findings, context.finding_groups, context.causes(),
-                            context.simples()},
-                           context.grouped(), run.causes, out_of_time);
+  run.causes = make_causes(
+      {options.folder, context.findings, context.finding_groups, context.causes(), context.simples()},
+      context.grouped(), run.causes, out_of_time);
   check_shown_findings(context, run.methods, run.causes);
   std::set<std::string> certainly_new;
   for (const ChangedGuest& guest : changed) {

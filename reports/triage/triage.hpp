@@ -41,9 +41,8 @@ struct TriageProgress {
 };
 
 struct Triage {
-  std::vector<Cause>
-      causes;               ///< new and back first, then beyond claims, of ordinary size, by count; gone last
-  TriageProgress progress;  ///< at the end
+  std::vector<Cause> causes;  ///< new first, then beyond claims, of ordinary size, by count; gone last
+  TriageProgress progress;    ///< at the end
   std::vector<FindingRecord> findings;  ///< of the run, by id
   std::vector<std::string> remarks;     ///< on earlier runs
 };

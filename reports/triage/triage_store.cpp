@@ -12,10 +12,9 @@ namespace cyl {
 namespace {
 
 constexpr const char* note_table = "CREATE TABLE note(key TEXT PRIMARY KEY, value TEXT NOT NULL);";
-constexpr const char* cause_table =
-    "CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,\n"
-    "  labels TEXT NOT NULL);";
 constexpr const char* other_tables = R"(
+CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,
+  labels TEXT NOT NULL);
 CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
   questions INTEGER NOT NULL, ended INTEGER NOT NULL);
 )";
@@ -46,7 +45,7 @@ std::string stored_note(const std::string& folder, const std::string& key) {
 
 /// Opens or creates the file. The tables are made anew if another build made them, or a stranger.
 std::unique_ptr<SqliteFile> open_or_create(const std::string& name) {
-  const std::string tables = std::string(note_table) + cause_table + other_tables;
+  const std::string tables = std::string(note_table) + other_tables;
   const auto open = [&] {
     auto file = std::make_unique<SqliteFile>(name, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     file->write_ahead();
@@ -113,12 +112,6 @@ void TriageStore::set_summary(const std::string& json, double part) {
 }
 
 std::string stored_summary(const std::string& folder) { return stored_note(folder, "causes"); }
-
-std::vector<CauseRecord> stored_causes(const std::string& folder) {
-  SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);
-  file.check_schema(cause_table, true);
-  return file.all<CauseRecord>("finding");
-}
 
 double stored_part(const std::string& folder) {
   const std::string text = stored_note(folder, "part");

@@ -67,8 +67,6 @@ class TriageStore {
 
 /// Returns the causes that a triage of the run in `folder` left, as JSON; empty if there was none.
 std::string stored_summary(const std::string& folder);
-/// Returns the causes that it found.
-std::vector<CauseRecord> stored_causes(const std::string& folder);
 /// Returns the part of the findings that it had examined, or 1 if it is not recorded.
 double stored_part(const std::string& folder);
 

@@ -92,10 +92,7 @@ TEST(Triage, ShowsCausesWhateverTheOrderAndTheNight) {
   for (const Json& shown : {page_of(one.causes[0].simplest), page_of(*one.causes[0].worst)})
     for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
   EXPECT_EQ(causes_json(first), to_json(one.causes));
-  for (Json b : causes_json(first)) {
-    b["runs"].clear();
-    EXPECT_EQ(to_json(cause_from_json(b)), b);
-  }
+  for (const Json& b : causes_json(first)) EXPECT_EQ(to_json(cause_from_json(b)), b);
 
   auto other_way = three();
   std::reverse(other_way.begin(), other_way.end());
@@ -111,7 +108,6 @@ TEST(Triage, ShowsCausesWhateverTheOrderAndTheNight) {
   ASSERT_EQ(three.causes.size(), 3u);
   for (const Cause& b : three.causes) EXPECT_EQ(b.status, Recurrence::known) << "fails today, met or not";
   EXPECT_EQ(three.causes[0].count, 0u);
-  EXPECT_EQ(three.causes[0].history.size(), 3u);
 }
 
 TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {

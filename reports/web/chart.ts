@@ -7,7 +7,6 @@ import type { Report } from "./run/data.ts";
 import { mapPlot } from "./run/maps.tsx";
 import { claimedDigits } from "./run/report.ts";
 import { questions, speedPlot } from "./run/speed.tsx";
-import { tracePlot } from "./run/stability.tsx";
 
 export { full, shellQuoted } from "./parts/words.ts";
 export { prove } from "./parts/prove.ts";
@@ -178,11 +177,5 @@ export function charts(report: Report): Map<string, string> {
         curves.map(({ method }) => ({ name: method, colour: colourOf(curves, method) })),
       ),
     );
-  for (const path of report.paths)
-    if (path.trace && path.trace.length > 0)
-      files.set(
-        sure(`path-${path.path}-${path.method}`),
-        framed(tracePlot(path, o), `${path.method}, ${path.path}`, []),
-      );
   return files;
 }

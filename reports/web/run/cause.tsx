@@ -3,30 +3,13 @@
 import { useState } from "preact/hooks";
 import { isBox, isHalfSpace, type Pair, type Solid } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
-import { grouped, range, safe, shellQuoted, short } from "../parts/words.ts";
+import { grouped, range, safe, shellQuoted } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
 import type { Cause, Report } from "./data.ts";
-import { ClaimWords, Fact, Severity, Table } from "./elements.tsx";
+import { ClaimWords, Fact, Severity } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
 import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
-
-/** The runs, the last one first. */
-const Runs = ({ b }: { b: Cause }) => (
-  <Table kind="runs" of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]}>
-    {[...b.runs].reverse().map((n) => (
-      <tr key={n.run}>
-        <td>{safe(n.run)}</td>
-        <td>{safe(n.started.slice(0, 16).replace("T", " "))}</td>
-        <td class="n">{grouped(n.count)}</td>
-        <td class="n">{grouped(n.asked)}</td>
-        <td class="n">
-          {short(n.per_million[0])} ({short(n.per_million[1])} to {short(n.per_million[2])})
-        </td>
-      </tr>
-    ))}
-  </Table>
-);
 
 /** `export` writes a program for one of these libraries, or a case for a guest. */
 const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
@@ -74,7 +57,7 @@ function NextSteps({ report, b }: { report: Report; b: Cause }) {
 
 const fromTo = (first: string, last: string) => safe(first === last || last === "" ? first : `${first} to ${last}`);
 
-/** The facts of a cause, its methods, its runs, and the next steps. */
+/** The facts of a cause, its methods, and the next steps. */
 function Story({ report, b }: { report: Report; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   return (
@@ -106,7 +89,6 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           )}
         </span>
       </p>
-      {b.runs.length > 0 && <Runs b={b} />}
       <NextSteps report={report} b={b} />
     </>
   );

@@ -27,8 +27,7 @@ export interface Tally
   extends Doer, Counts<"asked" | "declined" | "failed" | "contract" | "resolution" | "undecided"> {
   family: string;
 }
-/** "rare" means on so few pairs that its absence from the other runs may be chance. */
-export type Status = "new" | "back" | "rare" | "known" | "gone";
+export type Status = "new" | "known" | "gone";
 
 /** A pair with its truth and all answers. */
 export interface Case extends Shown {
@@ -67,8 +66,6 @@ export interface Cause {
   methods_of_kind: string[]; // those that fail in the way that `kind` names
   libraries: string[]; // of these methods; expand() adds them
   libraries_of_kind: string[];
-  /** The number of pairs in each run, the oldest first and this run last. The rate is per million, with its bounds. */
-  runs: { run: string; started: string; count: number; asked: number; per_million: [number, number, number] }[];
   first_version: string; // of its method's library, at first and last sight; may be empty
   last_version: string;
   simplified: boolean; // whether `simplest` is; else it is as found
@@ -117,7 +114,6 @@ export interface Report {
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];
-  against: string[]; // the earlier runs that the causes were compared with
   causes: Cause[];
   findings: Finding[];
   findings_total: number;

@@ -50,7 +50,7 @@ export const chosen = <T,>(all: Choosable<T>[], filter: Filter) =>
 const CauseRow = ({ b }: { b: Cause }) => (
   <tr>
     <td title={about(b.status ?? "")}>
-      <b class={b.status === "new" || b.status === "back" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
+      <b class={b.status === "new" ? "bad" : ""}>{b.status ?? "\u2013"}</b>
     </td>
     <td class="wrap">
       <div class="cause">

@@ -49,7 +49,7 @@ const noCounts = {
   ...{ failed: 0, undecided: 0, declined: 0 },
 };
 
-export function expand({ cases, names, changes, ...packed }: Packed): Report {
+export function expand({ cases, names, ...packed }: Packed): Report {
   const library = libraryOf(packed.methods),
     librariesOf = (of: string[]) => [...new Set(of.map(library))],
     withLibrary = (row: Packed) => ({ ...row, library: library(row.method) });
@@ -69,7 +69,6 @@ export function expand({ cases, names, changes, ...packed }: Packed): Report {
   }));
   return {
     ...packed,
-    against: changes?.against ?? [],
     unreadable: packed.unreadable ?? 0,
     methods: packed.methods.map((m: Packed) => ({
       ...m,

@@ -17,7 +17,7 @@ const text = gunzipSync(readFileSync(new URL("run.json.gz", import.meta.url))).t
 export const sample = () => JSON.parse(text);
 /** The same before triage. */
 export const untriaged = () => {
-  const report = { ...sample(), causes: [], changes: { against: [] }, maps: [], calibration: [], speed: [], paths: [] };
+  const report = { ...sample(), causes: [], maps: [], calibration: [], speed: [], paths: [] };
   for (const finding of report.findings) finding.cause = null;
   return report;
 };

@@ -19,7 +19,7 @@ const alongOf = (path: string) =>
 
 const shapes: Record<string, string> = { disjoint: "circle", touching: "diamond2", intersecting: "square" };
 
-export function tracePlot({ path, trace = [] }: PathStability, o: Options): Element {
+function tracePlot({ path, trace = [] }: PathStability, o: Options): Element {
   type Step = (typeof trace)[number];
   const known = trace.some((t) => t.distance !== null);
   // Steps go by decades towards 0, and the axis with them.

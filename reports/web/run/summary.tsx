@@ -75,38 +75,32 @@ const Heat = ({ report }: { report: Report }) => (
 
 const namedFaults = 3;
 
-/** The answer of the run: red if something is new and wrong, amber if that may be chance, else green. */
+/** The answer of the run: red if something is new and wrong, else green. */
 function Answer({ report }: { report: Report }) {
-  const compared = report.against.length > 0,
+  const compared = report.causes.some((b) => b.status !== null),
     wrong = report.causes.filter((b) => b.count > 0 && b.severity === "contract"),
-    faults = wrong.filter((b) => !compared || b.status === "new" || b.status === "back"),
-    rare = wrong.filter((b) => compared && b.status === "rare");
+    faults = wrong.filter((b) => !compared || b.status === "new"),
+    undrawn = faults.filter(isOfNewFamilies).length;
   const beyond = report.findings.filter((f) => f.severity === "contract" && f.cause === null),
     libraries = [...new Set(beyond.map((f) => f.library))].sort((x, y) => Number(isText(x)) - Number(isText(y)));
   const [kind, head] =
     faults.length > 0
       ? ["bad", `${plural(faults.length, compared ? "new fault" : "fault")}:`]
-      : rare.length > 0
-        ? ["warn", `${plural(rare.length, "cause was", "causes were")} not seen before, perhaps by chance:`]
-        : libraries.length > 0 && report.causes.length === 0
-          ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
-          : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
-  const named = faults.length > 0 ? faults : rare,
-    undrawn = faults.filter(isOfNewFamilies).length;
+      : libraries.length > 0 && report.causes.length === 0
+        ? ["bad", `${plural(libraries.length, "library is", "libraries are")} wrong beyond the claim: `]
+        : ["ok", compared ? "Nothing is new and wrong." : "No method is wrong beyond its claim."];
   return (
     <div class={`band ${kind}`}>
       <p class="answer">
-        <b class={kind}>{head}</b> {kind === "bad" && named.length === 0 && safe(libraries.join(", "))}
+        <b class={kind}>{head}</b> {kind === "bad" && faults.length === 0 && safe(libraries.join(", "))}
       </p>
-      {named.slice(0, namedFaults).map((b) => (
+      {faults.slice(0, namedFaults).map((b) => (
         <p key={b.key}>
           <a href={addressOf(b)}>{safe(sentenceOf(b))}</a>.
         </p>
       ))}
-      <p class="soft" title={safe(report.against.join(", "))}>
-        {compared
-          ? `Compared with ${plural(report.against.length, "earlier run")}.`
-          : "There are no causes of earlier runs to compare with."}
+      <p class="soft">
+        {compared ? "Compared with earlier runs." : "There are no causes of earlier runs to compare with."}
         {undrawn > 0 &&
           ` For ${plural(undrawn, "new fault")}, no earlier run tested the method on these families. So it is ` +
             `unknown whether ${undrawn === 1 ? "it is" : "they are"} really new.`}
