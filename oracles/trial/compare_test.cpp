@@ -99,7 +99,7 @@ TEST(Compare, HoldsAnAnswerToTruthAndClaim) {
       {apart, 0.5, claim, said_distance(apart, 0.4911), {}},
       {apart, 0.5, claim, said_distance(apart, 0.51), Found(distance_outside, contract), 0.01},
       {apart, 0.5, claim, said_distance(apart, 0.49), Found(distance_outside, contract), 0.01},
-      // A rounded distance is no fault of a method that claims exactness.
+      // A rounded distance is not a fault of a method that claims exactness.
       {apart, 0.1, none, said_distance(apart, std::nextafter(0.1, 1)), {}},
       {apart, 0.1, none, said_distance(apart, 0.1 + 1e-12), Found(distance_outside, contract)},
       {apart, 0.5, {0, 1e-6, ""}, said_distance(apart, largest), Found(non_finite, contract)},
