@@ -200,9 +200,6 @@ expect 2 'worst' "$daylight" worst --plugin ./libbad.so --method bad --evaluatio
 expect 0 'campaign' "$daylight" campaign --list "${guests[@]}"
 holds 'campaign' out '^  worse +unversioned'
 
-expect 0 'worst' "$daylight" worst --command 'sh plain.sh' --method plain --search time --evaluations 2 --feature side-side --from pair.jsonl
-holds 'worst' out '^plain side-side [0-9]+ ns '
-
 # Triage: causes, simple pairs, proofs and programs as of any method's findings.
 expect 2 'campaign' "$daylight" campaign --pairs 150 --seed 7 --cases '' --methods decide,bad,worse,plain "${guests[@]}" --command 'sh plain.sh' --out runs/three
 # triage RUN OPTION..: with more time until every finding of a guest that is here was looked at.

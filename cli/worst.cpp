@@ -94,26 +94,18 @@ struct Shown {
   std::string reason = {};
 };
 
-/// `usual` is the usual time of a call, in a search by time.
-std::vector<Shown> shown(const Worst& worst, Objective objective, std::optional<double> usual) {
+std::vector<Shown> shown(const Worst& worst) {
   std::vector<Shown> all;
   if (const auto& f = worst.failed)
     all.push_back({to_string(f->failure), in_words(Severity::contract), f->pair, f->reason});
   if (const auto& w = worst.wrong)
     all.push_back({fmt::format("margin {:.4g} {}", w->finding.margin->lo, to_string(w->finding.kind)),
                    in_words(w->finding.severity), w->pair});
-  const auto& s = worst.scored;
-  if (s && objective == Objective::error)
+  if (const auto& s = worst.scored)
     all.push_back({fmt::format("error {:.4g}", s->score),
                    s->beyond      ? "beyond its claim"
                    : s->score > 1 ? "at most"
                                   : "within its claim",
-                   s->pair});
-  else if (s)
-    all.push_back({fmt::format("{:.0f} ns", s->score),
-                   usual && *usual > 0
-                       ? fmt::format("{:.0f} times its usual {:.0f}", s->score / *usual, *usual)
-                       : "it answers no random pair",
                    s->pair});
   return all;
 }
@@ -144,9 +136,6 @@ int search_all(const WorstArguments& arguments) {
   std::size_t ended = 0;
   bool beyond_claim = false;
   for (const auto& method : methods) {
-    options.clock = method->guest() ? wall_clock : cpu_clock;
-    std::optional<double> usual;
-    if (options.objective == Objective::time) usual = usual_ns(method, options.clock);
     for (const ContactFeature feature : features) {
       std::vector<Pair> starts = known;
       if (arguments.from.empty()) {
@@ -170,7 +159,7 @@ int search_all(const WorstArguments& arguments) {
       }
       ++ended;
       beyond_claim |= worst.beyond_claim();
-      const std::vector<Shown> found = shown(worst, options.objective, usual);
+      const std::vector<Shown> found = shown(worst);
       if (found.empty())
         fmt::print("{} nothing in {}, {}\n", name, counted(worst.evaluations, "shape"),
                    counted(worst.questions, "question"));
@@ -193,8 +182,8 @@ int search_all(const WorstArguments& arguments) {
 }  // namespace
 
 void add_worst(Program& program) {
-  Command command = program.command(
-      "Find", "worst", "Searches for the pair with the largest error, or the longest time, of a method");
+  Command command =
+      program.command("Find", "worst", "Searches for the pair with the largest error of a method");
   auto arguments = std::make_shared<WorstArguments>();
   command.section("Methods");
   command.option("--method LIST", arguments->methods, "names or prefixes, separated by commas").required();
@@ -203,7 +192,7 @@ void add_worst(Program& program) {
   command.section("Question");
   command.option("--feature NAME", arguments->feature, "contact feature, such as side-rim")
       .default_text("each in turn");
-  command.option("--search GOAL", arguments->search, "quantity to maximize: margin, error or time")
+  command.option("--search GOAL", arguments->search, "quantity to maximize: margin or error")
       .one_of({enum_words<Objective>.begin(), enum_words<Objective>.end()});
   command.option("--from RUN|FILE", arguments->from, "start from the findings of a run, or from a case file")
       .default_text("corpus/cases/ and drawn pairs");
@@ -218,7 +207,7 @@ void add_worst(Program& program) {
   command.option("--out FILE", arguments->out, "write the pairs as a case file").writable();
   command.examples(
       "  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl\n"
-      "  daylight worst --method mine --plugin ./libmine.so --search time",
+      "  daylight worst --method mine --plugin ./libmine.so --search error",
       "Each line has the method, the feature, the proved margin relative to the size (or the quantity that\n"
       "--search names), its description, and the pair. 3 does not occur for worst.");
   command.run([arguments] { return search_all(*arguments); });

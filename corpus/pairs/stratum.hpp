@@ -30,7 +30,7 @@ constexpr auto words_of(ContactFeature) noexcept {
 inline constexpr std::size_t contact_feature_count = enum_values<ContactFeature>.size();
 
 /// How nearly the lines of the axes are parallel or perpendicular. In the order of the angle, which
-/// can_occur() of counters.cpp and flags_of() of cli/vectors.cpp compare.
+/// flags_of() of cli/vectors.cpp compares.
 enum class AngleClass : unsigned char {
   parallel,      ///< exactly
   within_1e_12,  ///< sine below 1e-12, not 0

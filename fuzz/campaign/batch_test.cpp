@@ -4,27 +4,12 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <map>
-#include <new>
 #include <stdexcept>
 #include <string>
 
 #include "corpus/pairs/families.hpp"
 #include "oracles/methods/fake_method_test.hpp"
-
-namespace {
-std::atomic<std::uint64_t> allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const at = std::malloc(size)) return at;
-  throw std::bad_alloc();
-}
-void operator delete(void* at) noexcept { std::free(at); }
-void operator delete(void* at, std::size_t) noexcept { std::free(at); }
 
 namespace cyl {
 namespace {
@@ -80,20 +65,6 @@ TEST(Batch, AJobHoldsNoMoreMemoryAfterManyBatches) {
   };
   const std::size_t then = in_use_after(0, filled);
   EXPECT_LT(in_use_after(filled, batches), then + (1u << 16));
-}
-
-TEST(Batch, AnAnswerCostsHardlyAnAllocation) {
-  std::vector<std::unique_ptr<Method>> methods;
-  for (std::unique_ptr<Method>& method : all_methods())
-    if (!method->foreign() && method->share() == 1) methods.push_back(std::move(method));
-  const Family random[] = {*find_family("random")};
-  const Workload workload{methods, random, {}};
-  const auto make = batch_maker(workload, 1);
-  make(0, batch_size);
-  const std::uint64_t before = allocations;
-  make(batch_size, 3 * batch_size);
-  const std::uint64_t answers = 2 * batch_size * methods.size();
-  EXPECT_LT(allocations - before, answers) << methods.size();
 }
 
 TEST(Batch, AWrongVerdictIsNotedAndTheCostlyAreAsked) {

@@ -2,7 +2,6 @@
 #include "fuzz/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -100,48 +99,6 @@ TEST_F(Campaign, AShorterRunIsAPrefixOfALonger) {
   on.resume = true;
   run_campaign(on, workload());
   EXPECT_EQ(content(store("short")), content(store("long")));
-}
-
-TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
-  CampaignOptions o = options("run", 0);
-  o.budget = std::chrono::seconds(1);
-  const CampaignSummary summary = run_campaign(o, workload());
-  EXPECT_EQ(summary.harness_failure, "");
-  EXPECT_FALSE(summary.interrupted);
-  EXPECT_GT(summary.progress.done, 0u);
-  EXPECT_EQ(summary.progress.done % batch_size, 0u);
-  EXPECT_EQ(total(store("run"), "good").asked, summary.progress.done);
-}
-
-TEST_F(Campaign, CountsTheTimeOfItsWorkers) {
-  methods.clear();
-  methods.push_back(fake("slow", [](const Pair& p) {
-    const auto start = std::clock();
-    while (std::clock() - start < CLOCKS_PER_SEC / 10000) {
-    }
-    return answered(right(p));
-  }));
-  constexpr std::uint64_t pairs = 2 * batch_size;
-  const CampaignCost cost = run_campaign(options("run", pairs), workload()).cost;
-  EXPECT_GT(cost.asking, std::chrono::milliseconds(90));
-  // The CPU time of the workers. The other two are elapsed times, so their sum may be greater.
-  EXPECT_GT(cost.all, pairs * std::chrono::microseconds(99));
-}
-
-TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {
-  // Wrong on pairs of ever larger margins, so that there are findings to keep to the end.
-  methods.clear();
-  methods.push_back(fake("wrong", [](const Pair&) { return answered(Verdict::intersecting); }));
-  const Family growing[] = {{"growing", "", [](std::uint64_t, std::uint64_t index) {
-                               return beside(static_cast<double>(index + 1) * 1e-3);
-                             }}};
-  constexpr std::uint64_t filled = 20, batches = 80;  // the cache of SQLite is full after `filled`
-  std::size_t then = 0, now = 0;                      // bytes in use
-  run_campaign(options("run", batches * batch_size), {methods, growing, {}}, [&](const CampaignProgress& p) {
-    (p.done <= filled * batch_size ? then : now) = mallinfo2().uordblks;
-  });
-  EXPECT_GT(store("run").findings().size(), 10u);
-  EXPECT_LT(now, then + (1u << 20));
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
@@ -314,19 +271,6 @@ TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs)
   const std::uint64_t asked = on_plane(store("own"), "angle-margin").at(0).asked;
   EXPECT_GT(asked, 150u);
   EXPECT_LT(asked, 250u);
-}
-
-TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {
-  methods.clear();
-  int calls = 0;
-  methods.push_back(fake(
-      "moody", [&](const Pair& p) { return answered(++calls % 2 == 0 ? Verdict::undecided : right(p)); },
-      false));
-  run_campaign(options("run", 3), workload());
-  const auto findings = store("run").findings();
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const FindingRecord& f) {
-    return f.kind == FindingKind::nondeterminism && f.index == 0;
-  }));
 }
 
 TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesThePair) {

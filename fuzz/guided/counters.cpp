@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "corpus/pairs/random_stream.hpp"
-#include "fuzz/guided/visited.hpp"
 #include "oracles/trial/contact.hpp"
 #include "solver/distance.hpp"
 
@@ -18,12 +17,14 @@ namespace {
 constexpr std::size_t exponent_count = 64;
 constexpr std::size_t iteration_count = 64;
 constexpr std::size_t method_count = 64;
+/// No direction shows containment.
+constexpr std::size_t feature_count = contact_feature_count - 1, angle_count = enum_values<AngleClass>.size();
 
 }  // namespace
 
 struct Counters {
-  std::uint8_t strata[visited_stratum_count];
-  std::uint8_t margins[2][visited_feature_count][exponent_count];
+  std::uint8_t strata[feature_count][angle_count][margin_decade_count];
+  std::uint8_t margins[2][feature_count][exponent_count];
   std::uint8_t sines[margin_decade_count + 1], cosines[margin_decade_count + 1];  // the last: exactly 0
   std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
   std::uint8_t scores[3][exponent_count];
@@ -53,10 +54,6 @@ Stratum stratum_of(const Pair& pair, const MeasuredDistance& measured) {
           angle_class(axes_angle(pair))};
 }
 
-bool can_occur(const Stratum& s) {
-  return s.feature != ContactFeature::cap_cap || s.angle < AngleClass::generic;
-}
-
 bool is_moderate(const Pair& pair) {
   double largest = 0;
   const auto lengths = [](const Solid& c) {
@@ -79,12 +76,10 @@ Stratum count_geometry(const Pair& pair, const MeasuredDistance& measured, bool 
   const AxesAngle axes = axes_angle(pair);
   const double margin = margin_of(pair, measured);
   const Stratum s = stratum_of(pair, measured);
-  if (is_moderate(pair)) {
-    extra_counters.strata[index_of(s)] = 1;
-    visited().strata[index_of(s)] = 1;
-  }
+  const auto feature = static_cast<std::size_t>(s.feature), angle = static_cast<std::size_t>(*s.angle);
+  if (is_moderate(pair)) extra_counters.strata[feature][angle][static_cast<std::size_t>(s.decade)] = 1;
   if (!finely) return s;
-  count_exponent(extra_counters.margins[measured.value > 0][static_cast<std::size_t>(s.feature)], margin);
+  count_exponent(extra_counters.margins[measured.value > 0][feature], margin);
   extra_counters.sines[axes.parallel ? margin_decade_count : margin_decade(axes.sine)] = 1;
   extra_counters.cosines[axes.right ? margin_decade_count : margin_decade(axes.cosine)] = 1;
   return s;

@@ -17,17 +17,6 @@ namespace cyl {
 /// legal.
 Stratum stratum_of(const Pair& pair, const MeasuredDistance& measured);
 
-/// Returns whether a stratum can occur. D is along or perpendicular to an axis or an edge within flat_tol =
-/// t. A facet counts as a cap, an edge as a side.
-/// 1. cap-cap: D is along an axis or an edge of both, so the least angle is below 2t. That is parallel to <
-///    1e-7, and the next class by a factor of two.
-/// 2. cap-side of cylinders: the angle is within 2t of 90 degrees. If one is a box, two of its edges lie
-///    beside the other solid's axis or edge at any angle, so the least angle is up to 45 degrees.
-/// 3. The others have all angles. Flat solids have rims instead of caps or sides, and a rim can face
-///    everything.
-/// All margins occur.
-bool can_occur(const Stratum& s);
-
 /// "cap-rim <1e-7 1e-12".
 std::string to_string(const Stratum& s);
 

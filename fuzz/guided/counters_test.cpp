@@ -3,31 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "corpus/pairs/families.hpp"
-#include "corpus/pairs/near_touching.hpp"
+#include "corpus/pairs/stratum.hpp"
 
 namespace cyl {
 namespace {
-
-TEST(Strata, OfContactsBuiltCanOccur) {
-  for (int kind = 0; kind <= static_cast<int>(ContactKind::disk_disk); ++kind)
-    for (std::uint64_t i = 0; i < 50; ++i) {
-      RandomStream stream("counters_test", 2, i);
-      const Pair pair = draw_contact(static_cast<ContactKind>(kind), stream, i).pair;
-      const Stratum s = stratum_of(pair, approximate_distance(pair));
-      EXPECT_TRUE(can_occur(s)) << to_string(s);
-    }
-  EXPECT_FALSE(can_occur({ContactFeature::cap_cap, 0, AngleClass::right}));
-}
-
-TEST(Strata, OfBoxesCanOccur) {
-  for (const Family& family : box_families())
-    for (std::uint64_t i = 0; i < 50; ++i) {
-      const Pair pair = family.generate(2, i);
-      const Stratum s = stratum_of(pair, approximate_distance(pair));
-      EXPECT_TRUE(can_occur(s)) << to_string(s);
-    }
-}
 
 TEST(Strata, TellAnglesAndMarginsApart) {
   Pair p{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 2}, 1, 2}};

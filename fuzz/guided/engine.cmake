@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The fuzz targets as programs that search: fuzz_X_libfuzzer for each X of `fuzz_targets`. The project includes it, and so
-# does oss-fuzz/, which brings engine and sanitizers itself (LIB_FUZZING_ENGINE, CXXFLAGS). Without clang, the same sources
-# become programs that replay files, so that every build shows whether the lists below are complete.
+# The fuzz targets as programs that search: fuzz_X_libfuzzer for each X of `fuzz_targets`. Needs clang.
 set(top ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(foreign "/(all_methods|(bullet|ccd|fcl|mujoco|nlopt|ode)_method)\\.cpp$")
 # What triage and campaigns ask.
@@ -20,7 +18,7 @@ endif()
 foreach(part base/json base/spelling base/process/child base/process/confine base/process/exception_text
              base/process/line_program base/process/supervised_process base/process/process corpus/pairs/method_answer corpus/pairs/pair_io
              corpus/pairs/size_range corpus/pairs/touch_plane corpus/pairs/truth_io
-             fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
+             fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator)
   list(APPEND checking ${top}/${part}.cpp)
 endforeach()
 
@@ -37,47 +35,24 @@ function(fuzz_part part)
   target_include_directories(${part} PRIVATE ${top})
   target_link_libraries(${part} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt-header-only)
   target_compile_definitions(${part} PRIVATE DAYLIGHT_VERSION="${PROJECT_VERSION}" DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT DEFINED ENV{LIB_FUZZING_ENGINE})
-    target_compile_options(${part} PRIVATE -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all)
-  endif()
+  target_compile_options(${part} PRIVATE -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all)
 endfunction()
 
-set(foreign_libraries $<TARGET_NAME_IF_EXISTS:NLopt::nlopt> ${FCL_LIBRARY} ${BULLET_LIBRARY} ${CCD_LIBRARY} ${ODE_LIBRARY} ${MUJOCO_LIBRARY})
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT DEFINED ENV{LIB_FUZZING_ENGINE})
-  add_library(fuzz_listed OBJECT ${tested} ${checking} ${guided} ${top}/fuzz/guided/replay_main.cpp)
-  target_compile_options(fuzz_listed PRIVATE -O0)
-  fuzz_part(fuzz_listed)
-  foreach(target ${fuzz_targets})
-    add_executable(fuzz_${target}_listed ${top}/fuzz/guided/fuzz_${target}_target.cpp)
-    fuzz_part(fuzz_${target}_listed)
-    target_link_libraries(fuzz_${target}_listed PRIVATE fuzz_listed ${MPFI} ${MPFR} ${GMP} ${SECCOMP})
-  endforeach()
-  target_sources(fuzz_xcheck_listed PRIVATE ${adapters})
-  target_link_libraries(fuzz_xcheck_listed PRIVATE ${foreign_libraries})
-  return()
-endif()
-
+set(foreign_libraries NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY} ${CCD_LIBRARY} ${ODE_LIBRARY} ${MUJOCO_LIBRARY})
 add_library(fuzz_tested OBJECT EXCLUDE_FROM_ALL ${tested})
 add_library(fuzz_checking OBJECT EXCLUDE_FROM_ALL ${checking})
 fuzz_part(fuzz_tested)
 fuzz_part(fuzz_checking)
 set_target_properties(fuzz_checking PROPERTIES DISABLE_PRECOMPILE_HEADERS OFF)
 target_precompile_headers(fuzz_checking PRIVATE ${daylight_common_headers})
-if(NOT DEFINED ENV{LIB_FUZZING_ENGINE})
-  # Edges of the tested code alone are counted: those of the referee tell nothing of it. Comparisons are not traced: the
-  # engine sees integers only, and they are a fifth of the time.
-  target_compile_options(fuzz_tested PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
-endif()
+# Edges of the tested code alone are counted: those of the referee tell nothing of it. Comparisons are not traced: the
+# engine sees integers only, and they are a fifth of the time.
+target_compile_options(fuzz_tested PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
 foreach(target ${fuzz_targets})
   add_executable(fuzz_${target}_libfuzzer ${top}/fuzz/guided/fuzz_${target}_target.cpp ${guided})
   fuzz_part(fuzz_${target}_libfuzzer)
   target_link_libraries(fuzz_${target}_libfuzzer PRIVATE fuzz_tested fuzz_checking ${MPFI} ${MPFR} ${GMP} ${SECCOMP})
-  if(DEFINED ENV{LIB_FUZZING_ENGINE})
-    separate_arguments(engine NATIVE_COMMAND $ENV{LIB_FUZZING_ENGINE})
-    target_link_libraries(fuzz_${target}_libfuzzer PRIVATE ${engine})
-  else()
-    target_link_options(fuzz_${target}_libfuzzer PRIVATE -fsanitize=fuzzer,address,undefined)
-  endif()
+  target_link_options(fuzz_${target}_libfuzzer PRIVATE -fsanitize=fuzzer,address,undefined)
 endforeach()
 target_sources(fuzz_xcheck_libfuzzer PRIVATE ${adapters})
 target_link_libraries(fuzz_xcheck_libfuzzer PRIVATE ${foreign_libraries} ${CMAKE_DL_LIBS})

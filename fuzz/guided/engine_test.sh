@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# engine_test.sh DAYLIGHT CORE: nights of some seconds with the programs that libFuzzer drives.
+# engine_test.sh DAYLIGHT: nights of some seconds with the programs that libFuzzer drives, which are beside it.
 set -euo pipefail
 # shellcheck source=SCRIPTDIR/../../cli/expect.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../cli/expect.sh"
-core=$2 # beside the program, where it looks for those that fuzz
 
 for seconds in 5 20 80 320; do # until a job has ended
   rm -rf run
@@ -14,11 +13,6 @@ done
 holds 'it worked' out '^fuzzed core: [1-9][0-9]* executions'
 holds 'no harmless input ends a process' out 'deaths 0'
 holds 'its corpus was asked' out '^pairs: [1-9]'
-visited=$(sed -n 's/^fuzzed.* \([0-9]*\) of [0-9]* strata.*/\1/p' out)
-# What is left of the corpora visits every stratum that the jobs visited.
-(cd run/corpus/core && DAYLIGHT_FUZZ_OUT=$scratch/again "$core" -runs=0 . >/dev/null 2>&1)
-again=$(python3 -c 'import sys; print(sum(seen != 0 for seen in open(sys.argv[1], "rb").read()[8:]))' again/visited)
-equal 'the merged corpus visits all strata' "$visited" "$again"
 
 # A night that is killed leaves no process once its jobs have ended, and goes on when it is resumed.
 "$daylight" campaign --fuzz 50% --for 40s --jobs 2 --seed 2 --methods ode,decide --out killed >/dev/null 2>&1 &

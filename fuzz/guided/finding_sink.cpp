@@ -8,17 +8,10 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/guided/record.hpp"
-#include "fuzz/guided/visited.hpp"
 #include "oracles/trial/failure_key.hpp"
 
 namespace cyl {
 namespace {
-
-#ifdef DAYLIGHT_FUZZ_ABORT
-constexpr bool always_abort = true;
-#else
-constexpr bool always_abort = false;
-#endif
 
 std::string environment(const char* name) {
   const char* text = std::getenv(name);
@@ -30,13 +23,11 @@ std::string environment(const char* name) {
 // Until causes are named by what is left of a pair after shrinking: by its features and angle as they are.
 // The low 48 bits of FNV-1a, four a letter, the highest first.
 FindingSink::FindingSink()
-    : out_(environment("DAYLIGHT_FUZZ_OUT")),
-      abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
+    : out_(environment("DAYLIGHT_FUZZ_OUT")), abort_(!environment("DAYLIGHT_FUZZ_ABORT").empty()) {
   if (out_.empty()) return;
   std::filesystem::create_directories(out_);
   for (const char* folder : {"findings", "undecided"})
     std::filesystem::create_directories(out_ + "/" + folder);
-  keep_visited(out_ + "/visited");
 }
 
 // Several processes may share the folder. The one that creates the file has the finding.
@@ -58,9 +49,8 @@ std::string FindingSink::add_finding(const Pair& pair, std::string_view method, 
   const bool first = keep_first("findings/" + letters, pair);
   if (!abort_ && !first) return {};
   std::fprintf(stderr, "%s: %s: %s\n", key.c_str(), std::string(what).c_str(), format_pair(pair).c_str());
-  if (!abort_) return letters;
-  std::fprintf(stderr, "DEDUP_TOKEN: %s\n", letters.c_str());
-  std::abort();
+  if (abort_) std::abort();
+  return letters;
 }
 
 void FindingSink::add_broken(const Pair& pair, std::string_view method, std::string_view law,

@@ -3,10 +3,9 @@
 // about them: what a target sees in microseconds is where to look, and no finding.
 //
 //   DAYLIGHT_FUZZ_OUT=FOLDER   findings/ and undecided/ (a record of each cause, and of each stratum),
-//                              broken (a line for each failure that no campaign sees), visited
-//                              (visited.hpp); processes may share it
-//   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first failure, for services
-//                              that run targets (also by the macro of that name)
+//                              broken (a line for each failure that no campaign sees); processes may share
+//                              it
+//   DAYLIGHT_FUZZ_ABORT=1      aborts at the first failure
 #pragma once
 
 #include <set>

@@ -3,7 +3,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
-#include "fuzz/guided/visited.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/shown_distance.hpp"
@@ -26,7 +25,6 @@ FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bo
                      const MeasuredDistance* own, bool finely)
     : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink), own_(own) {
   trial_.truth = prove_in_double(trial_.pair, offered);
-  count_execution();
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = prove_exactly(trial_.pair, offered, wide_bits_cap);

@@ -20,7 +20,6 @@
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
 #include "fuzz/guided/record.hpp"
-#include "fuzz/guided/visited.hpp"
 #include "oracles/methods/guest.hpp"
 
 namespace cyl {
@@ -99,7 +98,7 @@ class Xcheck {
   void run(const Pair& pair) {
     const bool guest = methods_.front()->guest();
     // A pair that a plug-in declines is of no use to it, so it adds nothing that the engine would keep.
-    if (guest && !ask_guest(pair)) return count_execution();
+    if (guest && !ask_guest(pair)) return;
     FuzzJudge fuzz_judge(pair, {}, false, sink_, nullptr, !guest);  // its own branches are to count more
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     const std::size_t drawn = literature_ == 0 ? 0 : fuzz_judge.draws().below(literature_);

@@ -20,9 +20,7 @@
 #include "base/process/child.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
-#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
-#include "fuzz/guided/visited.hpp"
 
 namespace cyl {
 namespace {
@@ -40,8 +38,6 @@ constexpr seconds input_cap{25};
 constexpr seconds merge_cap{600};
 /// Deaths of jobs without an input that explains one, before the harness fails.
 constexpr std::size_t unexplained_cap = 3;
-/// Strata that a report names.
-constexpr std::size_t named_cap = 5;
 /// Exit code of an engine that could not be run.
 constexpr int cannot_run_code = 127;
 /// Bytes at the end of a log that an error quotes.
@@ -97,7 +93,6 @@ class Run {
     } catch (const std::runtime_error& error) {
       summary_.harness_failure = error.what();
       look();
-      name_strata();
     }
     return std::move(summary_);
   }
@@ -147,7 +142,6 @@ class Run {
   /// Takes over all that is in unfinished/, and removes it.
   void finish() {
     look();
-    name_strata();
     keep_found();
     merge();
     fs::remove_all(unfinished_);
@@ -156,19 +150,12 @@ class Run {
   void look() {
     FuzzProgress& progress = summary_.progress;
     const std::string log = text_of(unfinished_ / "log");
-    const Visited seen = read_visited(unfinished_ / "visited");
-    progress.executions = seen.executions;
+    progress.executions = last_number(log, "#");
     progress.features = last_number(log, " ft: ");
     progress.found = files_in(unfinished_ / "findings").size();
     for (const fs::path& file : files_in(unfinished_ / "died"))
       if (known_deaths_.insert(file.filename()).second) add_death(file);
     progress.deaths = known_deaths_.size();
-    strata_ = seen.strata;
-    progress.strata = progress.possible_strata = 0;
-    for (std::size_t i = 0; i < strata_.size(); ++i) {
-      progress.possible_strata += can_occur(stratum_at(i));
-      progress.strata += strata_[i] != 0 && can_occur(stratum_at(i));
-    }
   }
 
   // The engine names a file by the kind of death: crash-, timeout-, oom-, leak-. A slow-unit- did not die.
@@ -272,32 +259,13 @@ class Run {
     return text.substr(text.size() - std::min(text.size(), quoted_cap));
   }
 
-  void name_strata() {
-    summary_.never_visited.clear();
-    summary_.impossible.clear();
-    for (std::size_t i = 0; i < strata_.size(); ++i) {
-      const Stratum s = stratum_at(i);
-      if (can_occur(s) && !strata_[i]) summary_.never_visited.push_back(to_string(s));
-      if (!can_occur(s) && strata_[i]) summary_.impossible.push_back(to_string(s));
-    }
-  }
-
   const FuzzOptions& options_;
   const std::function<void(const FuzzProgress&)>& on_progress_;
   const fs::path unfinished_, corpora_, corpus_;
   std::set<fs::path> known_deaths_, repeated_;  ///< by file; those whose reason another one has
   std::set<std::string> known_reasons_;
-  decltype(Visited::strata) strata_{};
   FuzzSummary summary_;
 };
-
-/// "a, b and 3 more".
-std::string first_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), named_cap); ++i) text += (i ? ", " : "") + names[i];
-  if (names.size() > named_cap) text += fmt::format(" and {} more", names.size() - named_cap);
-  return text;
-}
 
 }  // namespace
 
@@ -309,19 +277,15 @@ FuzzSummary run_fuzzing(const FuzzOptions& options,
 
 std::string format_progress(const FuzzProgress& p) {
   const double seconds = std::max(1e-3, static_cast<double>(p.elapsed.count()) / 1000);
-  return fmt::format("{} executions, {:.0f} a second; {} of {} strata; failures in {} causes, deaths {}",
-                     p.executions, static_cast<double>(p.executions) / seconds, p.strata, p.possible_strata,
-                     p.found, p.deaths);
+  return fmt::format("{} executions, {:.0f} a second; {} features; failures in {} causes, deaths {}",
+                     p.executions, static_cast<double>(p.executions) / seconds, p.features, p.found,
+                     p.deaths);
 }
 
 std::string format_fuzzing(const FuzzSummary& summary) {
   const FuzzProgress& p = summary.progress;
   std::string text = fmt::format("fuzzed {}: {}; corpus {} inputs, of {}\n", summary.target,
                                  format_progress(p), summary.kept_inputs, summary.inputs);
-  if (!summary.never_visited.empty())
-    text += fmt::format("  never visited: {}\n", first_of(summary.never_visited));
-  if (!summary.impossible.empty())
-    text += fmt::format("  visited, though they cannot occur: {}\n", first_of(summary.impossible));
   for (const std::string& line : summary.failures) text += "  " + line + '\n';
   return text;
 }

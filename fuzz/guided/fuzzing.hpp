@@ -28,19 +28,15 @@ struct FuzzOptions {
 
 struct FuzzProgress {
   std::chrono::milliseconds elapsed{0};
-  std::uint64_t executions = 0;
-  std::size_t features = 0;  ///< of coverage and of counters, as of the jobs that have ended
-  std::size_t deaths = 0;    ///< inputs that ended a process
-  std::size_t strata = 0;    ///< visited, among those that can occur
-  std::size_t possible_strata = 0;
-  std::size_t found = 0;  ///< pairs on which a method failed beyond its claim, one a cause
+  std::uint64_t executions = 0;  ///< of the jobs that have ended
+  std::size_t features = 0;      ///< of coverage and of counters, of the same
+  std::size_t deaths = 0;        ///< inputs that ended a process
+  std::size_t found = 0;         ///< pairs on which a method failed beyond its claim, one a cause
 };
 
 struct FuzzSummary {
   std::string target;
   FuzzProgress progress;
-  std::vector<std::string> never_visited;   ///< strata that can occur
-  std::vector<std::string> impossible;      ///< strata visited that cannot occur: counters.hpp is wrong
   std::size_t inputs = 0, kept_inputs = 0;  ///< of all corpora, distinct; of corpus/TARGET after minimising
   /// Failures that a campaign does not see, a line each: broken laws, and inputs that ended a process.
   std::vector<std::string> failures;
@@ -53,7 +49,7 @@ struct FuzzSummary {
 FuzzSummary run_fuzzing(const FuzzOptions& options,
                         const std::function<void(const FuzzProgress&)>& on_progress = {});
 
-/// "30000 executions a second; 578 of 578 strata; ..".
+/// "900000 executions, 30000 a second; 1500 features; ..".
 std::string format_progress(const FuzzProgress& progress);
 /// Returns what a person wants to know of it, in lines.
 std::string format_fuzzing(const FuzzSummary& summary);

@@ -14,9 +14,7 @@
 #include <vector>
 
 #include "base/scratch_test.hpp"
-#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
-#include "fuzz/guided/visited.hpp"
 
 namespace cyl {
 namespace {
@@ -25,8 +23,6 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}};
-constexpr Stratum cap_cap{ContactFeature::cap_cap, 3, AngleClass::parallel},
-    cap_rim{ContactFeature::cap_rim, 2, AngleClass::within_1e_12};
 
 // An engine as the driver sees one: goes on with `life` for a run, merges by copying, and dies of an input as
 // `death` states.
@@ -59,11 +55,6 @@ class Fuzzing : public testing::Test, protected Scratch {
     const Record record = encode_record(pair);
     std::ofstream(folder / "record", std::ios::binary)
         .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
-    Visited seen;
-    seen.executions = 74;
-    for (const Stratum& s : {cap_cap, cap_rim}) seen.strata[index_of(s)] = 1;
-    std::ofstream(folder / "visited", std::ios::binary)
-        .write(reinterpret_cast<const char*>(&seen), sizeof seen);
   }
 
   void live(const std::string& life) {
@@ -86,15 +77,12 @@ class Fuzzing : public testing::Test, protected Scratch {
 };
 
 TEST_F(Fuzzing, ReportsWhatJobsSeeAndKeepsTheirInputs) {
-  live("cp $here/visited $DAYLIGHT_FUZZ_OUT/visited; cp $here/record $job/input; live");
+  live("cp $here/record $job/input; live");
   const FuzzSummary summary =
       fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
   EXPECT_EQ(summary.harness_failure, "");
-  EXPECT_EQ(summary.progress.executions, 74u);
+  EXPECT_EQ(summary.progress.executions, 9u);
   EXPECT_EQ(summary.progress.features, 12u);
-  EXPECT_EQ(summary.progress.strata, 2u);
-  EXPECT_EQ(summary.never_visited.size(), summary.progress.possible_strata - 2);
-  EXPECT_EQ(std::count(summary.never_visited.begin(), summary.never_visited.end(), to_string(cap_cap)), 0);
   EXPECT_TRUE(summary.interrupted);
   EXPECT_TRUE(has("corpus/fake/input"));
   EXPECT_EQ(summary.kept_inputs, 2u);  // and the zeros it began with
@@ -175,19 +163,6 @@ TEST_F(Fuzzing, EndsWithItsTime) {
   EXPECT_FALSE(summary.interrupted);
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_EQ(summary.kept_inputs, 1u) << "the zeros they began with";
-}
-
-TEST_F(Fuzzing, WhatWasVisitedOutlivesTheProcess) {
-  const std::string file = folder / "mapped";
-  EXPECT_EQ(read_visited(file).executions, 0u);
-  keep_visited(file);
-  visited().executions = 7;
-  visited().strata[index_of(cap_rim)] = 1;
-  EXPECT_EQ(read_visited(file).executions, 7u);
-  EXPECT_EQ(read_visited(file).strata[index_of(cap_rim)], 1);
-  keep_visited(file);  // as by the next process
-  EXPECT_EQ(visited().executions, 7u);
-  for (std::size_t i = 0; i < visited().strata.size(); ++i) EXPECT_EQ(index_of(stratum_at(i)), i);
 }
 
 }  // namespace

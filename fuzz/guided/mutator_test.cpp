@@ -104,67 +104,6 @@ TEST(Mutator, MakesWhatTheNamesSay) {
   });
 }
 
-/// The greatest cosine of the angles between edges of a and b.
-double greatest_cosine(const Pair& p) {
-  double most = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      most = std::max(most, std::fabs(inner_product(edge_direction(p.a, i), edge_direction(p.b, j))));
-  return most;
-}
-
-TEST(Mutator, MakesWhatTheNamesSayOfBoxes) {
-  look_at("make_box", [](const Pair& p) {
-    const Solid& box = is_box(p.a) ? p.a : p.b;
-    EXPECT_EQ(box.edges[0], box.edges[1]);
-    EXPECT_GT(box.edges[2], 0);
-  });
-  int zeros = 0, rods = 0, cubes = 0, integers = 0, parallel = 0;
-  for (const char* name : {"flatten", "thin"})
-    look_at(
-        name,
-        [&](const Pair& p) {
-          for (const Solid& c : {p.a, p.b}) {
-            zeros += std::ranges::count(c.edges, 0.0) == 1;
-            rods += std::ranges::count(c.edges, 0.0) == 2;
-          }
-        },
-        "box_box");
-  look_at(
-      "equal_edges",
-      [&](const Pair& p) {
-        for (const Solid& c : {p.a, p.b}) cubes += c.edges[0] == c.edges[1] && c.edges[1] == c.edges[2];
-      },
-      "box_box");
-  const auto is_integer = [](double x) { return x == std::round(x) && std::fabs(x) <= 2; };
-  look_at(
-      "quarter_turn",
-      [&](const Pair& p) {
-        integers += std::ranges::all_of(p.a.quaternion, is_integer);
-        integers += std::ranges::all_of(p.b.quaternion, is_integer);
-      },
-      "box_edges");
-  for (const char* name : {"turn_to_parallel", "make_coaxial"})
-    look_at(
-        name, [&](const Pair& p) { parallel += greatest_cosine(p) > 1 - 1e-15; }, "box_box");
-  EXPECT_GT(zeros, 80);
-  EXPECT_GT(rods, 30);
-  EXPECT_GT(cubes, 80);
-  EXPECT_GT(integers, 80);
-  EXPECT_GT(parallel, 250);
-  look_at(
-      "make_contained",
-      [](const Pair& p) {
-        const Solid &outer = size_of({p.a, Solid{}}) > size_of({p.b, Solid{}}) ? p.a : p.b,
-                    &inner = &outer == &p.a ? p.b : p.a;
-        if (is_box(outer) && is_box(inner)) {
-          EXPECT_LE((outer.center - inner.center).norm(),
-                    Vector3(outer.edges[0], outer.edges[1], outer.edges[2]).norm());
-        }
-      },
-      "box_box");
-}
-
 TEST(CrossOver, TakesASolidOfEachParent) {
   Pair x = find_family("random")->generate(1, 0), y = find_family("random")->generate(1, 1);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {

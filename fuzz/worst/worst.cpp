@@ -90,9 +90,7 @@ class WorstSearch {
  public:
   WorstSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
               const OnWorst& on_worst)
-      : method_(method), sought_(sought), options_(options), on_worst_(on_worst), claim_(method->claim()) {
-    if (options.objective == Objective::time) timed_ = timed(*method, options.clock);
-  }
+      : method_(method), sought_(sought), options_(options), on_worst_(on_worst), claim_(method->claim()) {}
 
   Worst run(std::span<const Pair> starts) {
     evaluate_starts(starts);
@@ -205,13 +203,12 @@ class WorstSearch {
       questions.push_back({0, pairs.size()});
       pairs.push_back(probe.pair);
     }
-    const std::unique_ptr<Method>& asked = timed_ ? timed_ : method_;
     worst_.questions += probes.size();
     if (!method_->foreign()) {
-      for (Probe& probe : probes) probe.answer = asked->ask(probe.pair);
+      for (Probe& probe : probes) probe.answer = method_->ask(probe.pair);
       return;
     }
-    if (!asker_) asker_.emplace(std::span(&asked, 1), Caps{.hangs = 1});
+    if (!asker_) asker_.emplace(std::span(&method_, 1), Caps{.hangs = 1});
     const auto said = asker_->ask(pairs, questions);
     for (std::size_t i = 0; i < said.size(); ++i) {
       probes[i].answer = said[i].answer;
@@ -326,14 +323,8 @@ class WorstSearch {
     return value;
   }
 
-  // A time that something else caused does not come again. An error is proved.
   double prove_score(const Probe& probe) {
-    Score score = score_of(probe, true);
-    if (timed_) {
-      std::vector<Probe> again{probe, probe};
-      ask(again);
-      for (const Probe& a : again) score.value = std::min(score.value, score_of(a, true).value);
-    }
+    const Score score = score_of(probe, true);
     if (!(score.value > 0) || (sought_.feature && contact_feature(probe.pair) != sought_.feature) ||
         !is_also_sought(probe.pair))
       return nothing_wrong;
@@ -347,7 +338,6 @@ class WorstSearch {
 
   Score score_of(const Probe& probe, bool proved) const {
     if (probe.answer.status != Status::answered) return {};
-    if (timed_) return {std::max(1.0, probe.answer.distance)};
     if (!probe.answer.has_distance && !(probe.answer.error_bound > 0)) return {};
     Trial trial = proved ? Trial(probe.pair) : Trial(probe.pair, judge_verdict(probe.pair));
     const Enclosure ratio = error_over_bound(trial, claim_, probe.answer, proved);
@@ -360,8 +350,7 @@ class WorstSearch {
   const OnWorst& on_worst_;
   const Claim claim_;
   const Clock::time_point began_ = Clock::now();
-  std::unique_ptr<Method> timed_;
-  std::optional<Asker> asker_;  ///< of the one that is asked
+  std::optional<Asker> asker_;
   std::vector<Evaluation> candidates_;
   Evaluation best_;
   double proved_ = nothing_wrong;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Searches for the worst pair of one method: the largest proved error beyond its claim, or the slowest
-// answer. From given pairs it walks through shapes (fuzz/worst/pair_chart.hpp). For each shape it asks about
-// pairs on its ray. The optimiser gets how far the method stays wrong. Only proved errors count.
+// Searches for the worst pair of one method: the largest proved error beyond its claim. From given pairs it
+// walks through shapes (fuzz/worst/pair_chart.hpp). For each shape it asks about pairs on its ray. The
+// optimiser gets how far the method stays wrong. Only proved errors count.
 #pragma once
 
 #include <array>
@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "fuzz/worst/call_time.hpp"
 #include "fuzz/worst/pair_chart.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
@@ -28,10 +27,9 @@ namespace cyl {
 /// The quantity that a search maximises.
 enum class Objective : unsigned char {
   margin,  ///< the margin by which a verdict is wrong
-  error,   ///< the error of the distance, divided by the bound that is returned with it, or by the claim
-  time     ///< of a call
+  error    ///< the error of the distance, divided by the bound that is returned with it, or by the claim
 };
-constexpr auto words_of(Objective) noexcept { return std::array{"margin", "error", "time"}; }
+constexpr auto words_of(Objective) noexcept { return std::array{"margin", "error"}; }
 
 /// The pairs that count: these features meet, the verdict is wrong in this way, and `also` is true, as far as
 /// they are given. `also` is called only for the few pairs that would be the worst so far. It may cost some
@@ -45,12 +43,10 @@ struct Sought {
 struct WorstOptions {
   Objective objective = Objective::margin;
   std::uint64_t seed = 1;
-  /// Shapes looked at, about a hundred questions each: the limit that gives the same result again (times
-  /// aside).
+  /// Shapes looked at, about a hundred questions each: the limit that gives the same result again.
   std::size_t evaluation_cap = std::numeric_limits<std::size_t>::max();
   std::chrono::milliseconds budget = std::chrono::hours(24);  ///< wall time
   Domain domain;
-  double (*clock)() = cpu_clock;  ///< of Objective::time; it is read in the worker that asks
 };
 
 /// A verdict that is refuted.
@@ -67,8 +63,7 @@ struct FailedPair {
   std::string reason;
 };
 
-/// The score is the error over its bound, at most, for Objective::error. For Objective::time it is the ns of
-/// one call, the least of a few.
+/// The score is the error over its bound, at most.
 struct ScoredPair {
   Pair pair;
   double score;
@@ -80,7 +75,7 @@ struct Worst {
   /// nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
-  std::optional<ScoredPair> scored;  ///< of Objective::error and time
+  std::optional<ScoredPair> scored;  ///< of Objective::error
   std::size_t evaluations = 0, questions = 0;
 
   /// Returns whether something beyond the method's claim was found: all failures are.
@@ -93,7 +88,7 @@ using OnWorst = std::function<void(const Worst& so_far, std::chrono::millisecond
 /// A foreign `method` is asked in a contained process. Starts are examined in their order, those with the
 /// wanted features first. The walks begin at the worst of them. While the method is right on all, mutations
 /// of them are examined. Cost: a millisecond a shape for a fast method. With a limit on evaluations the
-/// result is a pure function of the arguments, except for times and hangs.
+/// result is a pure function of the arguments, except for hangs.
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst = {});
 

@@ -179,37 +179,6 @@ TEST(Worst, WhatBreaksIsKeptAndNotAskedAgain) {
   }
 }
 
-/// A clock that only the method below moves, in the process that asks.
-double now_ns = 0;
-double false_clock() { return now_ns; }
-
-/// Counts the calls of one worker.
-std::unique_ptr<Method> slow() {
-  return faulty([calls = 0](const Pair& pair, double margin) mutable {
-    ++calls;
-    if (calls > 50 && calls < 60) now_ns += 1e7;  // as if something else had come in between
-    now_ns += 100 + 1e5 * std::pow(10, -decades_from(pair.a.height / pair.a.radius, 30)) +
-              (std::abs(margin) < 1e-3 ? 1e4 : 0);
-    return 0.0;
-  });
-}
-
-TEST(Worst, TheSlowestIsFound) {
-  const std::unique_ptr<Method> method = slow();
-  WorstOptions options = shapes(400);
-  options.objective = Objective::time;
-  options.clock = false_clock;
-  const Worst worst = search(method, ContactFeature::side_side, options);
-  ASSERT_TRUE(worst.scored);
-  EXPECT_GE(worst.scored->score, 0.9 * 110100);
-  EXPECT_LE(worst.scored->score, 110100);
-  EXPECT_FALSE(worst.wrong);
-  const auto usual = usual_ns(method, false_clock);
-  ASSERT_TRUE(usual);
-  EXPECT_GE(*usual, 100);
-  EXPECT_LT(*usual, 0.5 * worst.scored->score);
-}
-
 Worst climb(const std::unique_ptr<Method>& method, std::size_t evaluations) {
   WorstOptions options;
   options.objective = Objective::error;
@@ -246,19 +215,6 @@ TEST(Score, AnErrorBeyondTheOneReportedIsFound) {
   ASSERT_TRUE(honest.scored);
   EXPECT_FALSE(honest.beyond_claim());
   EXPECT_NEAR(honest.scored->score, 0.1, 0.01);
-}
-
-TEST(Score, OursKeepWhatTheyPromiseAndTheSameSeedGivesTheSamePair) {
-  const auto found = [] {
-    const auto distance_method = std::move(select_methods(own_methods(), "distance").front());
-    const Worst worst = climb(distance_method, 150);
-    EXPECT_FALSE(worst.beyond_claim());
-    EXPECT_EQ(worst.evaluations, 150u);
-    return worst.scored ? format_pair(worst.scored->pair) : "";
-  };
-  const std::string first = found();
-  EXPECT_FALSE(first.empty());
-  EXPECT_EQ(found(), first);
 }
 
 TEST(PairChart, WhereItIsFineLengthsBecomeZeroAndMarginsChangeByDecades) {
@@ -303,40 +259,6 @@ TEST(PairChart, AnAngleIsCountedInDecadesFromParallelAndFromPerpendicular) {
   EXPECT_EQ(chart.pair(x).b.axis.z(), 0);
 }
 
-TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
-  for (const ContactFeature feature : {ContactFeature::cap_cap, ContactFeature::cap_side}) {
-    for (const Pair& start : drawn_starts(feature, 9)) {
-      const auto pair = bring_into({}, start);
-      if (!pair || contact_feature(*pair) != feature) continue;
-      for (const double decades : {-4.0, 4.0}) {
-        PairChart::Point x;
-        x.fill(0.3);
-        x[PairChart::dimensions - 2] = decades;
-        const Pair p = PairChart(*pair, feature, {}).pair(x);
-        const Vector3 a = p.a.axis.normalized(), b = p.b.axis.normalized();
-        EXPECT_LT(feature == ContactFeature::cap_cap ? a.cross(b).norm() : std::abs(a.dot(b)), 1e-15);
-      }
-    }
-  }
-}
-
-// The directions in which a point of a rim, a side or a cap faces outwards do not depend on lengths.
-TEST(PairChart, WhatMeetsStaysWhatMeetsAsLengthsChange) {
-  int apart = 0;
-  for (const Pair& start : drawn_starts({}, 10)) {
-    const auto pair = bring_into({}, start);
-    if (!pair || std::min({pair->a.radius, pair->a.height, pair->b.radius, pair->b.height}) < 0.1) continue;
-    const MeasuredDistance before = approximate_distance(*pair);
-    if (!(before.value > 1e-6)) continue;
-    ++apart;
-    PairChart::Point x{};
-    x[1] = 0.3, x[2] = -0.4, x[3] = -0.2, x[4] = 0.5;
-    const Pair p = PairChart(*pair, {}, {}).pair(x);
-    EXPECT_NEAR(approximate_distance(p).value / size_of(p), before.value / size_of(*pair), 1e-12);
-  }
-  EXPECT_GT(apart, 100);
-}
-
 std::vector<Pair> with_boxes() {
   std::vector<Pair> pairs;
   for (const Family& family : box_families())
@@ -362,21 +284,6 @@ TEST(PairChart, BoxesHaveCoordinatesForEdgesAndTurns) {
   for (std::size_t i = 0; i < PairChart::dimensions; ++i)
     EXPECT_EQ(changed[i] > 40, i != PairChart::dimensions - 3)
         << i;  // the distance, which only fine ones have
-}
-
-TEST(PairChart, EveryPointIsLegalAndOfASizeInTheDomain) {
-  const Domain domain;
-  for (const Pair& start : drawn_starts({}, 8)) {
-    const auto pair = bring_into(domain, start);
-    if (!pair) continue;
-    const PairChart chart(*pair, {}, domain);
-    for (const PairChart::Point& x : {chart.low(), chart.high()}) {
-      const Pair p = chart.pair(x);
-      EXPECT_EQ(find_defect(p.a), Defect::none);
-      EXPECT_EQ(find_defect(p.b), Defect::none);
-      EXPECT_NEAR(std::log10(size_of(p)), 0, 3 + 1e-9);
-    }
-  }
 }
 
 }  // namespace

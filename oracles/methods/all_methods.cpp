@@ -28,9 +28,7 @@ std::vector<std::unique_ptr<Method>> all_methods() {
       own_methods,
       literature_2008_methods,
       literature_2017_methods,
-#ifndef DAYLIGHT_WITHOUT_NLOPT  // as in the programs of a fuzzing service
       nlopt_methods,
-#endif
 #ifdef DAYLIGHT_WITH_FCL
       fcl_methods,
 #endif
@@ -51,9 +49,7 @@ std::vector<std::unique_ptr<Method>> all_methods() {
 
 std::vector<std::unique_ptr<Method>> setting_methods() {
   return together({
-#ifndef DAYLIGHT_WITHOUT_NLOPT
       nlopt_settings,
-#endif
 #ifdef DAYLIGHT_WITH_FCL
       fcl_settings,
 #endif

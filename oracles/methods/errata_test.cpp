@@ -87,27 +87,6 @@ TEST(Errata, ErrataMdStatesThePairAndTheAnswersOfEach) {
   }
 }
 
-TEST(Errata, ErrataMdNamesTestsThatThereAre) {
-  const auto text_of = [](const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
-  const std::filesystem::path folder = DAYLIGHT_SOURCE_DIR "/solver/literature";
-  std::string tests;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().string().ends_with("_test.cpp")) tests += text_of(entry.path());
-  const std::string all = text_of(folder / "errata.md");
-  const std::string_view checked = "* **Checked by**";
-  int named = 0;
-  for (std::size_t at = 0; (at = all.find(checked, at)) != all.npos; at += checked.size()) {
-    const std::size_t begin = all.find('`', at) + 1, dot = all.find('.', begin), end = all.find('`', begin);
-    const std::string suite = all.substr(begin, dot - begin), name = all.substr(dot + 1, end - dot - 1);
-    EXPECT_NE(tests.find('(' + suite + ", " + name + ')'), std::string::npos) << suite << '.' << name;
-    ++named;
-  }
-  EXPECT_GT(named, 3);
-}
-
 /// A program can follow these errors, but no pair shows them. They change no verdict, alone or in the
 /// printed text.
 TEST(Errata, HarmlessOnesChangeNoVerdict) {
@@ -126,38 +105,6 @@ TEST(Errata, HarmlessOnesChangeNoVerdict) {
         }
     }
   }
-}
-
-/// One fault makes the verdict depend on the unit of length, as errata.md states.
-TEST(Errata, OneDependsOnTheUnitOfLength) {
-  for (const Erratum& e : errata()) {
-    if (!e.fault) continue;
-    const auto wrong = ShownErratum::method_named(wrong_method(e));
-    int turned = 0;
-    for (const char* family : {"random", "touching_disks"})
-      for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
-        const Pair pair = find_family(family)->generate(family_seed, index);
-        for (const double unit : {0x1p-7, 0x1p10}) {
-          Pair other = pair;
-          for (Solid* c : {&other.a, &other.b}) {
-            c->center *= unit;
-            c->radius *= unit;
-            c->height *= unit;
-          }
-          turned += wrong->ask(other).verdict != wrong->ask(pair).verdict;
-        }
-      }
-    EXPECT_EQ(turned > 0, e.id == "2008-radius") << e.id << ' ' << turned;
-  }
-}
-
-/// The frames and eigenvectors that the program chooses decide which half of the critical points is lost.
-TEST(Errata, ANegatedPairIsKeptInAnotherFrame) {
-  Pair pair = cases().at("erratum-2008-negated-pair").pair;
-  const auto wrong = ShownErratum::method_named("seed2008-only-negated-pair");
-  EXPECT_EQ(wrong->ask(pair).verdict, Verdict::intersecting);
-  pair.b.axis = -pair.b.axis;
-  EXPECT_EQ(wrong->ask(pair).verdict, Verdict::disjoint);
 }
 
 TEST(Errata, MethodsAreAskedWhereTheyAreNamed) {

@@ -46,13 +46,6 @@ TEST(GuestLines, ADepthThatIsAnUpperBound) {
   EXPECT_NE(parse_guest_line(R"({"name":"x","depth":"at_least"})").error, "");
 }
 
-TEST(GuestLines, AVerdictAlone) {
-  const GuestLine line = parse_guest_line(R"({"verdict":"touching"})");
-  ASSERT_TRUE(line.answer) << line.error;
-  EXPECT_EQ(line.answer->verdict, Verdict::touching);
-  EXPECT_FALSE(line.answer->distance || line.answer->direction || line.answer->point);
-}
-
 TEST(GuestLines, DecliningIsNoFailing) {
   const GuestLine declined = parse_guest_line(R"({"declined":"no disks"})");
   ASSERT_TRUE(declined.answer);

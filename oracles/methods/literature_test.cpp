@@ -43,19 +43,6 @@ TEST_P(Literature, AgreesWithDecideBeyondItsClaim) {
 INSTANTIATE_TEST_SUITE_P(Families, Literature, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
-TEST(LiteraturePrinted, IsOftenWrong) {
-  const Family& family = *find_family("random");
-  const auto methods = literature_2008_methods();
-  const auto& printed =
-      *std::ranges::find(methods, "seed2008-printed", [](const auto& m) { return m->name(); });
-  int wrong = 0;
-  for (std::uint64_t index = 0; index < 1000; ++index) {
-    const Pair pair = family.generate(family_seed, index);
-    wrong += printed->ask(pair).verdict != judge(pair).verdict;
-  }
-  EXPECT_GT(wrong, 50);
-}
-
 using literature::Minimiser;
 
 /// Checks the verdicts of the corrected text of 2017 about the cases, by both minimisers.

@@ -139,27 +139,6 @@ TEST(Methods, DirectionsSeparateAndPointFromAToB) {
   }
 }
 
-TEST(Methods, DecideProves) {
-  for (const auto& m : chosen("decide"))
-    for (const Known& k : easy_pairs())
-      EXPECT_EQ(m->ask(k.pair).witness,
-                k.verdict == Verdict::disjoint ? CertificateKind::direction : CertificateKind::point);
-}
-
-TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {
-  for (const auto& m : chosen("nlopt,fcl,bullet,libccd,ode,mujoco")) {
-    for (const Known& k : easy_pairs()) {
-      Pair stretched = k.pair;
-      stretched.a.axis *= 0x1p-600;
-      stretched.b.axis *= 0x1p600;
-      const MethodAnswer plain = m->ask(k.pair);
-      const MethodAnswer answer = m->ask(stretched);
-      EXPECT_EQ(answer.verdict, plain.verdict) << m->name();
-      EXPECT_EQ(answer.distance, plain.distance) << m->name();
-    }
-  }
-}
-
 TEST(Methods, ForeignOnesDeclineWhatIsNoCylinder) {
   Pair p{upright({0, 0, 0}), upright({3, 0, 0})};
   p.b.axis = {0, 0, 0};
@@ -208,20 +187,6 @@ TEST(Methods, PreparedCallsSayWhatAskSays) {
                                    "bullet-cylinder-margin0", "bullet-gjkepa2"}));
 }
 
-TEST(Methods, ExtremeScalesStayInTheWorker) {
-  const auto methods = all_methods();
-  std::vector<Pair> pairs;
-  for (double scale : {1e-300, 1e-150, 1e-20, 1e20, 1e150, 1e300})
-    for (const Known& k : easy_pairs(scale)) pairs.push_back(k.pair);
-  std::vector<Question> questions;
-  for (std::size_t m = 0; m < methods.size(); ++m)
-    for (std::size_t p = 0; p<pairs.size(); p += methods[m]->share()> 1 ? 7 : 1) questions.push_back({m, p});
-  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = std::chrono::milliseconds(50)});
-  ASSERT_EQ(answers.size(), questions.size());
-  for (const ContainedAnswer& a : answers)
-    EXPECT_TRUE(a.answer.status != Status::failed || a.answer.reason[0] != 0);
-}
-
 TEST(Nlopt, FindsTheDistanceAtEveryScale) {
   for (const auto& m : chosen("nlopt-direct-600,nlopt-mlsl")) {
     for (double scale : {1e-300, 1.0, 1e150}) {
@@ -248,54 +213,6 @@ TEST(Nlopt, FindsANarrowSeparation) {
   }
 }
 
-TEST(Nlopt, TheSamePairGivesTheSameAnswerWhateverCameBefore) {
-  const auto known = easy_pairs();
-  for (const auto& m : chosen("nlopt")) {
-    const MethodAnswer first = m->ask(known[2].pair);
-    for (std::size_t before : {2u, 7u, 12u}) {
-      m->ask(known[before].pair);
-      const MethodAnswer again = m->ask(known[2].pair);
-      EXPECT_EQ(std::memcmp(&first.distance, &again.distance, sizeof first.distance), 0) << m->name();
-      EXPECT_EQ(std::memcmp(first.head, again.head, sizeof first.head), 0) << m->name();
-    }
-  }
-}
-
-// A search for the depth of an overlap can end in the wrong basin. One depth is 0.8 along the common axis,
-// near the middle of one chart, and the other is 0.9 across it.
-TEST(Nlopt, FindsTheLeastDepthOnEveryChart) {
-  for (int i = 0; i < 3; ++i) {
-    Vector3 w(0.05, 0.02, 0.03);
-    w[i] = 1;
-    w.normalize();
-    const Pair p{{{0, 0, 0}, w, 1, 1}, {0.2 * w + 1.1 * w.unitOrthogonal(), w, 1, 1}};
-    for (const auto& m : chosen("nlopt")) {
-      const MethodAnswer answer = m->ask(p);
-      ASSERT_TRUE(answer.has_distance) << m->name();
-      EXPECT_NEAR(answer.distance, -0.8, 1e-6) << m->name() << ' ' << i;
-    }
-  }
-}
-
-TEST(Nlopt, OffsetsThatOverflow) {
-  Pair p{upright({-1.5e308, 0, 0}), upright({1.5e308, 0, 0})};
-  p.a.radius = p.b.radius = 1e308;
-  for (const auto& m : chosen("nlopt-direct-600")) {
-    const MethodAnswer answer = m->ask(p);
-    EXPECT_EQ(answer.verdict, Verdict::disjoint);
-    EXPECT_NEAR(answer.distance, 1e308, 1e301);
-  }
-}
-
-TEST(Nlopt, ADistanceThatOverflowsIsNotSaid) {
-  const Pair p{upright({-1.5e308, 0, 0}), upright({1.5e308, 0, 0})};
-  for (const auto& m : chosen("nlopt-direct-600")) {
-    const MethodAnswer answer = m->ask(p);
-    EXPECT_EQ(answer.verdict, Verdict::disjoint);
-    EXPECT_FALSE(answer.has_distance);
-  }
-}
-
 TEST(BulletHull, DeclinesBetweenThePrisms) {
   // The polygon has a vertex towards angle 0 and the middle of a side towards pi/16.
   const double side_angle = std::numbers::pi / 16;
@@ -316,38 +233,6 @@ TEST(Bullet, TheDefaultMarginRoundsTheRims) {
   const Pair p{upright({0, 0, 0}), {{1.99, 0, 1.99}, {0, 0, 1}, 1, 2}};
   for (const auto& m : chosen("bullet-cylinder"))
     EXPECT_EQ(m->ask(p).verdict, m->name() == "bullet-cylinder" ? Verdict::disjoint : Verdict::intersecting);
-}
-
-TEST(Libccd, AnyLengthOfADirectionWillDo) {
-  // Its directions are products of lengths. The squares of these overflow here, or vanish.
-  for (const auto& m : chosen("libccd-gjk"))
-    for (const Known& k : easy_pairs(1e60)) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
-}
-
-TEST(Libccd, GjkHitsAcrossASmallGap) {
-  const Pair p{upright({0, 0, 0}), upright({0, 0, 2 + 1e-9})};
-  EXPECT_EQ(chosen("libccd-gjk")[0]->ask(p).verdict, Verdict::intersecting);
-  for (const auto& m : chosen("libccd-mpr")) EXPECT_EQ(m->ask(p).verdict, Verdict::disjoint) << m->name();
-}
-
-TEST(Libccd, MprMissesAnOverlapBelowItsTolerance) {
-  const Pair p =
-      apart({{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}}, {0.2, 0.9, -0.4}, -1e-6).pair;
-  for (const auto& m : chosen("libccd-mpr,decide"))
-    EXPECT_EQ(m->ask(p).verdict, m->name() == "libccd-mpr" ? Verdict::disjoint : Verdict::intersecting)
-        << m->name();
-}
-
-TEST(Ode, TakesNearlyParallelAxesForParallel) {
-  for (const double degrees : {2.56, 2.57}) {
-    const double tilt = degrees * std::numbers::pi / 180;
-    const Pair p{{{0, 0, 0}, {0, 0, 1}, 0.01, 1},
-                 {{0.0201, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 0.01, 1}};
-    for (const auto& m : chosen("decide,ode")) {
-      const bool missed = m->name() != "decide" && degrees == 2.56;
-      EXPECT_EQ(m->ask(p).verdict, missed ? Verdict::disjoint : Verdict::intersecting) << m->name();
-    }
-  }
 }
 
 TEST(Ode, AbortsOnTinyCylinders) {

@@ -129,23 +129,6 @@ TEST(Worker, AGuestMayStartThreads) {
   EXPECT_EQ(answer.side_effect, SideEffect::none) << answer.reason;
 }
 
-TEST(Worker, AThreadThatIsLeftIsReported) {
-  const MethodAnswer answer = ask_guest([] { std::thread([] { pause(); }).detach(); });
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::thread);
-}
-
-TEST(Worker, GarbageInItsDescriptorsHurtsNobody) {
-  const MethodAnswer answer = ask_between_good_ones([] {
-    for (int fd = 0; fd < 1000; ++fd) {
-      [[maybe_unused]] const ssize_t ignored = write(fd, "garbage garbage garbage", 23);
-    }
-  });
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  const MethodAnswer closed = ask_between_good_ones([] { close_range(0, ~0u, 0); });
-  EXPECT_EQ(closed.status, Status::answered) << closed.reason;
-}
-
 TEST(Worker, AChangedRoundingModeIsReportedAndPutBack) {
   const MethodAnswer answer = ask_between_good_ones([] { std::fesetround(FE_UPWARD); });
   EXPECT_EQ(answer.status, Status::answered);

@@ -44,27 +44,20 @@ TEST(BoxDistance, IsThatOnPaper) {
     double distance;
   };
   const Known all[] = {
-      {{box(o, {2, 2, 2}), box({3, 0, 0}, {2, 2, 2})}, 1},           // along an axis
-      {{box(o, {2, 2, 2}), box({0.5, 0.25, 2.5}, {2, 2, 2})}, 0.5},  // stacked
-      {{box(o, {2, 2, 2}), box({5, 6, 1}, {2, 2, 2})}, 5},           // edge to edge
-      {{box(o, {2, 2, 2}), box({3, 4, 4}, {2, 2, 2})}, 3},           // corner to corner
-      {{box(o, {2, 2, 2}), box({1.5, 0, 0}, {2, 2, 2})}, -0.5},      // overlapping
-      {{box(o, {8, 8, 8}), box({1, 0, 0}, {2, 2, 2})}, -4},          // inside
-      {{box(o, {2, 2, 2}), box(o, {2, 2, 2})}, -2},                  // equal
+      {{box(o, {2, 2, 2}), box({3, 0, 0}, {2, 2, 2})}, 1},       // along an axis
+      {{box(o, {2, 2, 2}), box({5, 6, 1}, {2, 2, 2})}, 5},       // edge to edge
+      {{box(o, {2, 2, 2}), box({1.5, 0, 0}, {2, 2, 2})}, -0.5},  // overlapping
+      {{box(o, {8, 8, 8}), box({1, 0, 0}, {2, 2, 2})}, -4},      // inside
       {{box(o, {2, 2, 2}), box({2.5, 0, 0}, {2, 2, 2}, 0, turned)}, 1.5 - 2 * diagonal},
-      {{box(o, {4, 4, 2}), cylinder({0.5, 0, 1.75}, x, 1, 2)}, -0.25},  // a lying cylinder
-      {{box(o, {4, 4, 2}), cylinder({0.5, 0, 2.25}, x, 1, 2)}, 0.25},
+      {{box(o, {4, 4, 2}), cylinder({0.5, 0, 1.75}, x, 1, 2)}, -0.25},                  // a lying cylinder
       {{box(o, {4, 4, 2}), cylinder({0.5, 0, 2.25}, z, 1, 2)}, 0.25},                   // a standing one
       {{box(o, {4, 4, 2}), cylinder({2.5, 2.5, 0}, z, 1, 2)}, 2 * 0.5 * diagonal - 1},  // wall to edge
-      {{box(o, {4, 4, 2}), cylinder({3.5, 3.5, 0}, z, 1, 2)}, 2 * 1.5 * diagonal - 1},
       {{box(o, {2, 2, 2}), cylinder({3, 3, 2}, z, 0, 0, 1)}, 2},  // a sphere at a corner
       {{box(o, {2, 2, 2}, 0.5), cylinder({3, 3, 2}, z, 0, 0, 1)}, 1.5},
       {{box(o, {2, 2, 2}), cylinder({0.5, 0, 0}, z, 0, 0, 1)}, -1.5},      // a sphere inside
       {{box(o, {4, 4, 2}), cylinder({0, 0, 1.5}, x, 0, 8, 0.75)}, -0.25},  // a capsule
-      {{box(o, {4, 4, 0}), box({0, 0, 0.5}, {1, 1, 0})}, 0.5},             // rectangles
       {{box(o, {4, 4, 0}), box({0.5, 0, 0}, {0, 0, 3})}, -1.5},            // a rectangle, a segment
       {{box(o, {4, 4, 0}), cylinder({0, 0, 0}, x, 1, 0)}, -1},             // a rectangle, a disk
-      {{box({1, 2, 3}, {0, 0, 0}), cylinder({1, 2, 3}, z, 0, 0)}, 0},      // points
       {{box({1, 2, 3}, {0, 0, 0}), cylinder({1, 2, 4}, z, 2, 0)}, 1},      // a point, a disk
   };
   for (const Known& k : all)
@@ -179,28 +172,6 @@ TEST(BoxDistance, IsShownByItsDirection) {
     ASSERT_LE(e.hi - e.lo, 1.01 * (apart ? gap_width_tol : depth_width_tol) * size) << format_pair(pair);
     ASSERT_GE(truth.verdict == Verdict::intersecting ? 0 : e.lo, 0) << format_pair(pair);
     ASSERT_LE(apart ? 0 : e.hi, 0) << format_pair(pair);
-  }
-}
-
-// A turned box over a corner, an edge and a facet of another, and a tilted cylinder over an edge, at gaps and
-// depths down to the last digits.
-TEST(BoxDistance, KeepsItsWidthNearTouching) {
-  for (std::uint64_t i = 0; i < 100; ++i) {
-    RandomStream s("box_distance_test", 2, i);
-    Pair pair{drawn(s, true), drawn(s, s.integer(0, 1) == 0)};
-    pair.a.rounding = pair.b.rounding = 0;
-    const AttainedDistance first = attain_box(pair, Verdict::undecided, 1e-16);
-    const Vector3 d(first.direction[0], first.direction[1], first.direction[2]);
-    for (const double margin : {1e-3, 1e-6, 1e-9, 1e-12, -1e-12, -1e-9, -1e-6}) {
-      Pair near = pair;
-      near.b.center += (margin - first.distance.lo) * d;
-      const double size = size_of(near);
-      const Enclosure e =
-          attain_box(near, Verdict::undecided, margin > 0 ? gap_width_tol : depth_width_tol).distance;
-      ASSERT_GE(e.hi, margin - 4e-15 * size) << format_pair(near);
-      ASSERT_LE(e.hi - e.lo, (margin > 0 ? gap_width_tol : depth_width_tol) * size * 1.01 + 4e-15 * size)
-          << margin << format_pair(near);
-    }
   }
 }
 

@@ -73,20 +73,6 @@ TEST(BoxWitness, PointsOfFlatBoxesAreTakenInTheirHulls) {
   EXPECT_EQ(check_witness(beside, offer(CertificateKind::point, {0, 0, 1})), Verdict::undecided);
 }
 
-TEST(BoxWitness, OffersAreTaken) {
-  const Pair thin{cube, at(cube, {2 + 0x1p-51, 0, 0})}, deep{cube, at(cube, {2 - 0x1p-52, 0, 0})};
-  const MethodAnswer apart = offer(CertificateKind::direction, {1, 0, 0});
-  EXPECT_TRUE(judge(thin, {&apart, 1}).witnessed);
-  EXPECT_EQ(judge(thin, {&apart, 1}).verdict, Verdict::disjoint);
-  const MethodAnswer point = offer(CertificateKind::point, {1 - 0x1p-53, 0, 0});
-  EXPECT_EQ(judge(deep, {&point, 1}).verdict, Verdict::intersecting);
-  // A common point of solids that touch does not prove that they overlap.
-  const Pair touching{cube, at(cube, {2, 0, 0})};
-  const MethodAnswer common = offer(CertificateKind::point, {1, 0, 0});
-  EXPECT_EQ(check_witness(touching, common), Verdict::intersecting);
-  EXPECT_EQ(judge(touching, {&common, 1}).verdict, Verdict::touching);
-}
-
 TEST(BoxWitness, MissByALength) {
   const Pair meet{cube, at(cube, {1, 0, 0})}, apart{cube, at(cube, {2.5, 0, 0})};
   EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, 0.75})), -0.25);

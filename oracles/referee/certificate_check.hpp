@@ -22,33 +22,30 @@ using Rational3 = Vec3<mpq_class>;
 /// requires the hull of its edges that are not 0, and no other.
 using Hulls = std::array<Hull, 2>;
 
-/// The filter, in intervals of R: double, or long double if that has more digits. It scales the pair by
-/// a power of two, so that its largest length is about 1. If scaling is inexact (the lengths differ by a
-/// factor of about 2^1000), the filter is not usable and proves nothing. Cost in double: about 0.1 us to set
-/// up, 0.1 us a check. In long double: ten times that.
-template <class R>
-class BasicFilter {
+/// The filter, in intervals of doubles. It scales the pair by a power of two, so that its largest length is
+/// about 1. If scaling is inexact (the lengths differ by a factor of about 2^1000), the filter is not usable
+/// and proves nothing. Cost: about 0.1 us to set up, 0.1 us a check.
+class Filter {
  public:
-  explicit BasicFilter(const Pair& pair);
+  explicit Filter(const Pair& pair);
   /// One unit of the filter is 2^exponent units of the scene.
   int exponent() const { return exponent_; }
-  using I = BasicInterval<R>;
   /// Unit axes, and b's centre relative to a's in the filter's unit.
-  const Vec3<I>& axis_of_a() const { return a_.axis; }
-  const Vec3<I>& axis_of_b() const { return b_.axis; }
-  const Vec3<I>& delta() const { return delta_; }
+  const Vec3<Interval>& axis_of_a() const { return a_.axis; }
+  const Vec3<Interval>& axis_of_b() const { return b_.axis; }
+  const Vec3<Interval>& delta() const { return delta_; }
   /// Encloses f(direction) of the solids in the filter's unit. Returns everything if the filter is not
   /// usable.
-  I support_gap(const Vec3<I>& direction) const;
+  Interval support_gap(const Vec3<Interval>& direction) const;
   /// Returns true if f(direction) < 0 is certain.
   bool separates(const double direction[3]) const;
-  bool separates(const Vec3<R>& direction) const;
+  bool separates(const Vec3<double>& direction) const;
   /// Returns true if it is certain that head + tail, exactly, is in both cores.
   bool in_both(const double head[3], const double tail[3]) const;
   /// Returns whether the solids certainly overlap at the point of the hulls nearest to the guess. The guess
   /// is relative to a's centre, in the filter's unit. They overlap if the point is strictly inside a solid
   /// that is not flat, or if two flat ones cross strictly inside both.
-  bool overlap_at(const Vec3<R>& guess, const Hulls& hulls = {}) const;
+  bool overlap_at(const Vec3<double>& guess, const Hulls& hulls = {}) const;
   /// Like overlap_at() above, but the guess is head + tail, in the scene's frame and unit.
   bool overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const;
   /// Returns true if three facts are certain.
@@ -58,27 +55,24 @@ class BasicFilter {
   bool come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const;
   /// Like come_near() above, but each vector is relative to the centre of its own solid, in the filter's
   /// unit.
-  bool come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const;
+  bool come_near(const Vec3<double>& on_a, const Vec3<double>& on_b) const;
 
  private:
-  struct Lifted : Terms<I> {  // in the filter's unit
-    Vec3<R> center;
+  struct Lifted : Terms<Interval> {  // in the filter's unit
+    Vec3<double> center;
     Hull hull;
     Hull within(Hull named) const;  ///< the hull and the one that an answer names
   };
-  bool close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const;
-  bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
-  static bool is_in(const Lifted& s, Hull hull, const Vec3<I>& at);
-  static bool is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at);
-  static Vec3<I> moved(const Lifted& s, Hull hull, const Vec3<I>& from);
+  bool close_at(const Vec3<Interval>& from_a, const Vec3<Interval>& from_b, const Hulls& hulls) const;
+  bool overlap_near(Vec3<Interval> guess, const Hulls& hulls) const;
+  static bool is_in(const Lifted& s, Hull hull, const Vec3<Interval>& at);
+  static bool is_strictly_in(const Lifted& s, Hull hull, const Vec3<Interval>& at);
+  static Vec3<Interval> moved(const Lifted& s, Hull hull, const Vec3<Interval>& from);
   bool usable_ = false;
   int exponent_ = 0;
   Lifted a_, b_;
-  Vec3<I> delta_;
+  Vec3<Interval> delta_;
 };
-
-using Filter = BasicFilter<double>;
-using LongFilter = BasicFilter<long double>;
 
 /// Returns the sign of f(direction) in MPFI at the given precision, for a direction other than 0. Returns 0
 /// if the interval contains 0.

@@ -109,10 +109,7 @@ void check_direction(std::uint64_t index) {
       check_that(says, who, "does not separate:", *scene, f.get_d());
   };
   const double given[3] = {d.x(), d.y(), d.z()};
-  expect(Filter(*scene).separates(given), 0x1p-53, "directions: the filter in double");
-  expect(LongFilter(*scene).separates(given), 0x1p-64, "directions: the filter in long double");
-  expect(LongFilter(*scene).separates(Vec3<long double>{unit.x(), unit.y(), unit.z()}), 0x1p-64,
-         "directions: the filter in long double, of its own");
+  expect(Filter(*scene).separates(given), 0x1p-53, "directions: the filter");
   const Rational3 exact_d{mpq_class(d.x()), mpq_class(d.y()), mpq_class(d.z())};
   expect(separates_in_multiprecision(*scene, exact_d, 128), 0x1p-128, "directions: 128 bits");
   const int sign = support_gap_sign(*scene, exact_d, 256);
@@ -206,10 +203,8 @@ void check_point(std::uint64_t index) {
     check_that(!says || (in_a && in_b), who, "proves a point that is outside:", *scene);
     check_that(says || !certain, who, "does not prove a point:", *scene);
   };
-  expect(Filter(*scene).in_both(head, tail), "points: the filter in double");
-  expect(LongFilter(*scene).in_both(head, tail), "points: the filter in long double");
-  expect(Filter(*scene).overlap_at(head, tail, {}), "points: an overlap in double");
-  expect(LongFilter(*scene).overlap_at(head, tail, {}), "points: an overlap in long double");
+  expect(Filter(*scene).in_both(head, tail), "points: the filter");
+  expect(Filter(*scene).overlap_at(head, tail, {}), "points: an overlap");
   check_that(in_both_exact(*scene, as_vector(point)) == (in_a && in_b), "points: exactly", *scene);
   const auto is_strict = [&](const Solid& c) {
     return beyond(c, point).along < 0 && beyond(c, point).across < 0;
@@ -316,8 +311,7 @@ void check_hulls(std::uint64_t index) {
     check_that(!says || in_both, who, "proves a point that is outside:", pair);
     check_that(says || !owes || !certain, who, "does not prove a point:", pair);
   };
-  expect(Filter(pair).overlap_at(head, tail, said), true, "hulls: the filter in double");
-  expect(LongFilter(pair).overlap_at(head, tail, said), true, "hulls: the filter in long double");
+  expect(Filter(pair).overlap_at(head, tail, said), true, "hulls: the filter");
   const MethodAnswer answer = offering(head, tail, said);
   if (said != Hulls{}) {
     expect(check_witness(pair, answer) == Verdict::intersecting, true, "hulls: a witness");

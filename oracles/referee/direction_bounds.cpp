@@ -68,6 +68,26 @@ bool widen(const Cap& cap, const Vec& middle, Cap& out) {
 
 }  // namespace
 
+/// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
+struct DirectionBounds::Kinks {
+  std::array<bool, 2> on_circle{}, at_axis{};
+  /// Whether there is no other such direction nearby.
+  bool are_a_point() const { return (on_circle[0] && on_circle[1]) || at_axis[0] || at_axis[1]; }
+  bool one_circle() const { return on_circle[0] != on_circle[1] && !are_a_point(); }
+};
+
+/// A model of f near one direction D0, built on a support point y of D0: the one nearest to the line along
+/// D0 if there are several.
+struct DirectionBounds::Model {
+  Vec direction, y, g;
+  double f;                               ///< f(D0)
+  double value;                           ///< D0.y: f(D0) except for a loss at an axis
+  double room = 0;                        ///< b
+  double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
+  std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
+  std::array<std::optional<Vec>, 2> out;  ///< n_i; none at the axis
+};
+
 DirectionBounds::DirectionBounds(const SearchPair<double>& p)
     : solids_{Terms<double>{normalized(p.axis0), p.radius0, p.half0},
               Terms<double>{normalized(p.axis1), p.radius1, p.half1}},
@@ -310,31 +330,12 @@ double DirectionBounds::bound_near(const Model& m, const Kinks& kinks, const Cap
   return value + least_along(at_least, least) + least_along(at_greatest, greatest);
 }
 
-// The kinks near `start` in turn, then none, until `consider(from, kinks)` returns true.
-template <class Consider>
-void DirectionBounds::each_kink_near(const Vec& start, double sine, const Consider& consider) const {
-  const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= sine; };
-  const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };
-  for (std::size_t i = 0; i < 2; ++i)
-    if (const Vec pole = towards(solids_[i].axis); is_near(pole)) {
-      // Square axes: the pole of one lies on the circle of the other.
-      const bool crossed = std::fabs(dot(pole, solids_[1 - i].axis)) <= on_circle_tol;
-      if (consider(pole, Kinks{{crossed && i == 1, crossed && i == 0}, {i == 0, i == 1}})) return;
-    }
-  if (const Vec normal = towards(normal_); is_near(normal) && consider(normal, Kinks{{true, true}, {}}))
-    return;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (std::fabs(dot(start, solids_[i].axis)) <= sine &&
-        consider(normalized(across(start, solids_[i].axis)), Kinks{{i == 0, i == 1}, {}}))
-      return;
-  consider(start, Kinks{});
-}
-
+// Tries the kinks near `start` in turn, then none, until the bound is good enough.
 Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start, double enough,
                                           double width) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Bounds best{-infinity, infinity, infinity, start};
-  each_kink_near(start, cap.sine, [&](const Vec& from, const Kinks& kinks) {
+  const auto consider = [&](const Vec& from, const Kinks& kinks) {
     const Model m = settle(from, kinks, 2 * cap.sine);
     if (m.f < best.value) {
       best.value = m.f;
@@ -344,27 +345,23 @@ Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start, doub
     Cap moved;
     if (widen(cap, m.direction, moved)) best.below = std::max(best.below, bound_near(m, kinks, moved));
     return best.below >= std::min(enough, best.value - width);
-  });
-  return best;
-}
-
-LocalMinimum DirectionBounds::minimum_near(const Vec& start, double sine) const {
-  LocalMinimum best;
-  best.f = best.nearest = std::numeric_limits<double>::infinity();
-  each_kink_near(start, sine, [&](const Vec& from, const Kinks& kinks) {
-    const Model m = settle(from, kinks, 0.5);
-    best.nearest = std::min(best.nearest, length(m.y));
-    if (m.f < best.f - 0x1p-50 * reach_) {
-      static_cast<Model&>(best) = m;
-      best.kinks = kinks;
+  };
+  const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= cap.sine; };
+  const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const Vec pole = towards(solids_[i].axis); is_near(pole)) {
+      // Square axes: the pole of one lies on the circle of the other.
+      const bool crossed = std::fabs(dot(pole, solids_[1 - i].axis)) <= on_circle_tol;
+      if (consider(pole, {{crossed && i == 1, crossed && i == 0}, {i == 0, i == 1}})) return best;
     }
-    return false;
-  });
+  if (const Vec normal = towards(normal_); is_near(normal) && consider(normal, {{true, true}, {}}))
+    return best;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (std::fabs(dot(start, solids_[i].axis)) <= cap.sine &&
+        consider(normalized(across(start, solids_[i].axis)), {{i == 0, i == 1}, {}}))
+      return best;
+  consider(start, {});
   return best;
-}
-
-double DirectionBounds::bound_near(const LocalMinimum& at, const Cap& cap) const {
-  return bound_near(at, at.kinks, cap);
 }
 
 }  // namespace cyl

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "corpus/pairs/support.hpp"
 #include "oracles/referee/search.hpp"
@@ -54,33 +53,6 @@ struct Bounds {
   Vec direction;
 };
 
-/// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
-struct DirectionKinks {
-  std::array<bool, 2> on_circle{}, at_axis{};
-  /// Whether there is no other such direction nearby.
-  bool are_a_point() const { return (on_circle[0] && on_circle[1]) || at_axis[0] || at_axis[1]; }
-  bool one_circle() const { return on_circle[0] != on_circle[1] && !are_a_point(); }
-};
-
-/// A model of f near one direction D0, built on a support point y of D0: the one nearest to the line along
-/// D0 if there are several.
-/// The letters are those of direction_bounds.cpp.
-struct DirectionModel {
-  Vec direction, y, g;
-  double f;                               ///< f(D0)
-  double value;                           ///< D0.y: f(D0) except for a loss at an axis
-  double room = 0;                        ///< b
-  double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
-  std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
-  std::array<std::optional<Vec>, 2> out;  ///< n_i; none at the axis
-};
-
-/// A local minimum of f.
-struct LocalMinimum : DirectionModel {
-  DirectionKinks kinks;
-  double nearest;  ///< as in Bounds
-};
-
 /// The axes of both solids must not be parallel. Every bound and value is right within bound_error * reach().
 class DirectionBounds {
  public:
@@ -98,18 +70,10 @@ class DirectionBounds {
   /// cap is close enough to it. Stops at a bound of `enough`, or `width` below the value found. Cost: 1
   /// us.
   Bounds bounds_by_minimum(const Cap& cap, const Vec& start, double enough, double width) const;
-  /// Returns the local minimum that Newton's method reaches from `start`, on a kink within `sine` of it or on
-  /// none. Cost: 1 us.
-  LocalMinimum minimum_near(const Vec& start, double sine) const;
-  /// Returns a bound of f on a cap about the minimum's direction, f's value there if the minimum is the
-  /// cap's. Cost: 0.1 us.
-  double bound_near(const LocalMinimum& at, const Cap& cap) const;
 
  private:
-  template <class Consider>
-  void each_kink_near(const Vec& start, double sine, const Consider& consider) const;
-  using Model = DirectionModel;
-  using Kinks = DirectionKinks;
+  struct Kinks;
+  struct Model;
   struct Frame;
   struct Principal;
 

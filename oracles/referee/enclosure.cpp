@@ -11,7 +11,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/box_distance.hpp"
-#include "oracles/referee/cosine_boxes.hpp"
 #include "oracles/referee/direction_bounds.hpp"
 #include "oracles/referee/half_space.hpp"
 #include "oracles/referee/interval.hpp"
@@ -22,6 +21,21 @@
 
 namespace cyl {
 namespace {
+
+/// The known facts about min f.
+struct LeastValue {
+  double width;                                           ///< how far apart `floor` and `best` may be
+  double best = std::numeric_limits<double>::infinity();  ///< f(direction)
+  double floor = -best;                                   ///< f is nowhere less
+  Vec direction{};
+  std::size_t cells = 0;  ///< parts of the sphere that were bounded
+
+  bool is_found() const { return best - floor <= width; }
+  void take(double value, const Vec& d) {
+    if (value < best) best = value, direction = d;
+  }
+  void floor_at(double bound) { floor = std::max(floor, bound); }
+};
 
 // A square of one face of the cube around the sphere, in the face's coordinates.
 struct Cell {
@@ -255,7 +269,6 @@ LeastValue least_value(const SearchPair<double>& p, const DirectionBounds& bound
     minimum.descend();
   }
   for (const Vec& likely : bounds.likely()) f.take(bounds.value(likely), likely);
-  if (!f.is_found()) narrow_by_cosines(bounds, p, f);
   if (!f.is_found()) minimum.find(most_cells);
   return f;
 }
@@ -296,7 +309,7 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
 
 // The value is -f of the best direction found, so an error of the direction counts by its square only.
 MeasuredDistance approximate_distance(const Pair& pair) {
-  constexpr std::size_t measured_cell_cap = 64;
+  constexpr std::size_t measured_cell_cap = 192;
   if (!is_legal(pair)) return {};
   if (has_half_space(pair)) return measure_half_space(pair);
   if (has_box(pair)) return measure_box(pair, false);

@@ -12,10 +12,9 @@
 namespace cyl {
 namespace {
 
-template <class R, class T>
-Vec3<R> lift(const Vec3<T>& v) {
-  return {R(v.x), R(v.y), R(v.z)};
-}
+using I = Interval;
+
+Vec3<I> lift(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
 Vec3<double> plain(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -46,8 +45,7 @@ Vec3<double> scaled(const Vec3<double>& v, int exponent, bool& exact) {
 
 }  // namespace
 
-template <class R>
-BasicFilter<R>::BasicFilter(const Pair& pair) {
+Filter::Filter(const Pair& pair) {
   const Solid &a = pair.a, &b = pair.b;
   double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
   for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
@@ -59,9 +57,9 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
   auto solid = [&](const Solid& c) {
     Lifted s;
     const Vec3<double> center = scaled(plain(c.center), -exponent_, exact);
-    s.center = {center.x, center.y, center.z};
+    s.center = center;
     s.radius = scaled(c.radius, -exponent_, exact);
-    s.half = R(scaled(c.height, -exponent_, exact)) / 2;
+    s.half = scaled(c.height, -exponent_, exact) / 2;
     s.rounding = scaled(c.rounding, -exponent_, exact);
     s.rounded = c.rounding != 0;
     s.hull = own_hull(c);
@@ -71,23 +69,22 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
       const double greatest = std::fmax(max_abs({q[0], q[1], q[2]}), std::fabs(q[3]));
       for (double& x : q) x = scaled(x, -std::ilogb(greatest), exact);
       s.edges = edge_directions<I>(q);
-      for (std::size_t i = 0; i < 3; ++i) s.halves[i] = R(scaled(c.edges[i], -exponent_, exact)) / 2;
+      for (std::size_t i = 0; i < 3; ++i) s.halves[i] = scaled(c.edges[i], -exponent_, exact) / 2;
       s.axis = s.edges[hull_edge(c)];
       return s;
     }
     const Vec3<double> w = plain(c.axis);
-    const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
+    const Vec3<I> axis = lift(scaled(w, -std::ilogb(max_abs(w)), exact));
     s.axis = axis / norm(axis);
     return s;
   };
   a_ = solid(a);
   b_ = solid(b);
-  delta_ = lift<I>(b_.center) - lift<I>(a_.center);
+  delta_ = lift(b_.center) - lift(a_.center);
   usable_ = exact;
 }
 
-template <class R>
-bool BasicFilter<R>::separates(const double direction[3]) const {
+bool Filter::separates(const double direction[3]) const {
   const Vec3<double> given{direction[0], direction[1], direction[2]};
   const double most = max_abs(given);
   // not covered: our directions are finite, but others may not be
@@ -95,27 +92,19 @@ bool BasicFilter<R>::separates(const double direction[3]) const {
   bool exact = true;
   const Vec3<double> d = scaled(given, -std::ilogb(most), exact);
   // not covered: the greatest coordinate of our directions is about 1, as the scale is
-  return exact && separates(Vec3<R>{d.x, d.y, d.z});
+  return exact && separates(d);
 }
 
-template <class R>
-auto BasicFilter<R>::support_gap(const Vec3<I>& d) const -> I {
+I Filter::support_gap(const Vec3<I>& d) const {
   if (!usable_) return I::everything();
   return cyl::support_gap<I>(a_, b_, delta_, d);
 }
 
-template <class R>
-bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
-  return support_gap(lift<I>(direction)).hi < 0;
-}
+bool Filter::separates(const Vec3<double>& direction) const { return support_gap(lift(direction)).hi < 0; }
 
-template <class R>
-Hull BasicFilter<R>::Lifted::within(Hull named) const {
-  return this->box ? hull : both(hull, named);
-}
+Hull Filter::Lifted::within(Hull named) const { return this->box ? hull : both(hull, named); }
 
-template <class R>
-bool BasicFilter<R>::is_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
+bool Filter::is_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
   if (s.box) {
     for (std::size_t i = 0; i < 3; ++i)
       if ((hull == Hull::space || s.halves[i].lo > 0) && !(abs(dot(at, s.edges[i])).hi <= s.halves[i].lo))
@@ -126,8 +115,7 @@ bool BasicFilter<R>::is_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
          (thin(hull) || norm(cross(at, s.axis)).hi <= s.radius.lo);
 }
 
-template <class R>
-bool BasicFilter<R>::is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
+bool Filter::is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& at) {
   if (s.box) {
     for (std::size_t i = 0; i < 3; ++i)
       if ((hull == Hull::space || s.halves[i].lo > 0) && !(abs(dot(at, s.edges[i])).hi < s.halves[i].lo))
@@ -138,8 +126,7 @@ bool BasicFilter<R>::is_strictly_in(const Lifted& s, Hull hull, const Vec3<I>& a
          (thin(hull) || norm(cross(at, s.axis)).hi < s.radius.lo);
 }
 
-template <class R>
-bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
+bool Filter::in_both(const double head[3], const double tail[3]) const {
   if (!usable_) return false;
   bool exact = true;
   const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
@@ -147,52 +134,46 @@ bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   // not covered: our tails are sums of multiples of unit axes, whose coordinates are 0 or at least 2^-200
   if (!exact) return false;
   for (const Lifted* s : {&a_, &b_}) {
-    const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
+    const Vec3<I> x = (lift(h) - lift(s->center)) + lift(t);
     if (!is_in(*s, Hull::space, x)) return false;
   }
   return true;
 }
 
-template <class R>
-bool BasicFilter<R>::overlap_at(const Vec3<R>& guess, const Hulls& hulls) const {
-  return usable_ && overlap_near(lift<I>(guess), hulls);
+bool Filter::overlap_at(const Vec3<double>& guess, const Hulls& hulls) const {
+  return usable_ && overlap_near(lift(guess), hulls);
 }
 
-template <class R>
-bool BasicFilter<R>::overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const {
+bool Filter::overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const {
   bool exact = usable_;
   const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
   const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
-  return exact && overlap_near((lift<I>(h) - lift<I>(a_.center)) + lift<I>(t), hulls);
+  return exact && overlap_near((lift(h) - lift(a_.center)) + lift(t), hulls);
 }
 
-template <class R>
-auto BasicFilter<R>::moved(const Lifted& s, Hull hull, const Vec3<I>& from) -> Vec3<I> {
+Vec3<I> Filter::moved(const Lifted& s, Hull hull, const Vec3<I>& from) {
   if (hull == Hull::space) return from;
   if (hull == Hull::center) return Vec3<I>{};
   const Vec3<I> along = dot(from, s.axis) * s.axis;
   return hull == Hull::line ? along : from - along;
 }
 
-template <class R>
-bool BasicFilter<R>::come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const {
+bool Filter::come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const {
   bool exact = true;
   const auto from_center = [&](const Lifted& s, const ExactVector& v) {
     const Vec3<double> h = scaled({v.head[0], v.head[1], v.head[2]}, -exponent_, exact);
     const Vec3<double> t = scaled({v.tail[0], v.tail[1], v.tail[2]}, -exponent_, exact);
-    return (lift<I>(h) - lift<I>(s.center)) + lift<I>(t);
+    return (lift(h) - lift(s.center)) + lift(t);
   };
   const Vec3<I> x = from_center(a_, on_a), y = from_center(b_, on_b);
   return exact && close_at(x, y, hulls);
 }
 
-template <class R>
-bool BasicFilter<R>::come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const {
-  return close_at(lift<I>(on_a), lift<I>(on_b), {});
+bool Filter::come_near(const Vec3<double>& on_a, const Vec3<double>& on_b) const {
+  return close_at(lift(on_a), lift(on_b), {});
 }
 
-template <class R>
-bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const {
+bool Filter::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const {
   const Hull hull_a = a_.within(hulls[0]), hull_b = b_.within(hulls[1]);
   const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
   return usable_ && is_in(a_, hull_a, x) && is_in(b_, hull_b, y) &&
@@ -204,8 +185,7 @@ bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, cons
 //
 // Two flat solids overlap if their planes, or a plane and a line, cross at a point strictly inside both.
 // Then a - b holds a ball about 0, so f > 0 in every direction.
-template <class R>
-bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
+bool Filter::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   const Hull hull_a = a_.within(hulls[0]), hull_b = b_.within(hulls[1]);
   if (hull_a != Hull::space && hull_b != Hull::space) {
     const bool swap = hull_b != Hull::plane;  // now `second` lies in a plane
@@ -223,8 +203,5 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   if (hull_b != Hull::space) x = moved(b_, hull_b, x - delta_) + delta_;
   return is_strictly_in(a_, hull_a, x) && is_strictly_in(b_, hull_b, x - delta_);
 }
-
-template class BasicFilter<double>;
-template class BasicFilter<long double>;
 
 }  // namespace cyl

@@ -83,18 +83,6 @@ TEST(HalfSpace, VerdictDistanceAndCertificateOfEveryFamily) {
   }
 }
 
-TEST(HalfSpace, TouchingIsDecidedAndProved) {
-  const Solid plane{.center = {0, 0, 0}, .axis = {0, 3, 4}, .shape = Shape::half_space};
-  const Solid ball{.center = {1, 0, 5}, .rounding = 4},
-      rod{.center = {0, 3, 4}, .axis = {0, 6, 8}, .height = 10};
-  for (const Pair& pair : {Pair{plane, ball}, Pair{rod, plane}}) {
-    const Truth truth = judge(pair);
-    EXPECT_EQ(truth.verdict, Verdict::touching);
-    EXPECT_TRUE(is_proof(pair, truth));
-    EXPECT_EQ(enclose_distance(pair, truth).hi, 0);
-  }
-}
-
 TEST(HalfSpace, OnlyItsNormalSeparates) {
   const Solid plane{.axis = {0, 0, 2}, .shape = Shape::half_space}, ball{.center = {0, 0, 3}, .rounding = 1};
   const auto sign = [&](const Pair& pair, double x, double z) {
@@ -104,12 +92,6 @@ TEST(HalfSpace, OnlyItsNormalSeparates) {
   EXPECT_EQ(sign({plane, ball}, 0, -1), 1);
   EXPECT_EQ(sign({plane, ball}, 0x1p-60, 1), 1);
   EXPECT_EQ(sign({ball, plane}, 0, -1), -1);
-}
-
-TEST(HalfSpace, TwoOfThemAreNoPair) {
-  const Solid plane{.shape = Shape::half_space};
-  EXPECT_EQ(judge({plane, plane}).verdict, Verdict::invalid);
-  EXPECT_EQ(find_defect({.radius = 1, .shape = Shape::half_space}), Defect::foreign_length);
 }
 
 }  // namespace

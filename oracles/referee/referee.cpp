@@ -170,41 +170,6 @@ std::optional<Truth> prove_by_filter(const Pair& pair, const Filter& filter,
   return std::nullopt;
 }
 
-// A few digits more are enough for most pairs that rounding in double leaves open.
-std::optional<Truth> prove_by_long_filter(const Pair& pair, const Guess& guess) {
-  using Long = long double;
-  const auto lift = [](const Vector3& v) { return Vec3<Long>{v.x(), v.y(), v.z()}; };
-  const SearchPair<Long> p{
-      lift(pair.a.axis),      lift(pair.b.axis),       lift(pair.b.center) - lift(pair.a.center),
-      pair.a.radius,          Long(pair.a.height) / 2, pair.b.radius,
-      Long(pair.b.height) / 2};
-  constexpr int digits = std::numeric_limits<Long>::digits;
-  const Found<Long> found = search(p, digits);
-  const LongFilter filter(pair);
-  const auto settled = [](Verdict verdict) {
-    Truth t = verdict_alone(verdict);
-    t.bits = digits;
-    return t;
-  };
-  if (found.has_direction && filter.separates(found.direction)) return settled(Verdict::disjoint);
-  const auto times = [](const Vec3<Long>& v, int exponent) {
-    return Vec3<Long>{std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-  };
-  if (found.has_point && filter.overlap_at(times(found.point, -filter.exponent())))
-    return settled(Verdict::intersecting);
-  if (!is_rounded(pair)) return std::nullopt;
-  const auto guessed = [&](const Vec3<double>& v) { return times({v.x, v.y, v.z}, guess.exponent); };
-  const Nearest<Long> nearest = refine_nearest(p, digits, guessed(guess.on_a), guessed(guess.on_b));
-  if (filter.separates(nearest.on_b - nearest.on_a)) return settled(Verdict::disjoint);
-  const Long inward = 1 - std::ldexp(Long(1), 8 - digits);  // farther than rounding carries a point out
-  const auto inside = [&](const Vec3<Long>& from_center) {
-    return times(inward * from_center, -filter.exponent());
-  };
-  if (filter.come_near(inside(nearest.on_a), inside(nearest.on_b - p.delta)))
-    return settled(Verdict::intersecting);
-  return std::nullopt;
-}
-
 // The first convergent of the continued fraction of x that differs from x by at most the tolerance, in
 // double. x must be near 1 or less.
 mpq_class simple_near(double x) {
@@ -310,15 +275,6 @@ Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered) {
   return prove_by_filter(pair, Filter(pair), offered, Certificates::written, guess).value_or(Truth{});
 }
 
-Truth prove_in_long_double(const Pair& pair) {
-  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
-  if (has_half_space(pair)) return judge_half_space(pair);
-  if (has_box(pair)) return prove_in_double(pair);
-  Guess guess;
-  prove_by_filter(pair, Filter(pair), {}, Certificates::left_out, guess);
-  return prove_by_long_filter(pair, guess).value_or(Truth{});
-}
-
 Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   if (has_half_space(pair)) return judge_half_space(pair);
@@ -345,7 +301,6 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (guess.found.has_point &&
       filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);
-  if (auto t = prove_by_long_filter(pair, guess)) return std::move(*t);
   if (auto t = check_offers(pair, offered)) return std::move(*t);
   if (auto t = prove_near(pair, guess)) return std::move(*t);
   return prove_exactly(pair);

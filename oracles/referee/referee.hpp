@@ -37,19 +37,15 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {});
 /// The stages of judge() and judge_verdict(), each alone. A pair that a stage leaves open is `undecided`.
 /// In double with bounds of rounding: the offered witnesses, then one search. Cost: 1 us.
 Truth prove_in_double(const Pair& pair, std::span<const MethodAnswer> offered = {});
-/// The search in long double. Gives no certificate. Cost: 5 us, 15 us for rounded solids.
-Truth prove_in_long_double(const Pair& pair);
 /// In rationals and MPFR: the offered witnesses, then searches with 128 bits and twice as many each time.
 Truth prove_exactly(const Pair& pair, std::span<const MethodAnswer> offered = {},
                     int bits_cap = precision_cap);
 
 /// Returns the same proved verdict as judge(). Leaves out the certificate if a cheaper proof has none:
-/// 1. a proof in long double,
-/// 2. a witness in hulls for flat solids, whose common points are rarely doubles,
-/// 3. algebra at a simple point or in a simple direction. It is tried before the search with many bits.
-/// Cost: that of judge(), with these differences. 1 us for flat solids and for witnesses in hulls. 5 us if
-/// double is not enough, 15 us for rounded solids. 50 us for most pairs that touch exactly and for gaps too
-/// small for long double.
+/// 1. a witness in hulls for flat solids, whose common points are rarely doubles,
+/// 2. algebra at a simple point or in a simple direction. It is tried before the search with many bits.
+/// Cost: that of judge(), with these differences. 1 us for flat solids and for witnesses in hulls. 50 us for
+/// most pairs that touch exactly and for gaps too small for double.
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered = {});
 
 /// Widths of an enclosure, relative to the pair's size. The one for gaps is narrower, because that problem is

@@ -70,12 +70,6 @@ std::optional<ExactVector> written_short(const Solid& c, const Rational3& point)
   return exact_vector(head, tail);
 }
 
-/// The point of a's core that lies farthest along the direction, in multiprecision, from a's centre.
-Vec3<MpFloat> farthest(const SearchPair<MpFloat>& p, const std::array<double, 3>& direction) {
-  const Terms<MpFloat> a{p.axis0 / norm(p.axis0), p.radius0, p.half0};
-  return farthest(a, lifted<MpFloat>(direction));
-}
-
 /// The nearest points that double finds, in a unit of 2^exponent.
 struct DoublePoints {
   Nearest<double> found;
@@ -126,24 +120,11 @@ DoublePoints nearest_from_rims(const Pair& pair) {
 
 /// The starts of the search for the nearest points, in the order in which they are tried. A start may lead
 /// astray if the axes are nearly parallel.
-enum class Start : unsigned char {
-  double_points,
-  corners,
-  rims,
-  middle,
-  first_end,
-  other_end,
-  first_end_of_b,
-  other_end_of_b,
-  by_cells
-};
+enum class Start : unsigned char { double_points, corners, rims, middle };
 
 Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start start) {
   const PrecisionScope precision(bits);
   const SearchPair<MpFloat> p = multiprecision_pair(pair);
-  const auto end = [](const Vec3<MpFloat>& axis, const MpFloat& half) {
-    return (half / sqrt(dot(axis, axis))) * axis;
-  };
   switch (start) {
     case Start::double_points: {
       const DoublePoints guess = nearest_in_double(pair);
@@ -167,25 +148,9 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
       return find_nearest(p, bits, guess.lifted(guess.found.on_b));
     }
     case Start::middle:
-      return find_nearest(p, bits, MpFloat(0.5) * p.delta);
-    case Start::first_end:
-      return find_nearest(p, bits, end(p.axis0, p.half0));
-    case Start::other_end:
-      return find_nearest(p, bits, end(p.axis0, MpFloat(0) - p.half0));
-    case Start::first_end_of_b:
-      return find_nearest(p, bits, p.delta + end(p.axis1, p.half1));
-    case Start::other_end_of_b:
-      return find_nearest(p, bits, p.delta + end(p.axis1, MpFloat(0) - p.half1));
-    case Start::by_cells:
       break;
   }
-  // Starts in the direction in which the cells of the enclosure find the cores apart.
-  constexpr double cells_tol = 1e-9;  // of the size
-  Pair cores = pair;
-  cores.a.rounding = cores.b.rounding = 0;
-  Truth apart;
-  apart.verdict = Verdict::disjoint;
-  return find_nearest(p, bits, farthest(p, attain_distance(cores, apart, cells_tol).direction));
+  return find_nearest(p, bits, MpFloat(0.5) * p.delta);
 }
 
 /// Returns whether the point is in the core grown by the slack on all sides.
@@ -353,9 +318,7 @@ std::optional<Truth> prove_cores_meet(const Pair& pair, const Rational3& point, 
 
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
   const Rational3 center = exact(pair.a.center);
-  for (const Start start :
-       {Start::double_points, Start::corners, Start::rims, Start::middle, Start::first_end, Start::other_end,
-        Start::first_end_of_b, Start::other_end_of_b, Start::by_cells}) {
+  for (const Start start : {Start::double_points, Start::corners, Start::rims, Start::middle}) {
     const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
     const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
     const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;

@@ -3,17 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <string>
 
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/certificate_check.hpp"
-#include "oracles/referee/decide_exactly.hpp"
 #include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/referee/search.hpp"
-#include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
@@ -26,14 +21,6 @@ MethodAnswer point_in(Hull hull_a, Hull hull_b, const Vector3& at) {
   answer.hulls[0] = hull_a;
   answer.hulls[1] = hull_b;
   return answer;
-}
-
-MethodAnswer witness_of(const Answer& answer, const Pair& pair) {
-  MethodAnswer witness;
-  witness.status = Status::answered;
-  witness.verdict = answer.verdict;
-  witness.set_witness(certificate_of(answer, pair.a, pair.b));
-  return witness;
 }
 
 Pair swapped(const Pair& pair) { return {pair.b, pair.a}; }
@@ -85,51 +72,6 @@ TEST(HullWitness, StandsForARationalPoint) {
     }
 }
 
-TEST(HullWitness, IsThePointNearestToTheOneWritten) {
-  // The disks cross along z at x = 2. They share -0.5 <= z - 3 <= 0.5 of this line.
-  const Pair pair{{{0, 0, 3}, {0, 1, 0}, 4, 0}, {{2, 0, 3}, x, 0.5, 0}};
-  const auto said = [&](const Vector3& at) {
-    return check_witness(pair, point_in(Hull::plane, Hull::plane, at));
-  };
-  for (const double off : {0.0, 0.25, 100.0}) {
-    EXPECT_EQ(said({2 + off, -off, 3.5}), Verdict::intersecting) << off;
-    EXPECT_EQ(said({2 + off, -off, 3.5 + 0x1p-40}), Verdict::undecided) << off;
-  }
-}
-
-TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
-  // The rods cross each other. Their lines pass at a distance of 2^-80.
-  const Pair pair{{{0, 0, 0}, x, 0.125, 2}, {{0, 0, 0x1p-80}, {0, 1, 0}, 0.125, 2}};
-  const Vector3 origin(0, 0, 0);
-  EXPECT_EQ(check_witness(pair, point_in(Hull::line, Hull::line, origin)), Verdict::undecided);
-  EXPECT_EQ(check_witness(pair, point_in(Hull::center, Hull::center, origin)), Verdict::undecided);
-  for (const Hull hull : {Hull::space, Hull::plane, Hull::line, Hull::center}) {
-    EXPECT_EQ(check_witness(pair, point_in(hull, Hull::space, origin)), Verdict::intersecting);
-    EXPECT_EQ(check_witness(pair, point_in(Hull::space, hull, origin)), Verdict::intersecting);
-  }
-  // The hulls meet here, but in no inner point of the solids.
-  EXPECT_EQ(check_witness({segment, {{9, 9, 0}, z, 2, 0}}, point_in(Hull::line, Hull::plane, beside)),
-            Verdict::undecided);
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(check_witness(pair, point_in(Hull::center, Hull::space, {infinity, 0, 0})), Verdict::undecided);
-}
-
-TEST(HullWitness, OfTouchingLeavesItTouching) {
-  const Pair touching[] = {{{{0, 0, 0}, z, 2, 0}, {{1, 0, 0}, z, 2, 0}},          // in one plane
-                           {{{0, 0, 0}, z, 2, 0}, {{0, 0, 0}, x, 0, 4}},          // lies in it
-                           {{{0, 0, 0}, diagonal, 0, 2}, {{0, 0, 0}, x, 0, 4}}};  // segments that cross
-  for (const Pair& pair : touching) {
-    const Hull of_b = pair.b.radius > 0 ? Hull::plane : Hull::line;
-    const Hull of_a = pair.a.radius > 0 ? Hull::plane : Hull::line;
-    const MethodAnswer witness = point_in(of_a, of_b, {0, 0, 0});
-    EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << format_pair(pair);
-    EXPECT_EQ(judge(pair, {&witness, 1}).verdict, Verdict::touching) << format_pair(pair);
-    EXPECT_EQ(judge_verdict(pair, {&witness, 1}).verdict, Verdict::touching) << format_pair(pair);
-    EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << format_pair(pair);
-  }
-}
-
-// Every witness that decide() offers holds, and the referee's verdict is the same with it and without it.
 TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
   const Solid disk{{0, 0, 0}, {1, 2, 3}, 1, 0};
   Solid above = disk;
@@ -141,31 +83,6 @@ TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
   EXPECT_EQ(check_witness({disk, above}, witness), Verdict::disjoint);
   above.axis = {1, 2, 4};
   EXPECT_EQ(check_witness({disk, above}, witness), Verdict::undecided);
-}
-
-TEST(Witness, OfOurSolverIsNotNeeded) {
-  int witnesses = 0, in_hulls = 0;
-  for (const Family& family : families())
-    for (std::uint64_t i = 0; i < 60; ++i) {
-      const Pair pair = family.generate(20261122, i);
-      const Answer answer = decide(pair.a, pair.b);
-      if (answer.proof == Proof::none) continue;
-      ++witnesses;
-      in_hulls += answer.hull_a != Hull::space || answer.hull_b != Hull::space;
-      const MethodAnswer witness = witness_of(answer, pair);
-      const std::string what = std::string(family.name) + " " + format_pair(pair);
-      EXPECT_EQ(check_witness(pair, witness), answer.verdict) << what;
-      const Truth alone = judge(pair), with = judge(pair, {&witness, 1}),
-                  exactly = decide_exactly(pair.a, pair.b);
-      EXPECT_EQ(alone.verdict, with.verdict) << what;
-      EXPECT_EQ(alone.verdict, exactly.verdict) << what;
-      if (exactly.certificate.kind == CertificateKind::point) {
-        EXPECT_EQ(exactly.certificate.hulls, Hulls{}) << what;
-        EXPECT_TRUE(in_both_exact(pair, exact(exactly.certificate.vector))) << what;
-      }
-    }
-  EXPECT_GT(witnesses, 1000);
-  EXPECT_GT(in_hulls, 30);
 }
 
 // The best slice ends the range. There one disk's width is 0, and two of the four functions tie.

@@ -60,48 +60,72 @@ std::optional<Found> found(const std::optional<Finding>& finding) {
   return finding ? std::optional(Found(finding->kind, finding->severity)) : std::nullopt;
 }
 
-TEST(Compare, ARightAnswerIsNoFindingAndAsksNoDistance) {
-  Known known{0.5};
-  Trial trial = known.trial(Verdict::disjoint);
-  EXPECT_FALSE(compare(trial, none, answered(Verdict::disjoint)));
-  EXPECT_EQ(known.asked, 0);
-  EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, answered(Verdict::intersecting)));
-  EXPECT_FALSE(judged(Verdict::touching, 0, none, answered(Verdict::intersecting)));
-  EXPECT_FALSE(judged(Verdict::touching, 0, none, answered(Verdict::touching)));
-}
+constexpr Verdict apart = Verdict::disjoint, meet = Verdict::intersecting, touch = Verdict::touching;
+constexpr double largest = std::numeric_limits<double>::max();
 
-TEST(Compare, AWrongVerdictBeyondTheClaimIsAContractFinding) {
+TEST(Compare, HoldsAnAnswerToTruthAndClaim) {
+  using enum FindingKind;
+  constexpr Severity contract = Severity::contract, resolution = Severity::resolution;
   const Claim claim{1e-3, 1e-3, ""};  // reaches to 9e-3
-  const auto disjoint = judged(Verdict::intersecting, -0.01, claim, answered(Verdict::disjoint));
-  ASSERT_EQ(found(disjoint), Found(FindingKind::wrong_disjoint, Severity::contract));
-  EXPECT_LE(disjoint->margin->lo, 0.01 / size);
-  EXPECT_GE(disjoint->margin->hi, 0.01 / size);
-  const auto intersecting = judged(Verdict::disjoint, 0.01, claim, answered(Verdict::intersecting));
-  ASSERT_EQ(found(intersecting), Found(FindingKind::wrong_intersecting, Severity::contract));
+  const struct {
+    Verdict truth;
+    double distance;
+    Claim claim;
+    MethodAnswer said;
+    std::optional<Found> found;
+    std::optional<double> margin = {};  ///< times the size
+  } rows[] = {
+      {apart, 0.5, none, answered(apart), {}},
+      {meet, -0.5, none, answered(meet), {}},
+      {touch, 0, none, answered(meet), {}},
+      {touch, 0, none, answered(touch), {}},
+      {meet, -0.01, claim, answered(apart), Found(wrong_disjoint, contract), 0.01},
+      {apart, 0.01, claim, answered(meet), Found(wrong_intersecting, contract), 0.01},
+      {meet, -0.0089, claim, answered(apart), Found(wrong_disjoint, resolution)},
+      {apart, 0.0089, claim, answered(touch), Found(wrong_intersecting, resolution)},
+      // The first enclosure shows neither.
+      {apart, 1e-11, {1e-13, 0, ""}, answered(meet), Found(wrong_intersecting, contract)},
+      {apart, 1e-11, {1e-11, 0, ""}, answered(meet), Found(wrong_intersecting, resolution)},
+      {touch, 0, {0, 1e-9, ""}, answered(apart), Found(wrong_disjoint, resolution), 0},
+      {touch, 0, none, answered(apart), Found(wrong_disjoint, contract), 0},
+      // The distance is not certainly other than 0.
+      {meet, -1e-8, none, answered(touch), {}},
+      {meet, -0.5, none, answered(touch), Found(wrong_touching, contract)},
+      {apart, 1, none, answered(Verdict::undecided), {}},
+      {Verdict::undecided, 0, none, answered(apart), {}},
+      {Verdict::undecided, 0, none, said_distance(meet, 9), {}},
+      {apart, 1, {1, 1, ""}, answered(Verdict::invalid), Found(wrong_invalid, contract)},
+      {apart, 0.5, claim, said_distance(apart, 0.5089), {}},
+      {apart, 0.5, claim, said_distance(apart, 0.4911), {}},
+      {apart, 0.5, claim, said_distance(apart, 0.51), Found(distance_outside, contract), 0.01},
+      {apart, 0.5, claim, said_distance(apart, 0.49), Found(distance_outside, contract), 0.01},
+      // A rounded distance is not a fault of a method that claims exactness.
+      {apart, 0.1, none, said_distance(apart, std::nextafter(0.1, 1)), {}},
+      {apart, 0.1, none, said_distance(apart, 0.1 + 1e-12), Found(distance_outside, contract)},
+      {apart, 0.5, {0, 1e-6, ""}, said_distance(apart, largest), Found(non_finite, contract)},
+      {meet, -0.5, {0, 1e-6, ""}, said_distance(meet, -largest), Found(non_finite, contract)},
+      {apart, 0.5, none, said_distance(meet, -3), Found(wrong_intersecting, contract)},
+      // A verdict within the claim excuses no distance.
+      {apart, 0.5, {0, 0.6, ""}, said_distance(meet, -0.01), Found(wrong_intersecting, resolution)},
+      {apart, 0.5, {0, 0.6, ""}, said_distance(meet, -3), Found(distance_outside, contract)},
+      {apart, 0.5, {0, 0.6, ""}, said_distance(meet, -largest), Found(non_finite, contract)},
+  };
+  for (std::size_t i = 0; i < std::size(rows); ++i) {
+    const auto& row = rows[i];
+    const auto finding = judged(row.truth, row.distance, row.claim, row.said);
+    EXPECT_EQ(found(finding), row.found) << i;
+    if (!row.margin || !finding) continue;
+    EXPECT_LE(finding->margin->lo, *row.margin / size) << i;
+    EXPECT_GE(finding->margin->hi, *row.margin / size) << i;
+    EXPECT_NEAR(finding->margin->lo, *row.margin / size, 1e-5) << i;
+  }
 }
 
-TEST(Compare, AWrongVerdictWithinTheClaimIsAResolutionFinding) {
-  const Claim claim{1e-3, 1e-3, ""};
-  EXPECT_EQ(judged(Verdict::intersecting, -0.0089, claim, answered(Verdict::disjoint))->severity,
-            Severity::resolution);
-  EXPECT_EQ(judged(Verdict::disjoint, 0.0089, claim, answered(Verdict::touching))->severity,
-            Severity::resolution);
-}
-
-TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
-  // 1e-11 / 8 is above a claim of 1e-13 and below one of 1e-11. The first enclosure shows neither.
-  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-13, 0, ""}, answered(Verdict::intersecting))->severity,
-            Severity::contract);
-  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-11, 0, ""}, answered(Verdict::intersecting))->severity,
-            Severity::resolution);
-}
-
-TEST(Compare, WhereTheEnclosureCannotBeNarrowedTheClaimCountsAsKept) {
-  Trial trial(upright(0.5), truth_of(Verdict::disjoint));
-  trial.enclose = [](double) { return Enclosure{0.1, 0.9}; };
-  const auto finding = compare(trial, {0, 0.5, ""}, answered(Verdict::intersecting));
-  ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->severity, Severity::resolution);
+TEST(Compare, ARightAnswerAsksNoDistance) {
+  Known known{0.5};
+  Trial trial = known.trial(apart);
+  EXPECT_FALSE(compare(trial, none, answered(apart)));
+  EXPECT_EQ(known.asked, 0);
 }
 
 TEST(Compare, AtTheClaimItselfTheMethodPromises) {
@@ -112,6 +136,9 @@ TEST(Compare, AtTheClaimItselfTheMethodPromises) {
   };
   EXPECT_EQ(severity(0.5 * (1 - 0x1p-30)), Severity::contract);
   EXPECT_EQ(severity(0.5 * (1 + 0x1p-40)), Severity::resolution);
+  trial.forget_distance();
+  trial.enclose = [](double) { return Enclosure{0.1, 0.9}; };
+  EXPECT_EQ(severity(0.5), Severity::resolution) << "it cannot be narrowed";
 }
 
 TEST(Compare, NoLengthIsAskedBelowTheRoundingOfWhatIsMeasured) {
@@ -120,14 +147,6 @@ TEST(Compare, NoLengthIsAskedBelowTheRoundingOfWhatIsMeasured) {
   EXPECT_GT(reach({0, 1e-6, ""}, size), 0x1p26) << "one in ten million million of it";
   EXPECT_EQ(reach({0, 0, ""}, size), 0) << "always right is always right";
   EXPECT_NEAR(reach({0, 1e-6, ""}, 5), 1e-6, 1e-12);
-}
-
-TEST(Compare, DisjointOfATouchingPairHasMarginZero) {
-  const auto tolerant = judged(Verdict::touching, 0, {0, 1e-9, ""}, answered(Verdict::disjoint));
-  ASSERT_EQ(found(tolerant), Found(FindingKind::wrong_disjoint, Severity::resolution));
-  EXPECT_EQ(tolerant->margin->lo, 0);
-  EXPECT_EQ(tolerant->margin->hi, 0);
-  EXPECT_EQ(judged(Verdict::touching, 0, none, answered(Verdict::disjoint))->severity, Severity::contract);
 }
 
 TEST(Compare, ALowerBoundOfTheDistanceIsWrongOnlyIfTheDistanceIsLess) {
@@ -161,23 +180,6 @@ TEST(Compare, TwoBoundsAreTheSameOnlyIfTheirLengthsAre) {
   EXPECT_FALSE(same_answer(x, y));
 }
 
-TEST(Compare, TouchingIsWrongOnlyWhereTheDistanceIsCertainlyNotZero) {
-  EXPECT_FALSE(judged(Verdict::intersecting, -1e-8, none, answered(Verdict::touching)));
-  const auto deep = judged(Verdict::intersecting, -0.5, none, answered(Verdict::touching));
-  ASSERT_EQ(found(deep), Found(FindingKind::wrong_touching, Severity::contract));
-}
-
-TEST(Compare, UndecidedIsNeverWrongAndNothingIsWrongOfAnUndecidedTruth) {
-  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answered(Verdict::undecided)));
-  EXPECT_FALSE(judged(Verdict::undecided, 0, none, answered(Verdict::disjoint)));
-  EXPECT_FALSE(judged(Verdict::undecided, 0, none, said_distance(Verdict::intersecting, 9)));
-}
-
-TEST(Compare, InvalidOfALegalPairIsWrong) {
-  const auto finding = judged(Verdict::disjoint, 1, {1, 1, ""}, answered(Verdict::invalid));
-  ASSERT_EQ(found(finding), Found(FindingKind::wrong_invalid, Severity::contract));
-}
-
 TEST(Compare, AFailureIsAContractFindingWhateverTheTruthAndADeclinedPairIsNone) {
   MethodAnswer answer;
   EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));
@@ -205,25 +207,6 @@ TEST(Compare, ANumberThatIsNotFiniteIsAFinding) {
   EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));  // no witness offered: the bytes mean nothing
   answer.witness = CertificateKind::direction;
   EXPECT_EQ(judged(Verdict::disjoint, 1, none, answer)->kind, FindingKind::non_finite);
-}
-
-TEST(Compare, ADistanceMayBeOffByTheClaimAndNoMore) {
-  const Claim claim{1e-3, 1e-3, ""};
-  EXPECT_FALSE(judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.5089)));
-  EXPECT_FALSE(judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.4911)));
-  for (const double off : {0.01, -0.01}) {
-    const auto finding = judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.5 + off));
-    ASSERT_EQ(found(finding), Found(FindingKind::distance_outside, Severity::contract));
-    EXPECT_NEAR(finding->margin->lo, 0.01 / size, 1e-5);
-    EXPECT_LE(finding->margin->lo, 0.01 / size);
-    EXPECT_GE(finding->margin->hi, 0.01 / size);
-  }
-}
-
-TEST(Compare, ARoundedDistanceIsNoFaultOfAMethodThatClaimsExactness) {
-  EXPECT_FALSE(
-      judged(Verdict::disjoint, 0.1, none, said_distance(Verdict::disjoint, std::nextafter(0.1, 1))));
-  EXPECT_TRUE(judged(Verdict::disjoint, 0.1, none, said_distance(Verdict::disjoint, 0.1 + 1e-12)));
 }
 
 TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
@@ -270,31 +253,6 @@ TEST(Compare, UndecidedIsAFaultWhereAVerdictIsPromised) {
   for (const auto& finding : {of(DecisionScope::above_1e13, 1e-11), of(DecisionScope::all, 1e-14)}) {
     ASSERT_EQ(found(finding), Found(FindingKind::left_undecided, Severity::contract));
   }
-}
-
-TEST(Compare, TheLargestDoubleIsNoDistance) {
-  for (const double said : {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()}) {
-    const Verdict verdict = said > 0 ? Verdict::disjoint : Verdict::intersecting;
-    const auto finding = judged(verdict, said > 0 ? 0.5 : -0.5, {0, 1e-6, ""}, said_distance(verdict, said));
-    ASSERT_EQ(found(finding), Found(FindingKind::non_finite, Severity::contract));
-  }
-}
-
-TEST(Compare, TheVerdictComesBeforeTheDistance) {
-  EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
-            FindingKind::wrong_intersecting);
-}
-
-TEST(Compare, AVerdictWithinTheClaimExcusesNoDistance) {
-  const Claim claim{0, 0.6, ""};
-  const auto finding = [&](double distance) {
-    return judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::intersecting, distance));
-  };
-  EXPECT_EQ(finding(-0.01)->kind, FindingKind::wrong_intersecting);
-  EXPECT_EQ(finding(-0.01)->severity, Severity::resolution);
-  EXPECT_EQ(finding(-3)->kind, FindingKind::distance_outside);
-  EXPECT_EQ(finding(-3)->severity, Severity::contract);
-  EXPECT_EQ(finding(-std::numeric_limits<double>::max())->kind, FindingKind::non_finite);
 }
 
 TEST(Compare, AWitnessMustProveWhatWasSaid) {

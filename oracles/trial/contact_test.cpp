@@ -117,14 +117,6 @@ TEST(ContactFeatureOf, PlainScenes) {
   }
 }
 
-// The axes are nearly parallel. The common normal is the direction, however small the angle is.
-TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
-  for (int power = 3; power <= 15; ++power) {
-    const Solid a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
-    EXPECT_EQ(to_string(*contact_feature({a, b})), "side-side") << power;
-  }
-}
-
 Solid box(Vector3 center, std::array<double, 3> edges, std::array<double, 4> quaternion = {1, 0, 0, 0}) {
   Solid s;
   s.shape = Shape::box;
@@ -207,35 +199,6 @@ TEST(Contains, IsSharp) {
     EXPECT_EQ(contains(outer, solid(outer.center, w + u, 2 + off, 0)), in);
   }
   EXPECT_TRUE(contains(outer, outer));
-}
-
-// f at the direction handed out is within the enclosure, and the enclosure is the one without a direction,
-// but nearer to touching than the width.
-TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
-  using Wide3 = Eigen::Matrix<long double, 3, 1>;
-  for (const Family& family : families())
-    for (std::uint64_t i = 0; i < 40; ++i) {
-      const Pair p = family.generate(seed, i);
-      const Truth truth = judge(p);
-      const AttainedDistance found = attain_distance(p, truth, 1e-11);
-      const Enclosure plain = enclose_distance(p, truth, 1e-11);
-      ASSERT_LE(std::max(found.distance.lo, plain.lo), std::min(found.distance.hi, plain.hi));
-      if (plain.lo > 0 || plain.hi < 0) {
-        ASSERT_EQ(found.distance.lo, plain.lo);
-        ASSERT_EQ(found.distance.hi, plain.hi);
-      }
-      const Wide3 d(found.direction[0], found.direction[1], found.direction[2]);
-      ASSERT_NEAR(static_cast<double>(d.norm()), 1, 1e-15) << format_pair(p);
-      const Wide3 delta = p.b.center.cast<long double>() - p.a.center.cast<long double>();
-      long double gap = d.dot(delta);
-      for (const Solid& c : {p.a, p.b}) {
-        const Wide3 w = c.axis.cast<long double>().stableNormalized();
-        gap -= c.radius * d.cross(w).norm() + c.height / 2 * std::abs(d.dot(w));
-      }
-      const double allowed = 1e-14 * (size_of(p) + static_cast<double>(delta.stableNorm()));
-      EXPECT_GE(static_cast<double>(gap), found.distance.lo - allowed) << format_pair(p);
-      EXPECT_LE(static_cast<double>(gap), found.distance.hi + allowed) << format_pair(p);
-    }
 }
 
 TEST(AngleClassOf, IsExactWhereItSaysSo) {

@@ -98,10 +98,6 @@ TEST(Laws, AreNumberedByKindAndFoundByNumber) {
   EXPECT_THROW(law_numbered(99), std::invalid_argument);
 }
 
-TEST(Laws, SayNothingOfAMethodThatDeclines) {
-  EXPECT_EQ(laws_broken_by(Planted([](const Pair&) { return MethodAnswer{}; })), Numbers{});
-}
-
 TEST(Laws, SayNothingOfAMethodThatIsNeverSure) {
   EXPECT_EQ(laws_broken_by(plant(
                 "intersect", [](const Pair&, MethodAnswer& answer) { answer.verdict = Verdict::undecided; })),

@@ -259,26 +259,6 @@ TEST(SimplifyTo, WhatFailedWithinAnyCap) {
   }
 }
 
-// The data of the cause key does not depend on the start of the search.
-TEST(SimplifyTo, OneCauseForOneFault) {
-  for (const ContactFeature feature : {ContactFeature::side_rim, ContactFeature::rim_rim}) {
-    const Fails tolerance = [&](const Pair& p) {
-      const Truth truth = judge(p);
-      return truth.verdict == Verdict::intersecting && enclose_distance(p, truth, 1e-12).lo > -1e-6 &&
-             contact_feature(p, truth) == feature;
-    };
-    for (const int decade : {7, 9})
-      for (std::uint64_t i = 1; i < 6; i += 2) {
-        const Pair pair = *draw_in_stratum(feature, decade, seed, i);
-        if (!tolerance(pair)) continue;
-        const Pair s = simplify_by(pair, tolerance).pair;
-        EXPECT_EQ(coordinate_of(s, -enclose_distance(s, judge(s)).lo / size_of(s)), Coordinate::margin)
-            << format_pair(s);
-        EXPECT_LE(complexity(s).digits, 25) << format_pair(s);
-      }
-  }
-}
-
 TEST(SimplifyTo, ItselfWhereThePairIsIllegal) {
   Pair pair = find_family("random")->generate(seed, 0);
   pair.a.radius = -1;
@@ -304,27 +284,6 @@ TEST(SimplifyTo, SomethingLegalFromAnyLengths) {
       EXPECT_TRUE(!answer || complexity(s.pair).digits == (length == 0 ? 2 : 6)) << format_pair(s.pair);
     }
   }
-}
-
-TEST(ComplexityOf, CountsDecimals) {
-  Pair pair;
-  pair.a = {{0, 0, -0.25}, {0, 0, 1}, 120, 1e-9};
-  pair.b = {{-0.0, 0, 0}, {0.5, 0, 3e10}, 0.1, 1};
-  const Complexity c = complexity(pair);
-  EXPECT_EQ(c.digits, 2 + 1 + 2 + 1 + 1 + 1 + 1 + 1);
-  EXPECT_EQ(c.non_zero, 8);
-  EXPECT_EQ(c.extremes, 1 + 8 + 9);  // 120, 1e-9, 3e10
-  EXPECT_EQ(c.fractional, 4);
-  EXPECT_EQ(c.exponents, 1 + 0 + 2 + 9 + 1 + 10 + 1 + 0);
-  EXPECT_EQ(c.distinct, 7);
-  EXPECT_EQ(c.negative, 2);
-  EXPECT_EQ(c.digit_sum, 7 + 1 + 3 + 1 + 5 + 3 + 1 + 1);
-  Pair other = pair;
-  EXPECT_EQ(complexity(other), c);
-  other.b.center.x() = 0;
-  EXPECT_LT(complexity(other), c);
-  other.a.radius = 121;
-  EXPECT_GT(complexity(other), c);
 }
 
 }  // namespace

@@ -37,35 +37,6 @@ void expect(Verdict verdict, const Solid& a, const Solid& b) {
 
 const Solid upright{{0, 0, 0}, {0, 0, 1}, 1, 2};
 
-TEST(Separation2008, CoincidentCentres) {
-  expect(Verdict::intersecting, upright, {{0, 0, 0}, {1, 2, 3}, 1, 2});
-}
-
-TEST(Separation2008, RimCentresThatCoincide) {  // phi = 0
-  expect(Verdict::intersecting, upright, {{1, 0, 1}, {1, 0, 0}, 1, 2});
-}
-
-TEST(Separation2008, ParallelAxes) {
-  expect(Verdict::intersecting, upright, {{1.5, 0, 1.5}, {0, 0, -1}, 1, 2});
-  const Solid beside{{2.5, 0, 1}, {0, 0, -1}, 1, 2}, above{{0.5, 0, 2.5}, {0, 0, 1}, 1, 2};
-  for (const Solid& b : {beside, above})
-    EXPECT_EQ(separation_2008(upright, b, CircleWay::polynomial, CriticalWay::normalised, careful).verdict,
-              Verdict::disjoint);
-}
-
-TEST(Separation2008, NearlyParallelAxes) {
-  for (const double angle : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14}) {
-    SCOPED_TRACE(angle);
-    expect(Verdict::disjoint, upright, {{1.5, 1.5, 0.5}, {angle, angle / 3, 1}, 1, 2});
-    expect(Verdict::intersecting, upright, {{1.3, 1.3, 0.5}, {angle, angle / 3, 1}, 1, 2});
-  }
-}
-
-TEST(Separation2008, PerpendicularAxes) {
-  expect(Verdict::disjoint, upright, {{1.8, 1.8, 0}, {0, 1, 0}, 1, 2});
-  expect(Verdict::intersecting, upright, {{1.6, 1.6, 0}, {0, 1, 0}, 1, 2});
-}
-
 // G falls all along the text's line, to f(U0) = 0.
 TEST(Separation2008, GapThatVanishesAtU0) {
   expect(Verdict::disjoint, {{-1, 1, 3}, {0, 0, -1}, 3, 3}, {{3, -3, 3}, {0, 1, 0}, 1, 2});
@@ -96,39 +67,6 @@ TEST(Literal2008, AxesAreParallelIfTheirProductIsZero) {
   for (const double angle : {0.0, 1e-16})
     EXPECT_EQ(literally(a, {{3, 0, 1e9}, {angle, 0, 1}, 1, 2e9}, Fault::cancelling_distance),
               angle > 0 ? Verdict::disjoint : Verdict::intersecting);
-}
-
-TEST(Separation2008, OneDeterminantZero) {
-  // phi = (2, 0, 0) is perpendicular to W0 alone.
-  const Solid b{Vector3(2, 0, 1) + Vector3(1, 1, 1).normalized(), {1, 1, 1}, 0.5, 2};
-  const SmoothGap g(solids_of(upright, b), 1, 1);
-  ASSERT_LT(std::fabs(g.system.det0), 1e-15);
-  ASSERT_GT(std::fabs(g.system.det1), 0.1);
-  CriticalSystem s = g.system;
-  s.det0 = 0;
-  for (int swap = 0; swap < 2; ++swap) {
-    for (const bool unit : {true, false}) {
-      const CriticalPairs pairs = solve_singular(s, unit);
-      ASSERT_EQ(pairs.count, 2);
-      for (int i = 0; i < 2; ++i) {
-        const Vector2 p0 = pairs.eta0[i], p1 = pairs.eta1[i];
-        EXPECT_LT((s.r0 * (s.b0 * p0) + s.r1 * (s.b1 * p1)).norm(), 1e-14);
-        EXPECT_NEAR(p0.norm(), p1.norm(), 1e-14);
-        EXPECT_EQ(unit, std::fabs(p0.norm() - 1) < 1e-14) << "|B0^T zeta| is not 1 here";
-      }
-    }
-    std::swap(s.b0, s.b1);
-    std::swap(s.r0, s.r1);
-    std::swap(s.det0, s.det1);
-  }
-  expect(Verdict::disjoint, upright, b);
-}
-
-TEST(Separation2008, BothDeterminantsZero) {
-  // The rims' centres are joined by a common perpendicular of the axes.
-  const Vector3 w(0, 1, 0);
-  expect(Verdict::disjoint, upright, {Vector3(2.1, 0, 1) + w, w, 1, 2});
-  expect(Verdict::intersecting, upright, {Vector3(1.9, 0, 1) + w, w, 1, 2});
 }
 
 // Separated if and only if |phi|^2 > (r0 + r1)^2, both ways: at any angle the end disks reach along phi.
@@ -174,53 +112,7 @@ TEST(Separation2008, EqualEigenvalues) {
   }
 }
 
-TEST(Separation2008, RadiusZero) {
-  const Solid rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
-  expect(Verdict::disjoint, rod, {{0.1, 0, 0}, {1, 2, 0.5}, 0, 2});
-  expect(Verdict::disjoint, rod, {{1.1, 0, 0.5}, {0.1, 2, 0.5}, 1, 2});
-  expect(Verdict::intersecting, rod, {{0.9, 0, 0.5}, {0.1, 2, 0.5}, 1, 2});
-}
-
-TEST(Separation2008, HeightZero) {
-  const Solid disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
-  expect(Verdict::disjoint, disk, {{1.2, 1.2, 0.3}, {1, 1, 0.2}, 0.6, 0});
-  expect(Verdict::disjoint, disk, {{0, 1, 0.8}, {0.3, 1, 0.2}, 0.5, 0});
-  expect(Verdict::intersecting, disk, {{0, 0.5, 0.3}, {0.3, 1, 0.2}, 0.5, 0});
-}
-
-TEST(Separation2008, Invalid) {
-  EXPECT_EQ(separation_2008(upright, {{0, 0, 0}, {0, 0, 0}, 1, 1}, CircleWay::minimise,
-                            CriticalWay::normalised, careful)
-                .verdict,
-            Verdict::invalid);
-}
-
 const Solid oblique{{3, -2, 1}, {1, 0.5, 0.3}, 0.7, 1.5};
-
-TEST(Separation2008, TangentLineIsF) {
-  const Solids p = solids_of(upright, oblique);
-  for (int i = 0; i < 2; ++i) {
-    const TangentLine line(Circle(p, i), 0.6, -0.8);
-    for (double x : {-3.0, -0.4, 0.0, 1.0, 7.0}) {
-      const double by_terms = line.r0 * std::sqrt(x * x + 1) +
-                              line.r1 * std::sqrt((line.q2 * x + 2 * line.q1) * x + line.q0) +
-                              line.side * std::fabs(line.a1 * x + line.b1) - std::fabs(line.a2 * x + line.b2);
-      EXPECT_NEAR(by_terms, p.gap(line.direction(x)), 1e-13);
-    }
-  }
-}
-
-TEST(Separation2008, DerivativesOfG) {
-  const TangentLine line(Circle(solids_of(upright, oblique), 0), 0.6, -0.8);
-  const auto g = [&](double x) {
-    return line.r0 * std::sqrt(x * x + 1) + line.r1 * std::sqrt((line.q2 * x + 2 * line.q1) * x + line.q0);
-  };
-  const double h = 1e-5;
-  for (double x : {-3.0, -0.4, 0.0, 1.0, 7.0}) {
-    EXPECT_NEAR(line.rise(x), (g(x + h) - g(x - h)) / (2 * h), 1e-9);
-    EXPECT_NEAR(line.bend(x), (line.rise(x + h) - line.rise(x - h)) / (2 * h), 1e-9);
-  }
-}
 
 // The term printed, sigma2 b2, is not the derivative.
 TEST(Separation2008, LastTermOfTheDerivativeIsA2) {
@@ -231,21 +123,6 @@ TEST(Separation2008, LastTermOfTheDerivativeIsA2) {
   const double slope = (f(x + h) - f(x - h)) / (2 * h);
   EXPECT_NEAR(slope, line.rise(x) - line.k(sigma1, sigma2), 1e-8);
   EXPECT_GT(std::fabs(slope - (line.rise(x) + sigma1 * line.side * line.a1 - sigma2 * line.b2)), 0.1);
-}
-
-TEST(Separation2008, CriticalPointsAreRootsOfThePolynomial) {
-  const TangentLine line(Circle(solids_of(upright, oblique), 0), 0.6, -0.8);
-  for (double x : {-2.0, -0.3, 0.7, 1.5}) {
-    const auto roots = real_roots(line.critical_polynomial(line.rise(x)), 1e-6);
-    const auto end = roots.x.begin() + roots.count;
-    EXPECT_TRUE(std::any_of(roots.x.begin(), end, [&](double root) { return std::fabs(root - x) < 1e-9; }));
-  }
-}
-
-// With V along W0 x W1 only even powers are left: the polynomial is of degree 4 in x^2.
-TEST(Separation2008, PolynomialIsEvenWithVAlongTheCommonNormal) {
-  const auto c = TangentLine(Circle(solids_of(upright, oblique), 0), 0, 1).critical_polynomial(0.7);
-  for (std::size_t odd = 1; odd < 9; odd += 2) EXPECT_EQ(c[odd], 0);
 }
 
 // |A0 x + B0| = 0 asks for perpendicular axes and is W1 itself, which section 7 has tested: no verdict hangs
@@ -305,29 +182,6 @@ TEST(Separation2008, CriticalPointsComeWithEitherSign) {
   EXPECT_GT(negative, 0);
 }
 
-// Section 12: the two equations in x and y have the solution that the cross product has.
-TEST(Separation2008, EquationsForXAndYAreTheCrossProduct) {
-  int compared = 0;
-  for (double z = -5; z < 5; z += 0.25) {
-    const Solids p =
-        solids_of({{0, 0, 0}, {-0.7, 0.64, -0.4}, 3.2, 0.1}, {{2.5, -0.8, z}, {1, 0.05, 0.03}, 2, 0.1});
-    const SmoothGap g(p, 1, 1);
-    const CriticalPairs pairs = solve_normalised(g.system, {});
-    for (int i = 0; i < pairs.count; ++i, ++compared) {
-      const Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
-      const Vector3 xi = g.direction_by_equations(pairs.eta0[i], pairs.eta1[i]);
-      EXPECT_NEAR(dot(xi, g.w), 1, 1e-14);
-      EXPECT_LT((d / dot(d, g.w) - xi).norm(), 1e-11 * xi.norm());
-    }
-  }
-  EXPECT_GT(compared, 10);
-}
-
-TEST(Separation2008, SquareRootFreeTestIsTheTest) {
-  for (double x : {0.1, 0.4, 0.499, 0.501, 0.9})
-    for (double y : {0.1, 0.5, 0.6}) EXPECT_EQ(below_by_squares(x * x, y * y, 1), x + y < 1) << x << ' ' << y;
-}
-
 TEST(RealRoots, OfAProductOfLinearFactors) {
   // x (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient.
   const auto roots = real_roots(std::array<double, 7>{0, -2, 1, -1, 1, 1, 0}, 1e-6);
@@ -335,12 +189,6 @@ TEST(RealRoots, OfAProductOfLinearFactors) {
   EXPECT_EQ(roots.x[0], 0);
   EXPECT_NEAR(std::min(roots.x[1], roots.x[2]), -2, 1e-14);
   EXPECT_NEAR(std::max(roots.x[1], roots.x[2]), 1, 1e-14);
-}
-
-TEST(RealRoots, NoneOfWhatIsNotFiniteOrConstant) {
-  EXPECT_EQ(real_roots(std::array<double, 3>{1, NAN, 1}, 1).count, 0);
-  EXPECT_EQ(real_roots(std::array<double, 3>{0, 0, 0}, 1).count, 0);
-  EXPECT_EQ(real_roots(std::array<double, 3>{1, 0, 0}, 1).count, 0);
 }
 
 }  // namespace

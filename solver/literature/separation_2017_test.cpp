@@ -43,23 +43,6 @@ long double wide_value(const Quarter& q, long double t) {
          std::fabs(u * q.a2 + t * q.b2);
 }
 
-TEST(Quarter2017, DerivativesAreThoseOfF) {
-  Draw n;
-  constexpr long double step = 0x1p-16L;  // truncation 2^-32 of the derivatives, rounding 2^-48 and 2^-32
-  for (int i = 0; i < 2000; ++i) {
-    const Quarter q = some_quarter(n);
-    const double t = half + 0.4 * n.next();
-    const double kink = q.a2 / (q.a2 - q.b2);
-    if (std::fabs(kink - t) < 1e-3 || q.c1_square < 1e-2) continue;
-    const long double below = wide_value(q, t - step), here = wide_value(q, t),
-                      above = wide_value(q, t + step);
-    EXPECT_NEAR(q.value(t), static_cast<double>(here), 1e-14);
-    EXPECT_NEAR(q.slope(t), static_cast<double>((above - below) / (2 * step)), 1e-6);
-    EXPECT_NEAR(q.printed_slope(t), q.slope(t), 1e-12);
-    EXPECT_NEAR(q.bend(t), static_cast<double>((above - 2 * here + below) / (step * step)), 1e-5);
-  }
-}
-
 // Equation (10) is printed with 3 r0 for r0. At t = 1/2 of two equal solids it would give 2.83 r0 (3 + c^2
 // ...).
 TEST(Quarter2017, TheCoefficientOfEquation10IsOne) {
@@ -103,12 +86,6 @@ TEST(Quarter2017, AKinkHidesNoSeparation) {
   EXPECT_GT(kinks, 1000);
 }
 
-TEST(Quarter2017, SquareAxesHaveASlopeAtTheEnd) {
-  const Quarter q{.r0 = 1, .r1 = 2, .h1b1 = 1, .c1_square = 0, .a2 = 1, .b2 = 1};
-  EXPECT_TRUE(std::isnan(q.printed_slope(1)));
-  EXPECT_NEAR(q.slope(1), q.slope(1 - 0x1p-30), 1e-8);
-}
-
 Octant some_octant(Draw& n) {
   const Vector3 w0 = n.vector(), w1 = n.vector();
   Octant o{};
@@ -120,28 +97,6 @@ Octant some_octant(Draw& n) {
   o.h1 = n.length();
   o.length = n.length();
   return o;
-}
-
-TEST(Octant2017, GradientIsThatOfG) {
-  Draw n;
-  constexpr double step = 0x1p-20;
-  for (int i = 0; i < 2000; ++i) {
-    const Octant o = some_octant(n);
-    const double s = half * (1 + n.next()), t = (1 - s) * half * (1 + n.next());
-    const Point x(s, t);
-    const Signs signs{o.along(0, x) < 0 ? -1.0 : 1.0, o.along(1, x) < 0 ? -1.0 : 1.0};
-    if (o.across(0, x) < 0.1 || o.across(1, x) < 0.1) continue;
-    const Point g = o.gradient(x, signs);
-    Octant printed = o;
-    printed.printed_roots = printed.printed_gradient = true;
-    EXPECT_NEAR(o.value(x, signs), printed.value(x, signs), 1e-13);
-    EXPECT_EQ(o.value(x, signs), o.value(x, {}));
-    EXPECT_NEAR((g - printed.gradient(x, signs)).norm(), 0, 1e-12);
-    for (int k = 0; k < 2; ++k) {
-      const Point e = step * Point::Unit(k);
-      EXPECT_NEAR(g[k], (o.value(x + e, signs) - o.value(x - e, signs)) / (2 * step), 1e-8);
-    }
-  }
 }
 
 // The equation of section 7 is Q^3 (eta_ss eta_tt - eta_st^2) = (2 Q Q_ss - Q_s^2)(2 Q Q_tt - Q_t^2) - (2 Q
@@ -204,63 +159,6 @@ class Degenerate2017 : public testing::TestWithParam<Minimiser> {
     EXPECT_EQ(ask(a, b).verdict, Verdict::intersecting);
   }
 };
-
-TEST_P(Degenerate2017, OneCentre) {
-  expect_meeting({{1, 2, 3}, {0, 0, 1}, 1, 2}, {{1, 2, 3}, {0, 1, 1}, 1, 2});
-  expect_meeting({{1, 2, 3}, {0, 0, 1}, 0, 0}, {{1, 2, 3}, {0, 1, 1}, 0, 0});
-}
-
-TEST_P(Degenerate2017, ParallelAxes) {
-  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  expect_apart(a, {{2.5, 0, 0}, {0, 0, -3}, 1, 2});
-  expect_apart(a, {{0, 0, -2.5}, {0, 0, 1}, 1, 2});
-  expect_meeting(a, {{2, 0, 2}, {0, 0, 1}, 1, 2});
-}
-
-TEST_P(Degenerate2017, NearlyParallelAxes) {
-  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  for (double angle : {1e-3, 1e-8, 1e-9, 1e-12, 1e-15, 1e-17, 1e-300}) {
-    for (const Vector3& axis : {Vector3(angle, 0, 1), Vector3(-angle, angle, -1)}) {
-      expect_apart(a, {{1.5, 1.5, 0}, axis, 1, 2});
-      expect_apart(a, {{0, 0, 2.01}, axis, 1, 2});
-      expect_meeting(a, {{1.3, 1.3, 1.9}, axis, 1, 2});
-    }
-  }
-}
-
-TEST_P(Degenerate2017, SquareAxes) {
-  const Solid a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  expect_apart(a, {{0, 2.1, 0}, {1, 0, 0}, 1, 2});
-  expect_apart(a, {{0, 1.6, 1.9}, {1, 0, 0}, 1, 2});
-  expect_meeting(a, {{0, 1.6, 1.6}, {1, 0, 0}, 1, 2});
-  expect_apart(a, {{2.1, 0, 0}, {1, 0, 0}, 1, 2});  // an axis along Delta
-  expect_apart(a, {{0, 0, 2.1}, {1, 0, 0}, 1, 2});
-}
-
-TEST_P(Degenerate2017, RadiusZero) {
-  const Solid rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
-  expect_apart(rod, {{0, 0.01, 0}, {1, 1, 1}, 0, 2});
-  expect_apart(rod, {{0, 1.01, 0}, {1, 0, 1}, 1, 8});
-  expect_meeting(rod, {{0.9, 0, 0}, {1, 0, 0}, 0.1, 2});
-}
-
-TEST_P(Degenerate2017, HeightZero) {
-  const Solid disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
-  expect_apart(disk, {{0, 0, 0.01}, {0, 0, 1}, 1, 0});
-  expect_apart(disk, {{0, 1.02, 0}, {1, 0, 0}, 0.01, 0});
-  expect_apart(disk, {{0, 1.9, 0.1}, {0, 1, 1}, 1, 0});
-  expect_meeting(disk, {{0, 0.5, 0}, {1, 0, 1}, 1, 0});
-}
-
-TEST_P(Degenerate2017, Points) {
-  expect_apart({{0, 0, 0}, {0, 0, 1}, 0, 0}, {{1e-9, 0, 0}, {1, 2, 3}, 0, 0});
-  expect_apart({{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.8, 0.8, 0}, {1, 2, 3}, 0, 0});
-  expect_meeting({{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.6, 0.6, 0.9}, {1, 2, 3}, 0, 0});
-}
-
-TEST_P(Degenerate2017, NoCylinder) {
-  EXPECT_EQ(ask({{0, 0, 0}, {0, 0, 0}, 1, 2}, {}).verdict, Verdict::invalid);
-}
 
 // By section 3.1, touching solids may count as apart or as meeting. The text's code mixes both.
 TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
