@@ -90,7 +90,8 @@ void run(const BenchArguments& options) {
                    : options.bench.shapes ? format_shapes(queries)
                                           : format_bench_table(rows) + format_comparisons(queries));
   for (const auto& method : methods)
-    if (std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
+    if (!options.bench.shapes &&
+        std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
       fmt::print("{}: no row, because it does not support these pairs\n", method->name());
   fmt::print("{}", pipes);
   if (!options.json.empty()) write_json(options.json, rows, queries);
