@@ -12,7 +12,7 @@
 
 #include "base/enum_words.hpp"
 #include "corpus/pairs/close_contact.hpp"
-#include "corpus/pairs/stratum.hpp"
+#include "corpus/pairs/strata.hpp"
 #include "props/laws/examine.hpp"
 #include "props/laws/laws.hpp"
 
@@ -103,6 +103,7 @@ struct GateMethod {
   std::vector<GateCell> cells;
   std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
   VerdictCount rounded = {};               ///< of pairs with a solid other than a cylinder
+  std::array<VerdictCount, drawn_kinds.size()> by_kinds = {};  ///< of these, without `undecided`
   std::string remark =
       {};  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };

@@ -83,6 +83,12 @@ Kind close_kind(RandomStream& s) {
 }
 
 Kind rounded_kind(RandomStream& s) {
+  if (s.below(4) == 0) {
+    const Kinds& kinds = drawn_kinds[s.below(drawn_kinds.size())];
+    const std::uint64_t seed = s.bits(), first = seed % turns;
+    return {fmt::format("stratum {}-{}", to_string(kinds.first), to_string(kinds.second)),
+            [&kinds, seed, first](std::uint64_t i) { return draw_in_stratum(kinds, seed, first + i); }};
+  }
   return family(campaign_families().subspan(families().size()), s, turns);
 }
 

@@ -12,7 +12,7 @@
 namespace cyl {
 namespace {
 
-constexpr std::uint64_t seed = 20261121, rounds = 40;
+constexpr std::uint64_t seed = 20261121, rounds = 80;
 
 std::set<std::string> kinds_of(SampleRound (*draw)(std::uint64_t, std::uint64_t)) {
   std::set<std::string> kinds;
@@ -31,6 +31,7 @@ TEST(LawPairs, KindsTakeTurns) {
                 kind == "family range_ends" || kind == "family whiskers")
         << kind;
   const std::set<std::string> rounded = kinds_of(draw_rounded_law_pairs);
+  EXPECT_TRUE(rounded.contains("stratum sphere-box"));
   for (const Family& family : campaign_families().subspan(families().size()))
     EXPECT_TRUE(rounded.contains("family " + std::string(family.name))) << family.name;
 }

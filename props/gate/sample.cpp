@@ -25,10 +25,7 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
-/// Returns whether a solid of the pair is rounded, a half-space or a box.
-bool is_beyond_cylinders(const Pair& pair) {
-  return is_rounded(pair) || has_half_space(pair) || has_box(pair);
-}
+bool is_beyond_cylinders(const Pair& pair) { return number_of_kinds(pair) < drawn_kinds.size(); }
 
 /// Counts a drawn pair. Its cell is claimed as long as all pairs drawn so far are.
 void count_drawn(auto& cell, bool claimed) { cell.claimed = (cell.drawn++ == 0 || cell.claimed) && claimed; }
@@ -102,6 +99,14 @@ SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round) {
       drawn.origins.push_back(fmt::format("{}, seed {}, index {}", family.name, seed, index));
     }
   }
+  for (const Kinds& kinds : drawn_kinds) {
+    for (std::uint64_t i = 0; i < pairs_per_kinds; ++i) {
+      const std::uint64_t index = round * pairs_per_kinds + i;
+      drawn.pairs.push_back(draw_in_stratum(kinds, seed, index));
+      drawn.origins.push_back(fmt::format("stratum {}-{}, seed {}, index {}", to_string(kinds.first),
+                                          to_string(kinds.second), seed, index));
+    }
+  }
   SampleRound close = draw_close_contacts(seed, round);
   for (std::size_t p = 0; p < close.pairs.size(); ++p) {
     drawn.pairs.push_back({as_capsule(close.pairs[p].a), as_capsule(close.pairs[p].b)});
@@ -144,7 +149,7 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
   if (solids.rounded > 0) {
     // Only the drawn pairs that a method supports are asked.
     const std::uint64_t all =
-        pairs_per_kinds * (campaign_families().size() - families().size()) + close_round;
+        pairs_per_kinds * (campaign_families().size() - families().size() + drawn_kinds.size()) + close_round;
     amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
     amount.rounded_rounds = rounds(sampled, solids.rounded);
   }
@@ -169,9 +174,13 @@ void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswer
   for (std::size_t p = 0; p < round.pairs.size(); ++p) {
     const double size = size_of(round.pairs[p]);
     if (round.strata.empty()) {
-      if (!is_beyond_cylinders(round.pairs[p])) continue;
-      method.rounded.pairs += is_trial(said, p, method.rounded.undecided);
-      method.rounded.wrong += said.wrong_beyond[p];
+      const std::size_t kinds = number_of_kinds(round.pairs[p]);
+      if (kinds == drawn_kinds.size()) continue;
+      const bool trial = is_trial(said, p, method.rounded.undecided);
+      for (VerdictCount* at : {&method.rounded, &method.by_kinds[kinds]}) {
+        at->pairs += trial;
+        at->wrong += said.wrong_beyond[p];
+      }
     } else if (round.contacts.empty()) {
       GateCell& at = method.cells[number_of(round.strata[p])];
       count_drawn(at, claims(method.claim, size, at.stratum.decade));

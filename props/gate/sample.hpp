@@ -34,8 +34,8 @@ struct SampleRound {
 SampleRound draw_strata(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round);
-/// The number of pairs of each two kinds in one round of rounded solids. The round also has the pairs of a
-/// round of close contacts, with capsules instead of cylinders.
+/// The number of pairs of each family, and of each two kinds, in one round of rounded solids. The round also
+/// has the pairs of a round of close contacts, with capsules instead of cylinders.
 inline constexpr std::uint64_t pairs_per_kinds = 16;
 
 /// The solids that the methods together support.

@@ -59,6 +59,11 @@ json method(const GateMethod& m) {
                            {"wrong_overlaps", c.wrong_overlaps},
                            {"undecided", c.undecided}});
   }
+  json by_shapes = json::array();
+  for (std::size_t i = 0; i < drawn_kinds.size(); ++i)
+    by_shapes.push_back({{"shapes", {to_string(drawn_kinds[i].first), to_string(drawn_kinds[i].second)}},
+                         {"pairs", m.by_kinds[i].pairs},
+                         {"wrong", m.by_kinds[i].wrong}});
   return {{"name", m.name},
           {"version", m.version},
           {"claim",
@@ -70,6 +75,7 @@ json method(const GateMethod& m) {
           {"close_cells", std::move(close_cells)},
           {"close_contacts", verdicts(close_contacts_of(m))},
           {"rounded", verdicts(m.rounded)},
+          {"by_shapes", std::move(by_shapes)},
           {"remark", m.remark}};
 }
 

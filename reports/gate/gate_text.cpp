@@ -188,13 +188,18 @@ std::string rounded_in_words(const GateMethod& method) {
   if (count.pairs + count.undecided == 0) return {};
   const std::string name = one_line(method.name);
   if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
-  std::string text = wrapped(
+  const std::string text = wrapped(
       "", fmt::format(
               "The verdict of {} is {} with a sphere, capsule, rounded cylinder, half-space or box.", name,
               success(count.pairs, count.wrong, none_beyond) + (count.pairs == 1 ? " pair" : " pairs")));
-  if (count.undecided > 0)
-    text += wrapped("  ", fmt::format("It is undecided on {} more.", grouped(count.undecided)));
-  return text;
+  Sample sample;
+  for (const VerdictCount& c : method.by_kinds)
+    if (c.pairs > 0)
+      sample.add(c.pairs, c.wrong, 0, error_rate_bound(c.pairs, c.wrong), error_rate_bound(c.pairs, 0));
+  sample.undecided = count.undecided;
+  return text +
+         sample.facts(fmt::format("{} overall and {}", rate(error_rate_bound(count.pairs, count.wrong)),
+                                  sample.rate_in_each("shapes")));
 }
 
 /// Returns what the random sample of all strata proves about the cells that the method claims.
