@@ -32,7 +32,7 @@ Range range_of(const Scene& scene, const Link& link) {
   if (!link.follow) return {link.low, link.high};
   const Range leader = range_of(scene, scene.links[link.follow->link]);
   const double m = link.follow->multiplier, o = link.follow->offset;
-  const auto [low, high] = std::minmax(m * leader.low + o, m * leader.high + o);
+  const auto [low, high] = std::minmax({m * leader.low + o, m * leader.high + o});
   const double error = range_error * (std::fabs(low) + std::fabs(high) + 2 * std::fabs(o));
   return {low - error, high + error};
 }

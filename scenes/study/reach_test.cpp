@@ -24,7 +24,7 @@ TEST(Reach, HoldsABodyInAllConfigurations) {
     std::vector<Box> boxes;
     for (const Body& body : scene.bodies) boxes.push_back(reach_of(scene, body));
     double fullest = 0;
-    for (std::uint64_t k = 0; k < 500; ++k) {
+    for (std::uint64_t k = 0; k < 200; ++k) {
       const std::vector<Solid> placed = place(scene, draw_joints(scene, 3, k));
       for (std::size_t i = 0; i < placed.size(); ++i) {
         if (is_half_space(placed[i])) continue;
@@ -98,7 +98,7 @@ TEST(Reach, FarPairsAreCountedAndNeverNear) {
   std::set<std::pair<std::size_t, std::size_t>> listed;
   for (const PairStudy& pair : s.pairs) listed.emplace(pair.a, pair.b);
   std::size_t near_arm = 0;
-  for (std::uint64_t k = 0; k < 200; ++k) {
+  for (std::uint64_t k = 0; k < 20; ++k) {
     const std::vector<Solid> placed = place(scene, draw_joints(scene, 5, k));
     for (std::size_t b = 0; b < placed.size(); ++b) {
       for (std::size_t a = 0; a < b; ++a) {
