@@ -4,7 +4,8 @@
     PYTHONPATH=vectors python3 -m pytest -p daylight_vectors --daylight mine:collide
 
 It adds a test for each flag and decade of margin. The function gets two solids as dictionaries (center, axis, radius,
-height, rounding; often quaternion; in v2 also boxes and half-spaces, which have a shape). It returns one of these:
+height, rounding, often quaternion). In v2 it also gets boxes and half-spaces, which have a shape. It returns one of
+these:
 
 * a bool (do they meet?),
 * a number (the signed distance),
