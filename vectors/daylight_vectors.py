@@ -39,7 +39,7 @@ LIMIT = 10.0  # seconds that an answer may take
 
 
 def load(tier='smoke'):
-    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be v2, or a path, such as a file of `daylight vectors`."""
+    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be v2, or a path of a file of `daylight vectors`."""
     path = V2 / 'vectors.jsonl' if tier == 'v2' else FOLDER / f'{tier}.json'
     text = (path if path.exists() else pathlib.Path(tier)).read_text(encoding='utf-8')
     if text.startswith('{"schema"'):
