@@ -4,7 +4,8 @@
     PYTHONPATH=vectors python3 -m pytest -p daylight_vectors --daylight mine:collide
 
 It adds a test for each flag and decade of margin. The function gets two solids as dictionaries (center, axis, radius,
-height, rounding; often quaternion; in v2 also boxes and half-spaces, which have a shape). It returns one of these:
+height, rounding, often quaternion). In v2 it also gets boxes and half-spaces, which have a shape. It returns one of
+these:
 
 * a bool (do they meet?),
 * a number (the signed distance),
@@ -38,7 +39,7 @@ LIMIT = 10.0  # seconds that an answer may take
 
 
 def load(tier='smoke'):
-    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be v2, or a path, such as a file of `daylight vectors`."""
+    """The tier's JSON, {"vectors": [...], ...}. `tier` may also be v2, or a path of a file of `daylight vectors`."""
     path = V2 / 'vectors.jsonl' if tier == 'v2' else FOLDER / f'{tier}.json'
     text = (path if path.exists() else pathlib.Path(tier)).read_text(encoding='utf-8')
     if text.startswith('{"schema"'):

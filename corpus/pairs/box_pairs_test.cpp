@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "base/fnv.hpp"
@@ -65,20 +64,6 @@ TEST(BoxFamilies, DrawLegalPairsOfEveryKind) {
     }
   for (const SolidKind kind : enum_values<SolidKind>) EXPECT_GT(beside[kind], 300) << to_string(kind);
   EXPECT_EQ(digest, 13585855466523483059u);
-}
-
-TEST(BoxFamilies, HaveTheKindsTheyName) {
-  constexpr std::array<std::pair<const char*, SolidKind>, 6> named{{{"box_sphere", SolidKind::sphere},
-                                                                    {"box_capsule", SolidKind::capsule},
-                                                                    {"box_cylinder", SolidKind::cylinder},
-                                                                    {"box_rounded", SolidKind::rounded},
-                                                                    {"box_half_space", SolidKind::half_space},
-                                                                    {"box_box", SolidKind::box}}};
-  for (const auto& [name, kind] : named)
-    for (std::uint64_t i = 0; i < 200; ++i) {
-      const Pair p = draw(name, i);
-      ASSERT_TRUE(has_kinds(p, SolidKind::box, kind)) << name << ' ' << format_pair(p);
-    }
 }
 
 TEST(TouchPlane, TheContactIsTheFarthestPointOfItsPart) {
@@ -180,44 +165,6 @@ TEST(BoxFamilies, HaveThePosesTheyName) {
   for (int d = 2; d <= 14; ++d) EXPECT_GT(gaps[d], 3) << d;
   EXPECT_GT(inside, 400);
   EXPECT_GT(through, 400);
-}
-
-TEST(BoxFamilies, HaveTheShapesTheyName) {
-  std::array<int, 4> flat{};
-  int near_flat = 0, both = 0, exact = 0;
-  std::set<int> lengths, places;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
-    Pair p = draw("box_thin", i);
-    const auto is_thin = [](const Solid& c) {
-      if (!is_box(c)) return !is_half_space(c) && (c.radius < 0.01 || c.height < 0.01);
-      return *std::ranges::min_element(c.edges) <= 2e-3;
-    };
-    ASSERT_TRUE(is_thin(p.a) || is_thin(p.b));
-    both += is_thin(p.a) && is_thin(p.b);
-    for (const Solid& c : {p.a, p.b})
-      if (is_box(c)) {
-        ++flat[static_cast<std::size_t>(std::ranges::count(c.edges, 0.0))];
-        near_flat += std::ranges::any_of(c.edges, [](double x) { return x > 0 && x < 2e-3; });
-      }
-
-    p = draw("box_lattice", i);
-    exact += std::ranges::all_of(numbers_of(p), [](double x) { return 2 * x == std::round(2 * x); });
-
-    p = draw("box_far", i);
-    places.insert(static_cast<int>(std::round(std::log10(p.a.center.norm()) / 2)));
-
-    p = draw("box_quaternion", i);
-    const Solid& box = is_box(p.a) ? p.a : p.b;
-    double most = 0;
-    for (const double x : box.quaternion) most = std::max(most, std::abs(x));
-    lengths.insert(std::ilogb(most) / 40);
-  }
-  for (const int count : flat) EXPECT_GT(count, 20);
-  EXPECT_GT(near_flat, 200);
-  EXPECT_GT(both, 300);
-  EXPECT_GT(exact, 250);
-  EXPECT_GE(places.size(), 6u);
-  EXPECT_GE(lengths.size(), 7u);
 }
 
 }  // namespace

@@ -208,40 +208,6 @@ TEST(Families, HaveTheAnglesTheyName) {
   EXPECT_GT(beside, 200);
 }
 
-TEST(Families, HaveTheShapesTheyName) {
-  const auto needle = [](const Solid& c) {
-    return c.radius >= 1e-6 * c.height && c.radius < 1.001e-2 * c.height;
-  };
-  const auto disk = [](const Solid& c) {
-    return c.height >= 1e-6 * c.radius && c.height < 1.001e-2 * c.radius;
-  };
-  const auto point = [](const Solid& c) { return c.radius == 0 && c.height == 0; };
-  std::array<int, 3> segment_count{}, flat_count{}, point_count{};
-  int equal_points = 0;
-  for (std::uint64_t i = 0; i < 600; ++i) {
-    Pair p = draw("needles", i);
-    ASSERT_TRUE(needle(p.a) && needle(p.b));
-    p = draw("disks", i);
-    ASSERT_TRUE(disk(p.a) && disk(p.b));
-    p = draw("needle_and_disk", i);
-    ASSERT_TRUE((needle(p.a) && disk(p.b)) || (disk(p.a) && needle(p.b)));
-    p = draw("segments", i);
-    ASSERT_TRUE(p.a.height > 0 && p.b.height > 0 && (p.a.radius == 0 || p.b.radius == 0));
-    ++segment_count[(p.a.radius == 0) + 2 * (p.b.radius == 0) - 1];
-    p = draw("flat_disks", i);
-    ASSERT_TRUE(p.a.radius > 0 && p.b.radius > 0 && (p.a.height == 0 || p.b.height == 0));
-    ++flat_count[(p.a.height == 0) + 2 * (p.b.height == 0) - 1];
-    p = draw("points", i);
-    ASSERT_TRUE(point(p.a) || point(p.b));
-    ++point_count[point(p.a) + 2 * point(p.b) - 1];
-    equal_points += p.a.center == p.b.center;
-  }
-  for (const auto& counts : {segment_count, flat_count, point_count})
-    for (int count : counts) EXPECT_EQ(count, 200);
-  EXPECT_GT(equal_points, 10);
-  EXPECT_LT(equal_points, 60);
-}
-
 TEST(Families, HaveThePosesTheyName) {
   int a_inside = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {

@@ -322,29 +322,6 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
   EXPECT_EQ(cut.groups()[0].binade, whole.groups()[0].binade);
 }
 
-TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
-  RunStore whole = RunStore::create(folder / "whole", {});
-  whole.commit(batch_of(0, 2000, scattered_margin), 0);
-  for (const std::uint64_t shards : {1u, 2u, 3u, 7u}) {
-    BatchRecord all;
-    all.next = 2000;
-    Representatives count;
-    for (std::uint64_t shard = 0; shard < shards; ++shard) {
-      Representatives kept;
-      for (std::uint64_t i = 0; i < 2000; ++i)
-        if (i / 16 % shards == shard && kept.admit(finding_at(i, scattered_margin(i))))
-          all.findings.push_back(finding_at(i, scattered_margin(i)));
-      for (const GroupRecord& group : kept.groups()) count.add(group);
-    }
-    all.groups = count.groups();
-    std::ranges::sort(all.findings, {}, &FindingRecord::index);
-    RunStore merged = RunStore::create(folder / std::to_string(shards), {});
-    merged.commit(all, 0);
-    EXPECT_EQ(indices(merged), indices(whole)) << shards;
-    EXPECT_EQ(merged.groups()[0].count, 2000u);
-  }
-}
-
 /// Returns the bytes of the store, with all files that SQLite keeps beside it.
 std::uintmax_t size_of(const fs::path& folder) {
   std::uintmax_t bytes = 0;

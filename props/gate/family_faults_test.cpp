@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For each family of rounded solids, half-spaces and boxes: a fault of a guest that the gate finds by this
-// family alone. (Close contacts with capsules instead of cylinders, and strata, which are no families, may
-// show it too.)
+// family alone. (Close contacts with capsules instead of cylinders, and strata, may show it too.)
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

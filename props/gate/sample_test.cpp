@@ -5,11 +5,15 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/decide_exactly.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/contact.hpp"
 #include "props/gate/gate.hpp"
 #include "solver/decide.hpp"
 
@@ -102,6 +106,32 @@ TEST(Gate, AsksAGuestOfCylindersAndOtherSolidsAboutBoth) {
                       SolidKind::cylinder, other);
     EXPECT_EQ(exit_code(report), 0);
     EXPECT_GE(report.methods.at(0).rounded.pairs, 1000u);
+  }
+}
+
+TEST(Gate, StrataOfShapesAreAsBuilt) {
+  for (const Kinds& kinds : drawn_kinds) {
+    std::set<ContactFeature> features;
+    for (std::uint64_t index = 0; index < 30 * drawn_decade_count; ++index) {
+      const Pair pair = draw_in_stratum(kinds, 1, index);
+      const std::uint64_t decade = first_decade + index % drawn_decade_count;
+      const bool gap = index / drawn_decade_count % 2 == 0;
+      if (decade > 12) continue;
+      const Truth truth = judge(pair);
+      if (gap || decade > 1) {  // an overlap of 1e-1 may be none
+        EXPECT_EQ(truth.verdict, gap ? Verdict::disjoint : Verdict::intersecting) << format_pair(pair);
+      }
+      if (!gap) continue;
+      const AttainedDistance found = attain_distance(pair, truth, 1e-15);
+      EXPECT_LE(found.distance.lo / size_of(pair), tenths[decade] + 1e-14) << format_pair(pair);
+      EXPECT_GE(found.distance.hi / size_of(pair), 0.1 * tenths[decade] - 1e-14) << format_pair(pair);
+      features.insert(feature_along(pair, Vector3(found.direction.data())));
+    }
+    const bool has_all = kinds.first > SolidKind::capsule && kinds.first != SolidKind::half_space &&
+                         kinds.second != SolidKind::half_space;
+    if (has_all) {
+      EXPECT_EQ(features.size(), 6u) << to_string(kinds.first) << ' ' << to_string(kinds.second);
+    }
   }
 }
 
