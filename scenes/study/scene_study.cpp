@@ -28,13 +28,16 @@ class Study {
       for (std::size_t j = 0; j < i; ++j) {
         const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
         ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
-        if (reason != PairRule::Reason::checked) continue;
+        const bool in_place = reason == PairRule::Reason::floating && !q_.at.empty();
+        if (reason != PairRule::Reason::checked && !in_place) continue;
         PairStudy pair;
         pair.a = j;
         pair.b = i;
         result_.pairs.push_back(pair);
       }
     }
+    const std::size_t most = samples_cap / std::max<std::size_t>(1, result_.pairs.size());
+    result_.configurations = std::clamp<std::size_t>(most, 1, result_.configurations);
   }
 
   SceneStudy run() {
