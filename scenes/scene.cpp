@@ -84,7 +84,12 @@ PairRule::PairRule(const Scene& scene)
     : rigid_(rigid_bodies(scene)),
       group_(rigid_bodies(scene, scene.welds)),
       adjacent_(adjacent_links(scene, group_)),
-      disabled_(sorted(scene.disabled)) {}
+      disabled_(sorted(scene.disabled)) {
+  for (std::size_t i = 0; i < scene.links.size(); ++i) {
+    const Link& link = scene.links[i];
+    floating_.push_back(link.floats ? i : link.parent ? floating_[*link.parent] : 0);
+  }
+}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
   if (is_half_space(a.solid) && is_half_space(b.solid)) return Reason::disabled;
@@ -95,7 +100,7 @@ PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
     return Reason::adjacent;
   if (std::binary_search(disabled_.begin(), disabled_.end(), ordered(a.link, b.link)))
     return Reason::disabled;
-  return Reason::checked;
+  return floating_[a.link] == floating_[b.link] ? Reason::checked : Reason::floating;
 }
 
 bool may_collide(const Body& a, const Body& b) {

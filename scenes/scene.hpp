@@ -33,12 +33,13 @@ struct Link {
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
-  bool held = false;         ///< fixed only here: its joint moves in a way that nothing draws
-  bool split = false;        ///< the next link is another part of the same body of MJCF
-  bool stands = false;       ///< on a parent that is there to be hit, and so not adjacent to it
-  bool endless = false;      ///< turns without limits; [low, high] is a common period with its followers
-  bool in_part = false;      ///< it follows an endless joint and does not repeat: only a part of it is drawn
-  Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
+  bool held = false;      ///< fixed only here: its joint moves in a way that nothing draws
+  bool floats = false;    ///< `held`: in truth it goes everywhere, by a free joint of MJCF or a floating one
+  bool split = false;     ///< the next link is another part of the same body of MJCF
+  bool stands = false;    ///< on a parent that is there to be hit, and so not adjacent to it
+  bool endless = false;   ///< turns without limits; [low, high] is a common period with its followers
+  bool in_part = false;   ///< it follows an endless joint and does not repeat: only a part of it is drawn
+  Vector3 axis{0, 0, 1};  ///< unit, in the joint's frame
   double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
   std::optional<Follow> follow;
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not
@@ -92,18 +93,20 @@ struct Scene {
 };
 
 /// The pairs of bodies that are checked. Pairs of one rigid body (a link and the links fixed to it), of
-/// adjacent links, of links that the description disables, and of two half-spaces are not. A link is adjacent
-/// to the link that carries it, also through links without shapes. As in MoveIt, a link is not adjacent to a
-/// link that is only fixed to its neighbour, unless the scene welds.
+/// adjacent links, of links that the description disables, and of two half-spaces are not. Nor are pairs with
+/// a link that floats between them, because they can always meet, unless the file names them. A link is
+/// adjacent to the link that carries it, also through links without shapes. As in MoveIt, a link is not
+/// adjacent to a link that is only fixed to its neighbour, unless the scene welds.
 class PairRule {
  public:
-  enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
+  enum class Reason : unsigned char { checked, same_body, adjacent, disabled, floating };
   explicit PairRule(const Scene& scene);
   Reason reason(const Body& a, const Body& b) const;
 
  private:
-  std::vector<std::size_t> rigid_;  ///< by link: the first link of its rigid body
-  std::vector<std::size_t> group_;  ///< by link: the first link with the same neighbours
+  std::vector<std::size_t> rigid_;     ///< by link: the first link of its rigid body
+  std::vector<std::size_t> group_;     ///< by link: the first link with the same neighbours
+  std::vector<std::size_t> floating_;  ///< by link: the nearest link that carries it and floats, or the root
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
 };
 

@@ -29,7 +29,9 @@ void grow(Distance& d, const Vector3& way, double rounding_a, double rounding_b)
 Vector3 way_between(const Prepared& a, const Prepared& b, const Distance& d) noexcept {
   const Vector3 way = (b.center - a.center) + (d.on_b - d.on_a);
   const double most = max_abs(way);
-  return most > 0 ? Vector3((way * power_of_two(-exponent_of(most))).normalized()) : d.direction;
+  if (!(most > 0)) return d.direction;
+  const Vector3 scaled = way * power_of_two(-exponent_of(most));
+  return scaled / length(scaled);
 }
 
 double longest_of(const Prepared& c) noexcept {

@@ -148,6 +148,7 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
            {"pairs_same_body", s.pairs_by_reason[1]},
            {"pairs_adjacent", s.pairs_by_reason[2]},
            {"pairs_disabled", s.pairs_by_reason[3]},
+           {"pairs_floating", s.pairs_by_reason[4]},
            {"pairs_far", s.far},
            {"asked_referee", s.asked_referee},
            {"undecided", s.undecided},

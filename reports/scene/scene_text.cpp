@@ -58,13 +58,15 @@ std::string shapes_words(const Scene& scene) {
 }
 
 std::string counts_words(const Scene& scene) {
-  std::size_t moving = 0, mimics = 0;
+  std::size_t moving = 0, mimics = 0, floats = 0;
   for (const Link& link : scene.links) {
     moving += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
+    floats += link.floats;
   }
-  return fmt::format("{}; {}, {}{}", shapes_words(scene), counted(scene.links.size(), "link"),
-                     counted(moving, "moving joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
+  return fmt::format("{}; {}, {}{}{}", shapes_words(scene), counted(scene.links.size(), "link"),
+                     counted(moving, "moving joint"), mimics ? fmt::format(", {} that mimic", mimics) : "",
+                     floats ? ", " + counted(floats, "free joint") : "");
 }
 
 std::string pairs_words(const Scene& scene, const SceneStudy& s) {
@@ -80,6 +82,8 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
       scene.srdf.empty()
           ? ""
           : fmt::format(" ({} disables {})", scene.srdf, counted(scene.exemptions.size(), "link pair")));
+  if (s.pairs_by_reason[4] > 0)
+    text += fmt::format(", {} that a free joint can always bring together", s.pairs_by_reason[4]);
   if (s.far > 0)
     text +=
         fmt::format(". {} of the checked pairs are far apart: boxes around all that they reach do not meet",
@@ -229,18 +233,6 @@ std::string plural_of(Level level, const Scene& scene) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// For a mesh or ellipsoid, samples show only that its bounding solid is clear in all of them.
-std::string clear_bounds_words(const Scene& scene, const SceneStudy& s) {
-  const auto rests_on_draws = [&](const PairStudy& pair) {
-    return is_known(scene, pair) && (scene.bodies[pair.a].box || scene.bodies[pair.b].box);
-  };
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(s.pairs, rests_on_draws));
-  if (!s.drawn || count == 0) return "";
-  return fmt::format(
-      "{} of these pairs {} a mesh or ellipsoid, whose bounding solid is clear in all configurations",
-      grouped(count), count == 1 ? "has" : "have");
-}
-
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
   if (s.far > 0) last[Level::sphere] = s.far;
@@ -250,13 +242,6 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), counted(count, "pair")));
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::vector<std::string> remark_words(const Scene& scene, const SceneStudy& s) {
-  std::vector<std::string> words{clear_bounds_words(scene, s)};
-  if (const std::vector<std::string> held = joints_held_between(scene, s); !held.empty())
-    words.push_back(fmt::format("NOT MOVED: {}", fmt::join(held, ", ")));
-  return words;
 }
 
 /// Times vary by this part, so a smaller saving counts as none.
@@ -271,13 +256,6 @@ std::string cost_words(const SceneStudy& s) {
       s.cascade_ns / 1000, alone / 1000, to_string(Level::cylinder),
       s.cascade_ns > (1 - least_saving) * alone ? ", which SAVES NOTHING" : "",
       (s.kinematics_ns + s.models_ns) / 1000);
-}
-
-std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
-  std::size_t forgiven = 0;
-  for (const PairStudy& pair : s.pairs) forgiven += pair.cascade_wrong;
-  if (forgiven == 0) return "";
-  return fmt::format("{} within the tolerated {:.3g}", counted(forgiven, "false alarm"), q.tolerated);
 }
 
 std::string bound_or_body(const Scene& scene, std::size_t i) {
@@ -331,9 +309,9 @@ TextLines advice(const Scene& scene, const SceneOptions& q, const SceneStudy& s,
   const std::string more = needs_more(scene, q, s);
   add(lines, enough_words(scene, q, s) + (more.empty() ? "" : table ? ":" + more : " (--table lists them)"));
   add(lines, recommended_words(scene, s), "recommended: ");
-  for (const std::string& remark : remark_words(scene, s)) add(lines, remark, "  ");
+  if (const TextLines held = joints_held_between(scene, s); !held.empty())
+    add(lines, fmt::format("  NOT MOVED: {}", fmt::join(held, ", ")));
   add(lines, cost_words(s), "  ");
-  add(lines, forgiven_words(q, s), "  ");
   add(lines, closest_words(scene, q, s));
   add(lines, verified_words(s));
   return lines;

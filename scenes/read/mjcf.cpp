@@ -110,6 +110,7 @@ class MjcfBuilder {
     // A body that moves on the world, or on a body welded to it, is not adjacent to it: it may hit a floor.
     link.stands = (parent_stands && !stands) || (!d_.filters_parents() && !parts.joints.empty());
     if (carried) hold(link, name, "is carried from outside (mocap)");
+    link.floats = carried;
     Pose origin = body.frame * body.element.pose();
     for (const Part& joint : parts.joints) add_joint(joint, link, origin);
     link.origin = origin;
@@ -144,7 +145,8 @@ class MjcfBuilder {
     const bool is_free = joint.node().name() == std::string("freejoint");
     const std::string type = is_free ? "free" : joint.text("type", "hinge");
     if (type != "hinge" && type != "slide") {
-      hold(link, name, "is a ball or free");
+      hold(link, name, "is a " + type + " joint");
+      link.floats = type == "free";
       link.origin = origin;
       return carry(link, origin, Pose::Identity());
     }

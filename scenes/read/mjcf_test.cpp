@@ -110,6 +110,12 @@ TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
   }
   EXPECT_EQ(scene.bodies.back().link, 4u);
   EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
+  for (const char* joint : {"<joint type='free'/>", "<freejoint/>"}) {
+    const Scene free = read("<worldbody><geom size='1'/><body>" + std::string(joint) +
+                            "<geom size='1'/><body><joint/><geom size='1'/></body></body></worldbody>");
+    for (const std::size_t i : {1, 2})
+      EXPECT_EQ(PairRule(free).reason(free.bodies[0], free.bodies[i]), PairRule::Reason::floating);
+  }
 }
 
 // Two joints of a body both belong to it. If three bodies form a chain, the first does not carry the last.

@@ -64,17 +64,5 @@ TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
   EXPECT_EQ(bounded.verdict, MotionVerdict::never);
 }
 
-TEST(Srdf, ANeverOfWhatWasNotLookedAtIsNotProved) {
-  const Scratch scratch;
-  const std::string planted = scratch.write(
-      "planted.srdf",
-      "<robot name='arm'><disable_collisions link1='camera' link2='base' reason='Never'/></robot>");
-  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/arm.urdf", planted);
-  const MotionStudy study = prove_motions(scene, {}, {}, {});
-  ASSERT_EQ(study.exemptions.size(), 1u);
-  EXPECT_TRUE(study.exemptions[0].not_looked_at) << "a mesh of the camera";
-  EXPECT_NE(study.exemptions[0].verdict, MotionVerdict::never);
-}
-
 }  // namespace
 }  // namespace cyl

@@ -59,13 +59,13 @@ struct KeptShape {
 using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
 
 /// urdfdom refuses a robot that has a joint of three turns, or a joint of an invented type. Such joints pass
-/// as floating joints, which are held too.
+/// as planar joints, which are held too.
 void pass_joints(pugi::xml_node robot) {
   constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
   for (pugi::xml_node joint : robot.children("joint")) {
     if (std::ranges::find(known, std::string(joint.attribute("type").value())) != known.end()) continue;
     joint.remove_attribute("type");
-    joint.append_attribute("type") = "floating";
+    joint.append_attribute("type") = "planar";
   }
 }
 
@@ -153,6 +153,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
       scene.notes.push_back("Joint " + joint.name +
                             " is neither a hinge nor a slide: it stays in the place that the file gives.");
       link.held = true;
+      link.floats = joint.type == urdf::Joint::FLOATING;
       return;
     default:
       return;

@@ -8,7 +8,7 @@
 namespace cyl {
 
 /// Returns whether two bodies that overlap or touch in one configuration are proved to do so in every one.
-/// There is no proof for bounds of meshes, for half-spaces, and if a joint between the bodies is held.
+/// There is no proof for bounds of meshes, and if a joint between the bodies is held.
 bool overlap_always(const Scene& scene, std::size_t a, std::size_t b);
 
 }  // namespace cyl

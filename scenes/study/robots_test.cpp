@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         Robot{"arm.urdf", "1 box 5 capsule 4 cylinder 1 mesh 8 sphere ", 1, 3, 99, 393},
         Robot{"porter.urdf", "5 box 1 capsule 1 cylinder 3 mesh 2 sphere ", 1, 0, 39, 29},
         Robot{"hand.xml", "2 box 10 capsule 3 cylinder 1 ellipsoid 2 mesh 2 sphere ", 1, 0, 112, 1019},
-        Robot{"walker.xml", "4 capsule 1 cylinder 1 ellipsoid 1 half_space 2 sphere ", 0, 0, 23, 16},
+        Robot{"walker.xml", "4 capsule 1 cylinder 1 ellipsoid 1 half_space 2 sphere ", 0, 0, 9, 14},
         Robot{"crane.xml", "5 cylinder 1 half_space 1 sphere ", 0, 0, 12, 15}),
     [](const auto& robot) {
       std::string name = robot.param.file;

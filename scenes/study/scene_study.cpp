@@ -68,24 +68,28 @@ class Study {
       pair.a = a;
       pair.b = b;
     };
-    std::size_t& checked = result_.pairs_by_reason[0];
+    const auto is_asked = [&](PairRule::Reason reason) {
+      return reason == PairRule::Reason::checked ||
+             (reason == PairRule::Reason::floating && !q_.at.empty());  // as it is placed
+    };
+    std::size_t asked = 0;
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const PairRule::Reason reason = rule.reason(scene_.bodies[a], scene_.bodies[b]);
         ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
-        if (reason == PairRule::Reason::checked && checked <= listed_cap) add(a, b);
+        if (is_asked(reason) && ++asked <= listed_cap) add(a, b);
       }
     }
-    if (checked <= listed_cap) return;
+    if (asked <= listed_cap) return;
     result_.pairs.clear();
     for (const Body& body : scene_.bodies) result_.reaches.push_back(reach_of(scene_, body));
     const auto near = near_pairs(result_.reaches, q_.clearance, near_cap, [&](std::size_t a, std::size_t b) {
-      return rule.reason(scene_.bodies[a], scene_.bodies[b]) == PairRule::Reason::checked;
+      return is_asked(rule.reason(scene_.bodies[a], scene_.bodies[b]));
     });
     if (near.size() > near_cap)
       throw InputError("more than " + std::to_string(near_cap) + " pairs of shapes may come near each other");
     for (const auto& [a, b] : near) add(a, b);
-    result_.far = checked - near.size();
+    result_.far = asked - near.size();
   }
 
   // Looks at all pairs in all configurations, those of a pair in order. In the first pass, the deadline

@@ -31,6 +31,8 @@ struct SceneOptions {
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
+/// The most samples: pairs times configurations. A scene with more pairs gets fewer configurations.
+inline constexpr std::size_t samples_cap = 10'000'000;
 /// The most recommended answers that the referee judges, evenly spread: about 0.03 s.
 inline constexpr std::size_t verified_cap = 10'000;
 
@@ -69,7 +71,7 @@ struct ClosestCall {
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
   bool drawn = false;                            ///< more than one configuration, so rates have bounds
-  std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
+  std::array<std::size_t, 5> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
   /// By body, what it may reach, if more than listed_cap pairs are checked. Then those far apart are only
   /// counted.
