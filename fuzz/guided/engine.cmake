@@ -15,7 +15,7 @@ if(sources_without)
   list(TRANSFORM sources_without PREPEND ${top}/ OUTPUT_VARIABLE absent)
   list(REMOVE_ITEM adapters ${absent})
 endif()
-foreach(part base/json base/spelling base/process/child base/process/confine base/process/exception_text
+foreach(part base/json base/spelling base/process/child base/process/confine
              base/process/line_program base/process/supervised_process base/process/process corpus/pairs/method_answer corpus/pairs/pair_io
              corpus/pairs/size_range corpus/pairs/touch_plane corpus/pairs/truth_io
              fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator)
