@@ -77,10 +77,10 @@ void write_text(int fd, const char* text) {
 /// the stack, which is indented, and its version after the exception.
 std::string error_line(const std::string& printed) {
   std::istringstream lines(printed);
-  std::string told;
+  std::string message;
   for (std::string line; std::getline(lines, line);)
-    if (!line.empty() && line[0] != ' ' && !line.starts_with("Node.js v")) told = line;
-  return told;
+    if (!line.empty() && line[0] != ' ' && !line.starts_with("Node.js v")) message = line;
+  return message;
 }
 
 }  // namespace
