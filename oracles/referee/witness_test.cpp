@@ -112,6 +112,10 @@ TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
             Verdict::undecided);
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(check_witness(pair, point_in(Hull::center, Hull::space, {infinity, 0, 0})), Verdict::undecided);
+  MethodAnswer two = point_in(Hull::space, Hull::space, origin);
+  two.witness = CertificateKind::points;
+  two.other_tail[1] = infinity;
+  EXPECT_EQ(check_witness(pair, two), Verdict::undecided);
 }
 
 TEST(HullWitness, OfTouchingLeavesItTouching) {
