@@ -40,12 +40,15 @@ Truth verdict_alone(Verdict verdict) {
 
 enum class Certificates : bool { left_out, written };
 
+// not covered within: our answers are finite, but those of other methods may not be
+bool is_usable(const MethodAnswer& answer) {
+  return answer.status == Status::answered && finite(answer.head) && finite(answer.tail) &&
+         finite(answer.other_head) && finite(answer.other_tail);
+}
+
 std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, const MethodAnswer& answer,
                                      Certificates certificates) {
-  // not covered: our answers are finite, but those of other methods may not be
-  if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
-  if (answer.witness == CertificateKind::points && (!finite(answer.other_head) || !finite(answer.other_tail)))
-    return std::nullopt;
+  if (!is_usable(answer)) return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
   if (answer.witness == CertificateKind::points && certificates == Certificates::written)
@@ -69,8 +72,7 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
 
 // A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
 std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
-  // not covered: our answers are finite, but those of other methods may not be
-  if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
+  if (!is_usable(answer)) return std::nullopt;
   if (answer.witness == CertificateKind::direction &&
       separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::multiprecision,
@@ -311,18 +313,16 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!has_half_space(pair))
     if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
+  if (!is_usable(answer)) return Verdict::undecided;
   // For a gap that is too small for those bits.
-  if (answer.status == Status::answered && answer.witness == CertificateKind::direction &&
-      finite(answer.head)) {
+  if (answer.witness == CertificateKind::direction) {
     const Rational3 d = sum(answer.head, no_tail);
     return dot(d, d) != 0 && support_gap_sign(pair, d) < 0 ? Verdict::disjoint : Verdict::undecided;
   }
-  if (answer.status == Status::answered && answer.witness == CertificateKind::points && finite(answer.head) &&
-      finite(answer.tail) && finite(answer.other_head) && finite(answer.other_tail))
+  if (answer.witness == CertificateKind::points)
     return points_show_contact(pair, answer) ? Verdict::intersecting : Verdict::undecided;
-  // not covered: our answers are finite points of both solids, but those of other methods may not be
-  if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
-      finite(answer.tail)) {
+  // not covered: our answers are points of both solids, but those of other methods may not be
+  if (answer.witness == CertificateKind::point) {
     const auto point = offered_point(pair, answer);
     // not covered: the same
     if (point && in_both_exact(pair, *point)) return Verdict::intersecting;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/certificate_check.hpp"
@@ -83,6 +84,16 @@ TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
   EXPECT_EQ(check_witness({disk, above}, witness), Verdict::disjoint);
   above.axis = {1, 2, 4};
   EXPECT_EQ(check_witness({disk, above}, witness), Verdict::undecided);
+}
+
+TEST(Witness, OfAnInfinitePointProvesNothing) {
+  const Solid ball{{0, 0, 0}, {0, 0, 1}, 0, 0, 1};
+  MethodAnswer two;
+  two.status = Status::answered;
+  two.witness = CertificateKind::points;
+  EXPECT_EQ(check_witness({ball, ball}, two), Verdict::intersecting);
+  two.other_tail[1] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(check_witness({ball, ball}, two), Verdict::undecided);
 }
 
 // The best slice ends the range. There one disk's width is 0, and two of the four functions tie.
