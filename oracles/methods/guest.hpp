@@ -19,8 +19,8 @@ enum class GuestKind : unsigned char { plugin, command };
 
 /// How the maintainers of a program's library can run the program.
 struct Upstream {
-  std::string call;                ///< what it calls: "mj_geomDistance"
-  std::string install;             ///< the command that installs the library into its folder; empty if unknown
+  std::string call;     ///< what it calls: "mj_geomDistance"
+  std::string install;  ///< the command that installs the library into its folder; empty if unknown
   std::vector<std::string> files;  ///< of the program
 };
 
