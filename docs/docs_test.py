@@ -31,6 +31,7 @@ PROSE = PAGES + [
 README_LINES, PAGE_LINES, COLUMNS = 130, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
           'CONTRIBUTING.md': 'a table of where to add what',
+          'vectors.md': 'the fields of two versions, and all flags',
           'library.md': 'a guide with a whole plug-in in it', 'library-use.md': 'three examples in full'}
 
 # Command lines that other tests run, by what is in them.
@@ -50,7 +51,7 @@ ELSEWHERE = {
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }
 
-ALIEN = ['--quick', '--target', '--branches', '--daylight-tolerance', '--daylight-limit']  # of other programs
+ALIEN = ['--quick', '--target', '--branches', '--daylight-tolerance', '--daylight-tier', '--daylight-limit']  # of other programs
 
 
 def fail(what):

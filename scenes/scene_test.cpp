@@ -192,7 +192,7 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"nothing", "a"}}));
 }
 
-// Its links are not there before the macros are expanded. What is expanded may still name the namespace.
+// Its links are not there before the macros are expanded. The expanded file may still name the namespace.
 TEST(Urdf, MacrosAreToBeExpandedFirst) {
   const std::string robot = "<robot name='r' xmlns:xacro='x'><link name='a'/>",
                     command = ": it has macros, so expand it first: xacro ";

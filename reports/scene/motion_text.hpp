@@ -25,7 +25,7 @@ std::string rate_text(std::size_t draws);
 /// the SRDF calls "Never". The study has proofs.
 std::vector<std::string> verdict_lines(const SceneOptions& question, const SceneStudy& study);
 /// Returns a line for each link pair that the SRDF calls "Never", then one for each pair, the worst first.
-/// Those that are proved are among them if `all`.
+/// Proved pairs are among them if `all`.
 std::vector<std::string> proof_lines(const Scene& scene, const SceneStudy& study, bool all);
 
 }  // namespace cyl

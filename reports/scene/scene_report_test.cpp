@@ -236,7 +236,7 @@ TEST(Study, TheVerdictFirstThenWhatIsRefuted) {
   EXPECT_EQ(listed, 171u);
 }
 
-// Of an SRDF, what is refuted or open comes first, and what is proved only with the tables.
+// Refuted and open pairs of an SRDF come first, and proved ones only with the tables.
 TEST(Study, OfAnSrdfWhatIsRefutedFirst) {
   Scene scene = read_scene(folder + "crane.urdf");
   for (const char* other : {"tower", "hook"}) {

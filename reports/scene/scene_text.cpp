@@ -284,7 +284,7 @@ constexpr std::size_t line_count_cap = 40, notes_cap = 4;
 
 using TextLines = std::vector<std::string>;
 
-/// Shortens a list to so many lines, the last of which counts the others.
+/// Shortens a list to so many lines. The last line counts the others.
 void shorten(TextLines& lines, std::size_t room) {
   if (lines.size() <= room) return;
   const std::size_t left = lines.size() - room + 1;

@@ -13,13 +13,13 @@
 #include "scenes/study/model_hierarchy.hpp"
 
 // A box around all places of a body in the frame of a link becomes one in the frame of the parent in two
-// steps. First the joint moves it. A joint that slides shifts it along the axis. If a joint turns by up to d
-// to either side of the middle of its range, each point comes at most min(d, 2) times its distance from the
-// axis away from its place in the middle. It also stays in a ring about the axis. Then the joint's origin
-// turns the box: its half edges become |R| times them.
+// steps. First the joint moves it. A joint that slides shifts it along the axis. A joint may turn by up to
+// d to either side of the middle of its range. Then each point comes at most min(d, 2) times its distance
+// from the axis away from its place in the middle. It also stays in a ring about the axis. Then the joint's
+// origin turns the box: its half edges become |R| times them.
 //
 // Rounding: joint_path.cpp bounds how far place() puts a point from its place, by all lengths of the path.
-// The box costs fewer operations, which are rounded by parts of those lengths and of its own. So the box is
+// The box costs fewer operations, which are rounded by parts of these lengths and of its own. So the box is
 // made wider by that bound, of both together.
 
 namespace cyl {

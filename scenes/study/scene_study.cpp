@@ -26,7 +26,7 @@ constexpr std::size_t models_cap = 20'000, samples_cap = 500'000;
 /// Pairs that a thread takes at a time.
 constexpr std::size_t block_size = 32;
 
-/// What the samples of one pair show besides its study.
+/// The results of the samples of one pair, besides its study.
 struct Samples {
   std::vector<bool> within;  ///< by configuration
   std::size_t asked_referee = 0, undecided = 0;
