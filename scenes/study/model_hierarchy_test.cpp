@@ -88,6 +88,17 @@ TEST(ModelHierarchy, EachModelKnowsItsWorth) {
   EXPECT_EQ(proximity(Level::certified, c, d, 0.6), Proximity::within);
 }
 
+// The point that a plane is given by says nothing of where it ends.
+TEST(ModelHierarchy, AHalfSpaceIsAModelOfItself) {
+  const ProxyModels floor = make_models({.center = {900, -70, 0}, .shape = Shape::half_space});
+  const ProxyModels above = make_models({{0, 0, 1.5}, {0, 0, 1}, 1, 2}),
+                    into = make_models({{0, 0, 0.5}, {0, 0, 1}, 1, 2});
+  EXPECT_EQ(proximity(Level::sphere, floor, above, 0.05), Proximity::apart);
+  EXPECT_EQ(proximity(Level::sphere, above, floor, 0.2), Proximity::unclear);
+  EXPECT_EQ(proximity(Level::sphere, floor, into, 0), Proximity::unclear);
+  EXPECT_EQ(proximity(Level::inner, floor, into, 0), Proximity::within);
+}
+
 TEST(ModelHierarchy, ACascadeAsksInOrder) {
   const auto [a, b] = rods(0.5);
   EXPECT_FALSE(within({{true, true, false}, Level::sphere}, a, b, 0));  // decided before the last level
