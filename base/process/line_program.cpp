@@ -73,7 +73,7 @@ void write_text(int fd, const char* text) {
   _exit(127);
 }
 
-/// Returns the last line that tells the error. A traceback of Python ends with the exception. Node.js prints
+/// Returns the last line that states the error. A traceback of Python ends with the exception. Node.js prints
 /// the stack, which is indented, and its version after the exception.
 std::string error_line(const std::string& printed) {
   std::istringstream lines(printed);

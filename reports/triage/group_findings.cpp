@@ -30,8 +30,8 @@ void offer(CauseFindings& group, const FindingRecord* of, const std::string& lin
   group.candidates.push_back({as_found, finished, complexity(parsed->pair), of, parsed->pair});
 }
 
-/// Adds `found` findings to the counts of their causes, in proportion to those examined. The larger parts get
-/// the remainder first.
+/// Adds `found` findings to the counts of their causes, in proportion to the examined findings. The larger
+/// parts get the remainder first.
 void share_out(std::uint64_t found, const std::map<std::string, std::uint64_t>& examined,
                std::map<std::string, std::uint64_t>& counts) {
   std::uint64_t all = 0, given = 0;
