@@ -88,7 +88,7 @@ TEST(ModelHierarchy, EachModelKnowsItsWorth) {
   EXPECT_EQ(proximity(Level::certified, c, d, 0.6), Proximity::within);
 }
 
-// The point that a plane is given by says nothing of where it ends.
+// A plane is given by any of its points, which need not be near the other solid.
 TEST(ModelHierarchy, AHalfSpaceIsAModelOfItself) {
   const ProxyModels floor = make_models({.center = {900, -70, 0}, .shape = Shape::half_space});
   const ProxyModels above = make_models({{0, 0, 1.5}, {0, 0, 1}, 1, 2}),
