@@ -138,7 +138,8 @@ done
 
 # A command has few options; those of guests count as one. More need a reason.
 declare -A more=(
-  [campaign]=16 # each changes what a night draws, asks or keeps; Slurm needs --create-only
+  [campaign]=16 # each changes what a night draws, asks or keeps; a job of many shards needs --create-only
+  [scene]=12    # it draws and proves; an SRDF is read and written
   [gate]=14     # a build server needs its files and a baseline; --laws prints what it checks
 )
 for command in $("$daylight" --help | sed -n '/^Examples/q; s/^  \([a-z]\+\) .*/\1/p'); do

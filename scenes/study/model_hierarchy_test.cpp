@@ -99,6 +99,18 @@ TEST(ModelHierarchy, AHalfSpaceIsAModelOfItself) {
   EXPECT_EQ(proximity(Level::inner, floor, into, 0), Proximity::within);
 }
 
+TEST(Verification, CallsNoAnswerWrongThatOnlyRoundingDecides) {
+  Verification v;
+  for (const double gap : {0x1p-50, -0x1p-50, 1e-9, -1e-9}) {
+    const Solid cube{.shape = Shape::box, .edges = {1, 1, 1}};
+    Solid above = cube;
+    above.center = {0, 0, 1 + gap};
+    v.add({cube, above}, 0, 0, gap > 0);
+  }
+  EXPECT_EQ(v.tolerated, 2u);
+  EXPECT_EQ(v.wrong, 2u);
+}
+
 TEST(ModelHierarchy, ACascadeAsksInOrder) {
   const auto [a, b] = rods(0.5);
   EXPECT_FALSE(within({{true, true, false}, Level::sphere}, a, b, 0));  // decided before the last level

@@ -31,8 +31,6 @@ struct SceneOptions {
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
-/// The most samples: pairs times configurations. A scene with more pairs gets fewer configurations.
-inline constexpr std::size_t samples_cap = 10'000'000;
 /// The most recommended answers that the referee judges, evenly spread: about 0.03 s.
 inline constexpr std::size_t verified_cap = 10'000;
 

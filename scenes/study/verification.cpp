@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/study/verification.hpp"
 
+#include <algorithm>
+
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
@@ -34,10 +37,15 @@ void Verification::add(const Verification& other) {
 void Verification::add(const Pair& pair, double clearance, double tolerance, bool said) {
   ++asked;
   const auto truth = referee_within(pair, clearance);
-  if (!truth)
+  if (!truth) {
     ++undecided;
-  else if (said != *truth)
-    ++(said && enclose_distance(pair, judge(pair)).lo <= clearance + tolerance ? tolerated : wrong);
+  } else if (said != *truth) {
+    const Enclosure distance = enclose_distance(pair, judge(pair));
+    const double claim = yes_or_no_tol * (size_of(pair) + clearance);
+    ++((said ? distance.lo <= clearance + std::max(tolerance, claim) : distance.hi >= clearance - claim)
+           ? tolerated
+           : wrong);
+  }
 }
 
 }  // namespace cyl
