@@ -307,17 +307,25 @@ int campaign(const CampaignArguments& arguments) {
   {
     ProgressLine line;
     bool linked = false;
-    summary = run_campaign(options, selection.workload(), [&](const CampaignProgress& progress) {
+    const auto require_run = [&] {
       if (!holds_run(options.out))
         throw std::runtime_error(options.out + " was removed while it was written");
-      if (!linked) {
-        point_latest_at(options.out);
-        if (!options.resume) hold(options.out);
-      }
-      linked = true;
-      if (line.due(progress.session_time))
-        line.show(progress.session_time, share_done(options, progress), numbers(progress));
-    });
+    };
+    try {
+      summary = run_campaign(options, selection.workload(), [&](const CampaignProgress& progress) {
+        require_run();
+        if (!linked) {
+          point_latest_at(options.out);
+          if (!options.resume) hold(options.out);
+        }
+        linked = true;
+        if (line.due(progress.session_time))
+          line.show(progress.session_time, share_done(options, progress), numbers(progress));
+      });
+    } catch (const std::runtime_error&) {
+      if (linked) require_run();  // its file may be gone between two looks
+      throw;
+    }
   }
   if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);

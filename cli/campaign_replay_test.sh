@@ -87,7 +87,7 @@ holds 'the finding it was' out '^runs/named:[0-9]+$'
 "$daylight" campaign --for 1h --seed 7 --cases '' --methods intersect --out runs/gone >out 2>err &
 campaign=$!
 for _ in {1..600}; do
-  [[ -e runs/gone/run.sqlite ]] && break
+  [[ $(readlink runs/latest) == *gone ]] && break
   sleep 0.1
 done
 rm -rf runs/gone
