@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 namespace {
@@ -270,19 +271,6 @@ Vector3 set_solid(RandomStream& s, Solid& solid, Part part, const Vector3& n, co
   const double along = part == Part::side ? s.sign() * where : 1, across = part == Part::cap ? where : 1;
   solid.axis = s.sign() * towards;
   return along * solid.height / 2 * towards + across * solid.radius * radial;
-}
-
-// Draws n, and e_a square to it. One time in four they are coordinate axes, so parallel and square are
-// exact.
-std::pair<Vector3, Vector3> draw_frame(RandomStream& s) {
-  if (s.below(4) != 0) {
-    const Vector3 n = s.unit_vector();
-    return {n, s.perpendicular(n)};
-  }
-  const Vector3 n = s.coordinate_axis();
-  Vector3 e = s.coordinate_axis();
-  while (inner_product(n, e) != 0) e = s.coordinate_axis();
-  return {n, e};
 }
 
 // near_touching.cpp has the reason for f(n) = -g, which holds for all shapes. If g < 0, no depth is more
