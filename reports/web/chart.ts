@@ -11,7 +11,6 @@ import { questions, speedPlot } from "./run/speed.tsx";
 export { full, shellQuoted } from "./parts/words.ts";
 export { prove } from "./parts/prove.ts";
 export { exact, floorSqrt } from "./parts/rational.ts";
-export { whyNoExport } from "./run/cause.tsx";
 export { chosen, rowsOf } from "./run/findings.tsx";
 export { glossary } from "./run/glossary.ts";
 export { expand } from "./run/report.ts";
