@@ -97,7 +97,7 @@ async function beginsWithTheAnswer() {
 /** Before triage too. Missing parts have the command that adds them. */
 const answersBeforeTriage = () =>
   read(untriaged(), async (page) => {
-    assert.match(await textOf(page, ".band"), /^\d libraries are wrong beyond the claim: [a-z0-9, ]+/);
+    assert.match(await textOf(page, ".band"), /^\d libraries are wrong beyond the claim: [a-z0-9, ]+.*The worst finding: \w/s);
     assert.match(await textOf(page, "#new .missing code"), /^\.\/daylight triage runs\/sample$/);
     assert.match(await textOf(page, "#charts .missing"), /daylight chart runs\/sample --bench bench.json$/);
     for (const chart of ["speed", "maps", "calibration"])
