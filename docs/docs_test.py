@@ -51,7 +51,8 @@ ELSEWHERE = {
     'campaign --for': 'campaign_replay_test, which has a number of pairs instead',
 }
 
-ALIEN = ['--quick', '--target', '--branches', '--daylight-tolerance', '--daylight-tier', '--daylight-limit']  # of other programs
+ALIEN = ['--quick', '--target', '--branches', '--daylight-tolerance', '--daylight-tier', '--daylight-limit',
+         '--failed-first']  # of other programs
 
 
 def fail(what):
