@@ -69,7 +69,7 @@ mjcf('classes', '<default>' + ''.join(f'<geom a{i}=""/>' for i in range(20000)) 
 mjcf('assets', '<asset>' + ''.join(f'<mesh name="m{i}"/>' for i in range(50000)) + '</asset><worldbody>' + ''.join(
     f'<geom type="mesh" mesh="m{49999 - i}"/>' for i in range(50000)) + '</worldbody>')
 os.symlink('/dev/zero', 'zero.jsonl')
-sparse('sparse.csv')
+sparse('sparse.jsonl')
 with open('line.jsonl', 'w') as file:
     file.write('[' * 100000000)
 END
@@ -98,7 +98,7 @@ hostile 65 'deep.xml: elements are nested more than 1000 deep' scene deep.xml
 hostile 65 'classes.xml: the classes of defaults have more than 1000000 values' scene classes.xml
 hostile 3 'not read 50,000 meshes' scene assets.xml --configurations 1
 hostile 65 'zero.jsonl: it is neither a regular file nor a pipe' scene zero.jsonl
-hostile 65 'sparse.csv: it is larger than 1024 MiB' scene sparse.csv
+hostile 65 'sparse.jsonl: it is larger than 1024 MiB' scene sparse.jsonl
 hostile 65 'line.jsonl: line 1 is longer than 1 MiB' scene line.jsonl
 
 # Runs: tables that never end, triggers, endless text, numbers that are none, names that steer a terminal.
