@@ -159,12 +159,12 @@ says 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
 says 'the worst from nowhere' 64 '' worst --method ode --from nowhere
 says 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9,]+ questions' \
   worst --method intersect --feature cap-rim --evaluations 20
-worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(beyond its claim\) \{.*\}'
+worst='.*ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(beyond its claim\) \{.*\}'
 says 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
 mv out first
 says 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200
 cmp -s first out || failed 'the same seed, another worst'
-says 'the worst replayed' 2 '.*1 replayed, 1 beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
+says 'the worst replayed' 2 '.* replayed, [12] beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
 says 'the worst from a file' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 20 --from worst.jsonl
 says 'the worst of nothing' 64 '' worst --method decide --search luck
 says 'the worst error' 0 'distance rim-rim error 0\.[0-9]+ \(within its claim\) \{.*\}' \
