@@ -66,7 +66,7 @@ std::vector<ContactFeature> features_of(const std::string& name) {
                    "rim-rim, cap-side, cap-rim, cap-cap, containment");
 }
 
-std::string in_words(const WorstPair& found) {
+std::string score_text(const WorstPair& found) {
   if (is_failure(found.kind)) return to_string(found.kind);
   if (found.kind == FindingKind::distance_outside) return fmt::format("error {:.4g}", found.score);
   return fmt::format("margin {:.4g} {}", found.score, to_string(found.kind));
@@ -120,7 +120,7 @@ int search_all(const WorstArguments& arguments) {
                    counted(worst.questions, "question"));
       for (const auto& found : {worst.failed, worst.worst}) {
         if (!found) continue;
-        const std::string what = in_words(*found), beside = in_words(found->severity),
+        const std::string what = score_text(*found), beside = in_words(found->severity),
                           remark = found->reason.empty() ? what : what + ": " + found->reason;
         const std::string id = fmt::format("worst/{}/{}", method->name(), to_string(feature));
         const std::string line =
