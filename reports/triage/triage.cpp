@@ -134,7 +134,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   run.causes = make_causes(
       {options.folder, context.findings, context.finding_groups, context.causes(), context.simples()},
       context.grouped(), run.causes, out_of_time);
-  check_shown_findings(context, run.methods, run.causes);
   std::set<std::string> certainly_new;
   for (const ChangedGuest& guest : changed) {
     for (const auto& [key, fault] : guest.newly_wrong) {

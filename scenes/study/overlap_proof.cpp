@@ -5,6 +5,7 @@
 #include "scenes/study/overlap_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,18 +17,24 @@
 namespace cyl {
 namespace {
 
-/// Boxes looked at for one pair, and points of the line between the middles of the bodies.
+/// Boxes looked at for one pair, and points of a line.
 constexpr std::size_t overlap_box_cap = 1000, points_cap = 9;
 
 /// Whether the bodies overlap all over the box in whose middle they are placed; nothing if they may be apart.
+/// It tries points of the lines between the middles of the bodies and their deepest points.
 std::optional<bool> overlap(const Pair& placed, const JointPath& path, std::size_t& widest) {
+  const Distance d = distance(placed.a, placed.b);
+  const Vector3 &a = placed.a.center, &b = placed.b.center;
+  const std::array<Vector3, 4> ends{a, b, a + d.on_a, b + d.on_b};
   double best = -INFINITY;
   Travel travel;
   Pair deep;  // a solid and the point that is deep in it; the other has the point too
   const Solid* other = nullptr;
-  for (std::size_t k = 0; k < points_cap; ++k) {
-    const double part = static_cast<double>(k) / (points_cap - 1);
-    const Solid point{.center = placed.a.center + part * (placed.b.center - placed.a.center)};
+  for (std::size_t k = 0; k < ends.size() * ends.size() * points_cap && d.value <= 0; ++k) {
+    const std::size_t from = k / points_cap / ends.size(), to = k / points_cap % ends.size();
+    if (from >= to) continue;
+    const double part = static_cast<double>(k % points_cap) / (points_cap - 1);
+    const Solid point{.center = ends[from] + part * (ends[to] - ends[from])};
     const double of_a = distance(placed.a, point).value, of_b = distance(placed.b, point).value;
     const Travel far = path.travel_of(point.center);
     const double left = -std::min(of_a, of_b) - far.length;
