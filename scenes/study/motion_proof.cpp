@@ -164,7 +164,7 @@ class Prover {
     const auto [along, axis] = path_.gap_along_axes();
     if (const double least = along - 2 * d.error; least > q_.clearance) {
       Travel far = path_.travel(axis);
-      if (least - far.length > gap - travel.length)
+      if (least - far.length > std::max(gap - travel.length, q_.clearance))
         std::tie(direction, gap, travel) = std::tuple(axis, least, std::move(far));
     }
     cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
