@@ -72,6 +72,10 @@ struct MethodAnswer {
   Certificate certificate() const;  ///< the witness, as it was offered
 };
 
+/// Returns an answer with this verdict and nothing else.
+MethodAnswer answered(Verdict verdict) noexcept;
+/// Returns an answer that declines, for this reason.
+MethodAnswer declined_answer(std::string_view reason) noexcept;
 /// Returns the answer of a method that has no shape for such a solid.
 MethodAnswer declined_shape(SolidKind kind) noexcept;
 /// Returns the answer of a method that does not support solids of such sizes.

@@ -13,11 +13,9 @@ namespace cyl {
 std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
   if (is_legal(pair)) return std::nullopt;
   const Defect a = find_defect(pair.a), b = find_defect(pair.b);
-  MethodAnswer answer;
-  answer.set_reason(a != Defect::none   ? std::string("a: ") + to_string(a)
-                    : b != Defect::none ? std::string("b: ") + to_string(b)
-                                        : "both solids are half-spaces");
-  return answer;
+  return declined_answer(a != Defect::none   ? std::string("a: ") + to_string(a)
+                         : b != Defect::none ? std::string("b: ") + to_string(b)
+                                             : "both solids are half-spaces");
 }
 
 Solid with_rounded_rims(Solid c, double rounding) noexcept {

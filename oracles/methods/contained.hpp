@@ -34,6 +34,14 @@ struct Question {
 /// Asks in this process. Throws what the method throws.
 MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
+/// Asks in this process. An exception, an unknown value of an enum, or a number that is not finite becomes a
+/// failure.
+MethodAnswer ask_noexcept(Method& method, const Pair& pair, CallMode mode);
+
+/// Returns the answer. An answer with an unknown value of an enum, or a number that is not finite, becomes a
+/// failure.
+MethodAnswer checked(MethodAnswer answer);
+
 struct ContainedAnswer {
   MethodAnswer answer;
   /// CPU time of the run that this call belongs to, divided by the calls in it. For a run of one call: its

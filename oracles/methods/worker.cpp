@@ -16,8 +16,7 @@
 #include "base/process/confine.hpp"
 #include "base/process/process.hpp"
 #include "base/process/supervised_process.hpp"
-#include "oracles/methods/abort_recovery.hpp"
-#include "oracles/methods/ask_noexcept.hpp"
+#include "oracles/methods/contained.hpp"
 #include "oracles/methods/worker_service.hpp"
 
 namespace cyl {

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "oracles/methods/abort_recovery.hpp"
 #include "oracles/methods/acting_method_test.hpp"
+#include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
 namespace {

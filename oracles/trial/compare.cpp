@@ -275,10 +275,7 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
 }
 
 std::optional<Finding> compare_statement(Trial& trial, Verdict stated) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = stated;
-  return compare(trial, Claim{}, answer);
+  return compare(trial, Claim{}, answered(stated));
 }
 
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {

@@ -95,8 +95,7 @@ TEST(LawFaults, OfAnswers) {
   catches("who is undecided without need", promising, {1, 39, 41},
           [](const Pair& pair, MethodAnswer& answer) {
             if (pair.a.radius < 2 * pair.b.radius) return;
-            answer = {};
-            answer.status = Status::answered;
+            answer = answered(Verdict::undecided);
           });
   catches("who takes a bad solid", promising, {41}, [](const Pair& pair, MethodAnswer& answer) {
     if (pair.b.radius < 0) answer.verdict = Verdict::disjoint;
@@ -133,10 +132,28 @@ TEST(LawFaults, OfExactLaws) {
             if (std::fabs(delta.x()) > std::fabs(delta.y()) && margin_near_contact(pair) < 0)
               answer.verdict = Verdict::disjoint;
           });
+  catches("a verdict that favours one role", intersecting, {1}, [](const Pair& pair, MethodAnswer& answer) {
+    if (pair.a.radius < pair.b.radius) answer.verdict = Verdict::undecided;
+  });
   // These hulls prove nothing about round solids, so law 32 finds them too.
   catches("hulls that stay with the first", promising, {1, 32}, [](const Pair&, MethodAnswer& answer) {
     if (answer.witness == CertificateKind::point) answer.hulls[0] = Hull::plane;
   });
+}
+
+// At the first scale that is asked, the solids are below an absolute claim. At the last scale they are not.
+TEST(LawFaults, BeyondTheClaimAreFoundBehindOnesWithinIt) {
+  const auto turns = [](const Pair& pair) {
+    MethodAnswer answer = ask_ours("intersect", pair);
+    const double size = size_of(pair);
+    if (size < 1e-50 || size > 1e50) answer.verdict = Verdict::disjoint;
+    return answer;
+  };
+  Planted method(turns, "planted", {0, 1e-6, "planted"});
+  const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1, 0, 0}, {0, 1, 0}, 1, 2}};
+  const auto violation = violation_of(method, law_numbered(2), pair);
+  ASSERT_TRUE(violation);
+  EXPECT_EQ(violation->severity, Severity::contract) << violation->what;
 }
 
 TEST(LawFaults, OfApproximateLaws) {
