@@ -87,12 +87,12 @@ std::vector<std::unique_ptr<Method>> errata_2008_methods() {
   for (const Document document : {Document::text_2008, Document::book})
     methods.push_back(literal_method(document, "mended", {}));
   for (const Erratum& e : errata()) {
-    if (e.document() == Document::text_2017 || !e.fault) continue;
+    if (e.document() == Document::text_2017) continue;
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    methods.push_back(literal_method(e.document(), "only-" + name, *e.fault));
+    methods.push_back(literal_method(e.document(), "only-" + name, e.fault));
     const auto printed = e.document() == Document::book ? literature::printed_book : literature::printed_2008;
-    if (printed.has(*e.fault))
-      methods.push_back(literal_method(e.document(), "without-" + name, printed.without(*e.fault)));
+    if (printed.has(e.fault))
+      methods.push_back(literal_method(e.document(), "without-" + name, printed.without(e.fault)));
   }
   return methods;
 }
