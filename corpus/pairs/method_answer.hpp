@@ -28,11 +28,10 @@ enum class SideEffect : unsigned char {
   none,
   rounding_mode,  ///< left the processor rounding, or treating small numbers, in another way
   memory,         ///< wrote behind what it was given to write to
-  thread,         ///< left a thread running
-  slow            ///< slept or waited for long
+  thread          ///< left a thread running
 };
 constexpr auto words_of(SideEffect) noexcept {
-  return std::array{"none", "rounding_mode", "memory", "thread", "slow"};
+  return std::array{"none", "rounding_mode", "memory", "thread"};
 }
 
 /// The answer of a method. Plain bytes, so that a contained worker can leave it in shared memory.

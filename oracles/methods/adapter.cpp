@@ -6,7 +6,7 @@
 #include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 
@@ -57,11 +57,7 @@ Eigen::Matrix3d rotation_to(const Vector3& u) noexcept {
 Eigen::Matrix3d rotation_of(const Solid& c) noexcept {
   if (!is_box(c)) return rotation_to(unit_axis(c.axis));
   Eigen::Matrix3d m;
-  const auto edges = edge_directions<double>(c.quaternion);
-  for (int i = 0; i < 3; ++i) {
-    const Vec3<double>& e = edges[static_cast<std::size_t>(i)];
-    m.col(i) << e.x, e.y, e.z;
-  }
+  for (int i = 0; i < 3; ++i) m.col(i) = edge_direction(c, static_cast<std::size_t>(i));
   return m;
 }
 

@@ -26,7 +26,7 @@ bool all_finite(const MethodAnswer& a) {
 bool well_formed(const MethodAnswer& a) {
   return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
          a.witness <= CertificateKind::points && a.witness != CertificateKind::near &&
-         a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center && a.side_effect <= SideEffect::slow;
+         a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center && a.side_effect <= SideEffect::thread;
 }
 
 MethodAnswer cannot_be_called_so() { return declined_answer("cannot be asked this way"); }

@@ -64,8 +64,6 @@ struct Caps {
   std::chrono::milliseconds call_wall = 20 * call_cpu;
   /// CPU time and wall time that a library may take to load.
   std::chrono::milliseconds load = 20 * call_cpu_cap;
-  /// Time that one call may sleep or wait. A longer wait is reported as a side effect.
-  std::chrono::milliseconds call_wait = 2 * call_cpu;
   /// Hangs of one method in one call of ask(). After these, its questions are declined, with that
   /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();

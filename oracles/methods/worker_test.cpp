@@ -143,13 +143,6 @@ TEST(Worker, AChangedRoundingModeIsReportedAndPutBack) {
   EXPECT_STREQ(answers[1].answer.reason, "");
 }
 
-TEST(Worker, ALongSleepIsReported) {
-  const MethodAnswer answer = ask_between_good_ones(
-      [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::slow);
-}
-
 TEST(Worker, WhichLimitBrokeIsReported) {
   const Caps caps{.call_cpu = short_cap, .call_wall = milliseconds(2000)};
   const auto endless = [] {

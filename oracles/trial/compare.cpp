@@ -260,10 +260,9 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   return wrong;
 }
 
-/// A method may sleep, and may leave threads that wait for the next call. Both are reported nevertheless.
+/// A method may leave threads that wait for the next call. They are reported nevertheless.
 Severity severity_of(SideEffect effect) {
-  return effect == SideEffect::slow || effect == SideEffect::thread ? Severity::resolution
-                                                                    : Severity::contract;
+  return effect == SideEffect::thread ? Severity::resolution : Severity::contract;
 }
 
 }  // namespace
