@@ -2,7 +2,6 @@
 #include "fuzz/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <csignal>
 #include <cstdlib>
