@@ -24,8 +24,7 @@ constexpr std::string_view collide_source =
     "algorithm";
 constexpr std::string_view distance_source =
     "fcl/narrowphase/distance_request.h: distance_tolerance = 1e-6, the threshold used in GJK algorithm to "
-    "stop "
-    "distance iteration";
+    "stop distance iteration";
 
 /// FCL's default tolerance, and one for users who need more precision.
 constexpr double default_tol = 1e-6;
