@@ -102,8 +102,8 @@ daylight_script(planted_faults props 600 planted_faults)
 daylight_script(naive_boxes_test props 600 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program})
 daylight_script(naive_boxes_whole_test "props;deep" 2400 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program} all)
 
-# The cases and the first pairs of every family, through every fuzz target. Methods as printed and foreign libraries are wrong on some
-# of them: that must be found, and must end nothing.
+# The cases and the first pairs of every family, through every fuzz target. Methods as printed and foreign libraries are
+# wrong on some of them: that must be found, and must end nothing.
 foreach(target ${fuzz_targets})
   daylight_script(fuzz_${target}_seeds fuzz 2400 fuzz_${target} --cases ${PROJECT_SOURCE_DIR}/corpus/cases)
 endforeach()
