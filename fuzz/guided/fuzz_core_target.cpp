@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
 #include "fuzz/guided/record.hpp"
 #include "oracles/methods/own_answers.hpp"
@@ -36,8 +35,8 @@ class Core {
       (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
     }
     answers_.resize(methods_.size());
-    decide_ = place_of([](Method& method) { return method.claim().certified; });
-    distance_ = place_of([](Method& method) { return bool(method.prepare_distances({})); });
+    const auto measures = [](const auto& method) { return bool(method->prepare_distances({})); };
+    distance_ = static_cast<std::size_t>(std::ranges::find_if(methods_, measures) - methods_.begin());
   }
 
   void run(const Pair& pair) {
@@ -53,21 +52,12 @@ class Core {
     FuzzJudge fuzz_judge(pair, answers_, promised, sink_, &own);
     for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
-    count_iterations(answers_[decide_].steps);
-    count_distance_steps(measured.iterations);
     if (fuzz_judge.drawn(unaided_share)) judge_unaided(fuzz_judge);
     if (fuzz_judge.drawn(law_share)) check_law(fuzz_judge, cheap_laws_);
     if (fuzz_judge.drawn(proved_law_share)) check_law(fuzz_judge, proved_laws_);
   }
 
  private:
-  template <typename Sought>
-  std::size_t place_of(Sought is_sought) const {
-    const auto at =
-        std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return is_sought(*m); });
-    return static_cast<std::size_t>(at - methods_.begin());
-  }
-
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
   void judge_unaided(const FuzzJudge& fuzz_judge) {
     check_agree(fuzz_judge.pair(), fuzz_judge.truth().verdict, prove_in_double(fuzz_judge.pair()).verdict);
@@ -99,7 +89,7 @@ class Core {
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<const Law*> cheap_laws_, proved_laws_;
   std::vector<MethodAnswer> answers_;
-  std::size_t decide_, distance_;  // in methods_
+  std::size_t distance_;  ///< in methods_
   FindingSink sink_;
 };
 

@@ -30,7 +30,6 @@ FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bo
     trial_.truth = prove_exactly(trial_.pair, offered, wide_bits_cap);
   measured_ = approximate_distance(trial_.pair);
   const Stratum stratum = count_geometry(trial_.pair, measured_, finely);
-  count_stage(trial_.truth);
   if (trial_.truth.verdict == Verdict::undecided) sink_.add_undecided(trial_.pair, stratum);
   enclose_ = drawn(enclosed_share);
 }
