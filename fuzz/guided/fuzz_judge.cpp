@@ -22,8 +22,8 @@ RandomStream draws_of(const Pair& pair) {
 }  // namespace
 
 FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-                     const MeasuredDistance* own, bool finely)
-    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink), own_(own) {
+                     bool finely)
+    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
   trial_.truth = prove_in_double(trial_.pair, offered);
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
@@ -66,7 +66,7 @@ void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer
 
 void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answer) {
   const Pair& pair = trial_.pair;
-  const Enclosure shown = shown_distance(pair, own_ ? *own_ : measured_of(distance(pair.a, pair.b)));
+  const Enclosure shown = shown_distance(pair, measured_of(distance(pair.a, pair.b)));
   if (!std::isfinite(shown.lo)) return;
   const Enclosure off = error_bound_of(shown, answer);
   count_badness(Badness::error, off.hi / answer.error_bound);
