@@ -35,6 +35,7 @@ FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bo
 }
 
 void FuzzJudge::record(const Method& method, MethodAnswer answer) {
+  if (answer.status == Status::declined) return;
   if (answer.status == Status::answered &&
       (answer.verdict == Verdict::invalid) != (trial_.truth.verdict == Verdict::invalid)) {
     sink_.add_finding(trial_.pair, method.name(), "wrong_invalid", "the referee disagrees about `invalid`");
