@@ -3,12 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
-#include <numeric>
-#include <string>
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
