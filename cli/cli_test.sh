@@ -47,7 +47,7 @@ printf '%s\nnonsense\n' "$overlapping" >two
 says 'files' 65 "$disjoint"$'\n'"$intersecting"$'\n''.*"error":"two: line 2.*' check one two
 says 'a file and standard input' 0 "$disjoint"$'\n'"$disjoint" check one -
 # A file that is named and not there, or is a folder, is wrong usage, of every command.
-for command in check judge replay scene 'explain --method ode' 'export --method ode --out sent' 'worst --method ode --from'; do
+for command in check judge replay scene 'export --method ode --out sent' 'worst --method ode --from'; do
   read -ra words <<<"$command"
   says "$command: no such file" 64 '' "${words[@]}" missing
 done
@@ -155,23 +155,9 @@ says 'pairs of a family' 0 '.*"id":"random/7/5".*'$'\n''.*"id":"random/7/6".*' f
 [[ $(wc -l <out) == 1000 ]] || failed 'a family through check: an answer a line'
 
 says 'the worst of nobody' 64 '' worst --method nobody
-says 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
-says 'the worst from nowhere' 64 '' worst --method ode --from nowhere
-says 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9,]+ questions' \
-  worst --method intersect --feature cap-rim --evaluations 20
 worst='.*ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(beyond its claim\) \{.*\}'
 says 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
-mv out first
-says 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200
-cmp -s first out || failed 'the same seed, another worst'
 says 'the worst replayed' 2 '.* replayed, [12] beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
-says 'the worst from a file' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 20 --from worst.jsonl
-says 'the worst of nothing' 64 '' worst --method decide --search luck
-says 'the worst error' 0 'distance rim-rim error 0\.[0-9]+ \(within its claim\) \{.*\}' \
-  worst --method distance --search error --feature rim-rim --evaluations 60
-mv out first
-"$daylight" worst --method distance --search error --feature rim-rim --evaluations 60 >out
-cmp -s first out || failed 'the same seed, another error'
 
 # An answer comes before the next question is asked.
 coproc "$daylight" check
@@ -181,27 +167,6 @@ for _ in 1 2 3; do
 done
 [[ $answer == '{"verdict":"disjoint",'* ]] || failed 'the answer in a conversation'
 exec {COPROC[1]}>&-
-
-# The program that replays fuzz inputs, where it is built too.
-fuzz_core=${daylight%/*}/fuzz_core
-if [[ -x $fuzz_core ]]; then
-  : >out
-  head -c 272 /dev/zero >record
-  head -c 5 /dev/zero >short
-  mkdir -p records
-  cp record short records
-  replays() { # exit code, regular expression in standard error, arguments
-    local wanted=$1 pattern=$2 code=0
-    shift 2
-    "$fuzz_core" "$@" 2>err || code=$?
-    [[ $code == "$wanted" && $(<err) =~ $pattern ]] || failed "fuzz_core $*: exit code $code, not $wanted, or not /$pattern/"
-  }
-  replays 0 '1 inputs' record
-  replays 1 'missing: cannot be read.*1 inputs' missing record
-  replays 1 'short: .* 5 bytes.*1 inputs' record short
-  replays 1 'records/short: .*1 inputs' records
-  replays 1 '0 inputs'
-fi
 
 # A reader that goes away is no error worth a word; a full disk is.
 (set +o pipefail; "$daylight" families random --count 100000 2>err | head -n 1 >out)
@@ -214,13 +179,9 @@ fi
 
 # Whole numbers: digits only, in base ten, in range; what is wrong is said by the option's name.
 : >in
-for number in -1 -3 +1 1x 1.5 0x10 '' 18446744073709551616 99999999999999999999999; do
-  for option in 'families random --count' 'families random --seed' 'families random --from' 'bench --pairs' \
-      'bench --passes' 'bench --seed' 'campaign --pairs' 'campaign --seed' 'campaign --jobs'; do
-    read -ra words <<<"$option"
-    says "$option '$number'" 64 '' "${words[@]}" "$number"
-    grep -qF -- "${words[-1]}: '$number' is not a whole number from " err || failed "$option '$number': what is wrong"
-  done
+for number in -1 +1 1x 1.5 0x10 '' 18446744073709551616; do
+  says "a count '$number'" 64 '' families random --count "$number"
+  grep -qF -- "--count: '$number' is not a whole number from " err || failed "a count '$number': what is wrong"
 done
 says 'no pairs' 64 '' bench --pairs 0
 says 'help of chart' 0 '.*Examples:.*' chart --help

@@ -15,7 +15,6 @@ void add_bench(Program& program);
 void add_campaign(Program& program);
 void add_chart(Program& program);
 void add_check(Program& program);
-void add_explain(Program& program);
 void add_export(Program& program);
 void add_families(Program& program);
 void add_vectors(Program& program);

@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -17,7 +15,6 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "base/own_command.hpp"
 #include "base/process/stop_signals.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
@@ -66,22 +63,6 @@ std::string case_lines(const JudgedGate& gate) {
     lines += format_case(c) + '\n';
   }
   return lines;
-}
-
-/// Returns the options that make `replay` ask the same methods and check the laws that failed.
-std::string replay_options(const JudgedGate& gate, std::span<const std::unique_ptr<Method>> methods,
-                           std::span<const Guest> guests) {
-  std::string options = " --methods ", comma;
-  for (const auto& method : methods) {
-    options += comma + shell_quoted(method->name());
-    comma = ",";
-  }
-  for (const Guest& guest : guests) options += ' ' + options_for(guest);
-  std::set<int> laws;
-  for (const JudgedFailure& f : gate.failures)
-    if (fails_gate(f) && !shows_in_answer(*f.law)) laws.insert(f.law->number);
-  if (!laws.empty()) options += fmt::format(" --laws {}", fmt::join(laws, ","));
-  return options;
 }
 
 /// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
@@ -142,9 +123,6 @@ int gate(const GateArguments& arguments) {
   const JudgedGate judged = judge(std::move(report), base, guests);
   fmt::print("{}", gate_text(judged));
   write_files(arguments, judged);
-  if (!arguments.keep.empty() && std::any_of(judged.failures.begin(), judged.failures.end(), fails_gate))
-    fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
-               replay_options(judged, methods, guests));
   return exit_code(judged);
 }
 
@@ -174,7 +152,9 @@ void add_gate(Program& program) {
       .default_text("corpus/cases/");
   command.section("Output");
   command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
-  command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
+  command
+      .option("--json FILE", arguments->json, "write the failures and what was asked as JSON, for --against")
+      .writable();
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.flag("--laws", arguments->laws, "only list the laws");

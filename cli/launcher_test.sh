@@ -65,25 +65,6 @@ printf '#include <cstdio>\nint main() { for (int c; (c = std::getchar()) != EOF;
 equal 'first use in a pipe' 'a pair' "$(printf 'a pair\n' | PATH="$scratch/no packages:$PATH" "$home/daylight" 2>/dev/null)"
 cp "$scratch/main.cpp" "$home/main.cpp"
 
-# An ordinary user's own installation that fails is said to fail, and nothing is built.
-if script -qec true /dev/null >/dev/null 2>&1; then # a pseudo-terminal can be had
-  rm -rf "$home/build"
-  printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
-  printf '#!/bin/sh\nexit 100\n' >"$scratch/no packages/sudo"
-  chmod +x "$scratch/no packages/"*
-  code=0
-  { printf 'y\n'; until [[ -e $scratch/answered ]]; do sleep 0.1; done; } | { # its terminal stays open
-    PATH="$scratch/no packages:$PATH" script -qec "'$home/daylight'" /dev/null >"$scratch/out" || code=$?
-    touch "$scratch/answered"
-    exit "$code"
-  } || code=$?
-  equal 'a failed installation: exit code' 1 "$code"
-  equal 'a failed installation is reported' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
-  equal 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
-else
-  "$(dirname -- "$launcher")/.ci/skip" 'a terminal: apt-get install bsdutils' || [[ $? == 77 ]]
-fi
-
 # Two first builds at once, one through a link.
 rm -rf "$home/build/release"
 (cd "$scratch" && ./link >"$scratch/out2" 2>/dev/null) &

@@ -32,18 +32,15 @@ try() { # NAME COMMAND.. : whatever the exit code
   starts "$1" no
 }
 try triage triage renamed --for 1s
-try 'explain of a cause' explain renamed "$key"
 try 'export of a cause' export renamed "$key" --out sent
 try replay replay renamed
 try 'replay of a finding' replay "renamed:$id"
-try explain explain "renamed:$id"
 try export export "renamed:$id" --out sent
 try worst worst --from renamed --method evil --evaluations 5
 try chart chart renamed
 try resume campaign --resume renamed --pairs 90
 holds resume err 'cannot be resumed: evil of renamed is not started'
 try merge merge renamed --out merged
-try page page renamed
 expect 0 'the record of another' "$daylight" replay "renamed:$id" --methods decide
 expect 2 'replay --run-guests' "$daylight" replay "renamed:$id" --methods evil --run-guests
 starts 'replay --run-guests' yes

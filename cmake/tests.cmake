@@ -24,8 +24,8 @@ endfunction()
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
 set(process_suites Batch Bench Campaign Child Confine Contained
-    Examine Explain Export FailingRegion Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
-    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Stability Store Triage Worker
+    Examine Export Fuzzing Gate GateJunit Guest* *SupervisedProcess* Kin
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson Shards Store Triage Worker
     Worst)
 list(TRANSFORM process_suites APPEND ".*")
 list(JOIN process_suites ":" process_suites)
@@ -58,7 +58,7 @@ daylight_tests(bench bench reports/run)
 daylight_tests(scenes scenes/read scenes/study)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst props/shrink)
-daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene scenes/read)
+daylight_tests(reports reports/gate reports/triage reports/export reports/run reports/scene scenes/read)
 
 # daylight_deep(FOLDER FILTER AMOUNT..): the same tests with more of what they draw: ctest -L deep.
 function(daylight_deep folder filter)
@@ -112,6 +112,3 @@ set_tests_properties(fuzz_xcheck_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABO
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   daylight_script(fuzz_engine_test "fuzz;deep" 2400 ${PROJECT_SOURCE_DIR}/fuzz/guided/engine_test.sh ${program})
 endif()
-
-# gate_test keeps the machine busy for a while, to see that a gate says the same then.
-set_tests_properties(gate_test PROPERTIES RUN_SERIAL ON)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // MuJoCo's mj_geomDistance. With --contacts: whether mj_forward makes a contact. With --libccd: the same, by its older
 // algorithm for convex solids. Each pair is compiled as its own model, because a changed geom keeps its old bounds.
+import { writeFileSync } from 'node:fs';
 import load from '@mujoco/mujoco';
 import { serve } from './lines.mjs';
 
@@ -28,12 +29,14 @@ const call = option ? 'mj_forward' : 'mj_geomDistance';
 serve({ name, npm: '@mujoco/mujoco', call, claim, shapes: lengths, sizes: { zero: false } }, (a, b) => {
   if (b.kind === 'half_space') [a, b] = [b, a];
   // The second moves, since solids that are fixed to the world make no contact.
-  MuJoCo.FS.writeFile('/pair.xml', `<mujoco>
+  const mjcf = `<mujoco>
   <option><flag nativeccd="${option === 'libccd' ? 'disable' : 'enable'}"/></option>
   <worldbody>
     <${geom(a)} ${posed(a)}/>
     <body ${posed(b)}><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><${geom(b)}/></body>
-  </worldbody></mujoco>`);
+  </worldbody></mujoco>\n`;
+  MuJoCo.FS.writeFile('/pair.xml', mjcf);
+  if (process.env.DAYLIGHT_MODEL) writeFileSync(process.env.DAYLIGHT_MODEL, mjcf); // for MuJoCo's issue tracker
   const model = MuJoCo.MjModel.mj_loadXML('/pair.xml'), data = new MuJoCo.MjData(model);
   try {
     MuJoCo.mj_forward(model, data);

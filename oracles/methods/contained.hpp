@@ -75,8 +75,8 @@ struct Caps {
   bool out_of_time() const { return std::chrono::steady_clock::now() >= until; }
 };
 
-/// Returns the caps of commands that people wait for, such as gate, triage and explain. The CPU time is that
-/// of a campaign, so that all commands agree on what hangs. A call that sleeps is given up sooner.
+/// Returns the caps of commands that people wait for, such as gate and triage. The CPU time is that of a
+/// campaign, so that all commands agree on what hangs. A call that sleeps is given up sooner.
 constexpr Caps attended_caps(unsigned hangs) { return {.call_wall = 4 * call_cpu_cap, .hangs = hangs}; }
 
 /// Returns the CPU time that a call of the method may take, with the usual caps.

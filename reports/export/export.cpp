@@ -297,15 +297,15 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
       std::ifstream in(file, std::ios::binary);
       files[file.filename()].assign(std::istreambuf_iterator<char>(in), {});
     }
-    return {
-        .what = upstream.call,
-        .whom = fmt::format("`{}` of {}, called by `{}`", upstream.call, package, elsewhere.what),
-        .how = fmt::format("`sh reproduce.sh` installs {} into its folder and asks it about `case.jsonl`. "
-                           "Its exit code is 1 while the answer is wrong, and 0 once it is right.",
-                           package),
-        .closing = thanks,
-        .axes = AxesGiven::as_they_are,
-        .files = std::move(files)};
+    return {.what = upstream.call,
+            .whom = fmt::format("`{}` of {}, called by `{}`", upstream.call, package, elsewhere.what),
+            .how = fmt::format(
+                "`sh reproduce.sh` installs {} into its folder and asks it about `case.jsonl`. "
+                "Its exit code is 1 while the answer is wrong, and 0 once it is right.{}",
+                package, package.starts_with("@mujoco/") ? " It writes the MJCF to `model.xml`." : ""),
+            .closing = thanks,
+            .axes = AxesGiven::as_they_are,
+            .files = std::move(files)};
   }
   return {.what = guest.name,
           .whom = fmt::format("`{}` {}: a {}, `{}`", guest.name, one_line(method.version()), kind,

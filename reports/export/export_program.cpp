@@ -348,7 +348,8 @@ std::string reproducing_script(const Upstream& upstream, const std::string& comm
           : fmt::format("echo \"$answer\" | grep -q '\"verdict\":\"{}\"'", to_string(asked.answer().verdict));
   return fmt::format(
       "#!/bin/sh\n# Installs the library into this folder, and asks it about case.jsonl.\nset -e\n"
-      "cd -- \"$(dirname -- \"$0\")\"\n{} >&2\nanswer=$({} <case.jsonl | tail -n 1)\necho \"$answer\"\n"
+      "cd -- \"$(dirname -- \"$0\")\"\n{} >&2\nanswer=$(DAYLIGHT_MODEL=model.xml {} <case.jsonl | tail -n "
+      "1)\necho \"$answer\"\n"
       "if {}; then echo WRONG; exit 1; fi\n",
       upstream.install, command, is_wrong);
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -26,63 +25,18 @@ using json = nlohmann::ordered_json;
 /// Returns 16 hexadecimal digits, because some readers of JSON do not keep 64 bits of a number.
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-json counts(const AnswerCounts& c) {
-  json said;
-  for (const Verdict v : enum_values<Verdict>) said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
-  return {{"asked", c.asked}, {"declined", c.declined},         {"failed", c.failed},
-          {"hangs", c.hangs}, {"hung_seconds", c.hung_seconds}, {"said", std::move(said)}};
-}
-
-json verdicts(const VerdictCount& c) {
-  return {{"pairs", c.pairs}, {"wrong", c.wrong}, {"undecided", c.undecided}};
-}
-
 json method(const GateMethod& m) {
-  json cells = json::array();
-  for (const GateCell& c : m.cells) {
-    cells.push_back({{"feature", to_string(c.stratum.feature)},
-                     {"decade", c.stratum.decade},
-                     {"claimed", c.claimed},
-                     {"pairs", c.pairs},
-                     {"wrong", c.wrong},
-                     {"undecided", c.undecided}});
-  }
-  json close_cells = json::array();
-  for (const CloseGateCell& c : m.close_cells) {
-    close_cells.push_back({{"lie", to_string(c.cell.lie)},
-                           {"angle", to_string(c.cell.band)},
-                           {"decade", c.cell.decade},
-                           {"claimed", c.claimed},
-                           {"gaps", c.gaps},
-                           {"wrong_gaps", c.wrong_gaps},
-                           {"overlaps", c.overlaps},
-                           {"wrong_overlaps", c.wrong_overlaps},
-                           {"undecided", c.undecided}});
-  }
-  json by_shapes = json::array();
-  for (std::size_t i = 0; i < drawn_kinds.size(); ++i)
-    by_shapes.push_back({{"shapes", {to_string(drawn_kinds[i].first), to_string(drawn_kinds[i].second)}},
-                         {"pairs", m.by_kinds[i].pairs},
-                         {"wrong", m.by_kinds[i].wrong}});
-  return {{"name", m.name},
-          {"version", m.version},
-          {"claim",
-           {{"relative", number_json(m.claim.relative)},
-            {"absolute", number_json(m.claim.absolute)},
-            {"source", m.claim.source}}},
-          {"counts", counts(m.counts)},
-          {"cells", std::move(cells)},
-          {"close_cells", std::move(close_cells)},
-          {"close_contacts", verdicts(close_contacts_of(m))},
-          {"rounded", verdicts(m.rounded)},
-          {"by_shapes", std::move(by_shapes)},
-          {"remark", m.remark}};
+  return {
+      {"name", m.name},
+      {"version", m.version},
+      {"counts", {{"asked", m.counts.asked}, {"declined", m.counts.declined}, {"failed", m.counts.failed}}},
+      {"rounded",
+       {{"pairs", m.rounded.pairs}, {"wrong", m.rounded.wrong}, {"undecided", m.rounded.undecided}}}};
 }
 
 json failure(const JudgedFailure& f) {
   return {{"method", f.method},
           {"law", f.law->number},
-          {"name", f.law->name},
           {"kind", f.kind},
           {"what", f.what},
           {"reason", f.reason},
@@ -124,19 +78,10 @@ std::string gate_json(const JudgedGate& gate) {
   json laws = json::array(), cases = json::array();
   for (const Law& law : all_laws()) laws.push_back(law.number);
   for (const std::uint64_t digest : gate.report.cases) cases.push_back(hex(digest));
-  json remarks = json::array();
-  for (const GateRemark& r : gate.remarks) remarks.push_back({{"text", r.text}, {"exit_code", r.exit_code}});
-  const json all = {{"seed", gate.report.seed},
-                    {"pairs", gate.report.pairs},
-                    {"cap_milliseconds", gate.report.cap ? json(gate.report.cap->count()) : json()},
-                    {"not_asked", gate.not_asked},
-                    {"laws", std::move(laws)},
-                    {"cases", std::move(cases)},
-                    {"methods", std::move(methods)},
-                    {"failures", std::move(failures)},
-                    {"remarks", std::move(remarks)},
-                    {"phases", std::move(phases)},
-                    {"undecided_truths", gate.report.undecided_truths}};
+  const json all = {{"seed", gate.report.seed},        {"pairs", gate.report.pairs},
+                    {"not_asked", gate.not_asked},     {"laws", std::move(laws)},
+                    {"cases", std::move(cases)},       {"methods", std::move(methods)},
+                    {"failures", std::move(failures)}, {"phases", std::move(phases)}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gate's complete result as one JSON document, and the part that a later gate reads back.
+// The failures of a gate and what it asked as one JSON document, which a later gate reads back.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace cyl {
 
-/// Returns every field of the report under its own name. Pairs are written as in the case files. Numbers that
+/// Returns fields of the report under their own names. Pairs are written as in the case files. Numbers that
 /// JSON does not have are the strings "nan", "inf", "-inf".
 std::string gate_json(const JudgedGate& gate);
 

@@ -13,10 +13,9 @@ namespace {
 
 using json = nlohmann::json;
 
-TEST(GateJson, IsTheWholeReport) {
+TEST(GateJson, HasWhatWasAskedAndEachFailure) {
   const json all = parse_json(gate_json(example_gate()));
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
-  EXPECT_EQ(all["undecided_truths"], 3);
   EXPECT_EQ(all["phases"][3], json({{"phase", "sample of all strata"},
                                     {"rounds", 831},
                                     {"pairs", 345678},
@@ -25,23 +24,8 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(all["pairs"], 350'000);
   EXPECT_EQ(all["laws"].size(), all_laws().size());
   EXPECT_EQ(all["not_asked"], json::array());
-  EXPECT_EQ(all["remarks"], json::array());
   EXPECT_EQ(parse_json(gate_json(cut_gate()))["not_asked"].size(), 2u);
-  const json& method = all["methods"][0];
-  EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
-  EXPECT_EQ(method["claim"]["relative"], 1e-13);
-  EXPECT_EQ(method["cells"].size(), 26u);
-  EXPECT_EQ(all["methods"][1]["cells"][1]["wrong"], 7);
-  EXPECT_EQ(method["close_cells"].size(), close_cell_count);
-  EXPECT_EQ(all["methods"][1]["close_cells"][1], json({{"lie", "generic"},
-                                                       {"angle", "> 1e-03"},
-                                                       {"decade", 2},
-                                                       {"claimed", true},
-                                                       {"gaps", 100},
-                                                       {"wrong_gaps", 0},
-                                                       {"overlaps", 90},
-                                                       {"wrong_overlaps", 3},
-                                                       {"undecided", 2}}));
+  EXPECT_EQ(all["methods"][0]["counts"]["asked"], 1234567);
   const json& failure = all["failures"][1];
   EXPECT_EQ(failure["law"], 2);
   EXPECT_EQ(failure["severity"], "contract");

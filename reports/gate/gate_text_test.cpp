@@ -65,7 +65,7 @@ TEST(GateText, OfALawTheNewAndThenTheWorstComesFirst) {
   EXPECT_EQ(alike.back()->what, "old");
 }
 
-TEST(GateText, CountsWrongVerdictsOfAllCellsAsJsonDoes) {
+TEST(GateText, CountsWrongVerdictsOfAllCells) {
   GateMethod m = example_gate().report.methods[1];
   m.name = "fake";
   const auto unclaimed = std::ranges::find(m.close_cells, false, &CloseGateCell::claimed);

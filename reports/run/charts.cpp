@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int last_calibrated_bin = touching_bin - 1;
-
 bool is_wrong_or_failed(const CellCounts& c) {
   return c.wrong_disjoint + c.wrong_intersecting + c.failed > 0;
 }
@@ -51,23 +49,20 @@ std::map<MapPlace, std::int64_t> first_findings(const RunData& run) {
 
 nlohmann::json axis_json(const CellAxis& axis) { return {{"title", axis.title}, {"labels", axis.labels}}; }
 
-nlohmann::json counts_json(const CellCounts& c) {
-  return {{"asked", c.asked},
-          {"wrong_disjoint", c.wrong_disjoint},
-          {"wrong_intersecting", c.wrong_intersecting},
-          {"within_disjoint", c.within_disjoint},
-          {"within_intersecting", c.within_intersecting},
-          {"declined", c.declined}};
-}
-
 /// Leaves out counts of 0, because most counts are 0.
 nlohmann::json map_json(const FailureMap& map) {
   nlohmann::json cells = nlohmann::json::array();
   for (const MapCell& c : map.cells) {
-    nlohmann::json counts = counts_json(c.counts), cell{{"x", c.at.x}, {"y", c.at.y}};
-    counts["failed"] = c.counts.failed;
-    counts["undecided"] = c.counts.undecided;
-    for (const auto& [name, count] : counts.items())
+    nlohmann::json cell{{"x", c.at.x}, {"y", c.at.y}};
+    const CellCounts& n = c.counts;
+    for (const auto& [name, count] : {std::pair("asked", n.asked),
+                                      {"wrong_disjoint", n.wrong_disjoint},
+                                      {"wrong_intersecting", n.wrong_intersecting},
+                                      {"within_disjoint", n.within_disjoint},
+                                      {"within_intersecting", n.within_intersecting},
+                                      {"declined", n.declined},
+                                      {"failed", n.failed},
+                                      {"undecided", n.undecided}})
       if (count != 0) cell[name] = count;
     if (c.finding) cell["finding"] = *c.finding;
     cells.push_back(std::move(cell));
@@ -77,16 +72,6 @@ nlohmann::json map_json(const FailureMap& map) {
           {"x", axis_json(x_axis(map.plane))},
           {"y", axis_json(y_axis(map.plane))},
           {"cells", std::move(cells)}};
-}
-
-nlohmann::json calibration_json(const Calibration& calibration) {
-  nlohmann::json bins = nlohmann::json::array();
-  for (const auto& [decade, counts] : calibration.bins) {
-    nlohmann::json bin = counts_json(counts);
-    bin["decade"] = decade;
-    bins.push_back(std::move(bin));
-  }
-  return {{"method", calibration.method}, {"bins", std::move(bins)}};
 }
 
 nlohmann::json finite_json(double x) {
@@ -148,17 +133,6 @@ std::vector<FailureMap> failure_maps(const RunData& run) {
   return maps;
 }
 
-std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps) {
-  std::vector<Calibration> all;
-  for (const FailureMap& map : maps) {
-    if (map.plane != Plane::angle_margin) continue;
-    std::map<int, CellCounts> bins;
-    for (const MapCell& cell : map.cells) bins[std::min(cell.at.y, last_calibrated_bin)] += cell.counts;
-    all.push_back({map.method, {bins.begin(), bins.end()}});
-  }
-  return all;
-}
-
 std::vector<BenchRow> read_bench(const fs::path& file) {
   std::vector<BenchRow> rows;
   try {
@@ -205,9 +179,7 @@ void set_charts(RunData& run, const nlohmann::json& fields) {
 }
 
 void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
-  const std::vector<FailureMap> maps = failure_maps(run);
-  nlohmann::json fields = {{"maps", list(maps, map_json)},
-                           {"calibration", list(calibration_of(maps), calibration_json)}};
+  nlohmann::json fields = {{"maps", list(failure_maps(run), map_json)}};
   std::vector<SpeedPoint> points = speed_points(bench);
   std::erase_if(points, [](const SpeedPoint& p) { return p.query == "distance"; });
   if (!bench.empty()) fields["speed"] = list(points, speed_json);

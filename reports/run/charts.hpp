@@ -32,14 +32,6 @@ struct FailureMap {
 /// By method, in the run's order, and plane; methods that no cell was asked of are left out.
 std::vector<FailureMap> failure_maps(const RunData& run);
 
-/// Claimed against observed accuracy, by the rows of plane angle-margin: bin d holds margins in (10^(-d-1),
-/// 10^-d], the last, 16, all below, and what touches.
-struct Calibration {
-  std::string method;
-  std::vector<std::pair<int, CellCounts>> bins;  ///< by decade, those that were asked about
-};
-std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps);
-
 /// The rows in a file that `daylight bench --json` wrote. Throws InputError that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);
 
@@ -53,7 +45,7 @@ nlohmann::json read_charts(const std::filesystem::path& run);
 /// Sets fields of `run.charts` and writes RUN/charts.json; other fields stay as they are.
 void set_charts(RunData& run, const nlohmann::json& fields);
 
-/// Sets the charts "maps" and "calibration" from the run, and "speed" from `bench`, if there are rows.
+/// Sets the chart "maps" from the run, and "speed" from `bench`, if there are rows.
 void write_charts(RunData& run, const std::vector<BenchRow>& bench);
 
 }  // namespace cyl

@@ -9,7 +9,6 @@
 
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
-#include "bench/paths.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "reports/run/bench_table.hpp"
@@ -109,22 +108,11 @@ TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
   EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
 }
 
-TEST_F(Charts, CalibrationIsByDecadeAndTouchingIsBelowAll) {
-  const std::vector<Calibration> all = calibration_of(failure_maps(read_run(folder, {})));
-  ASSERT_EQ(all.size(), 2u);
-  ASSERT_EQ(all[0].bins.size(), 3u);
-  EXPECT_EQ(all[0].bins[0].first, 0);
-  EXPECT_EQ(all[0].bins[1].first, 6);
-  EXPECT_EQ(all[0].bins[2].first, 16);
-  EXPECT_EQ(all[0].bins[2].second.asked, 8u);
-  EXPECT_EQ(all[1].bins[1].second, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));
-}
-
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
-  std::ofstream(folder / "charts.json") << R"({"paths":[1],"maps":[],"speed":[5]})";
+  std::ofstream(folder / "charts.json") << R"({"other":[1],"maps":[],"speed":[5]})";
   RunData run = read_run(folder, {});
   write_charts(run, {});
-  EXPECT_EQ(charts()["paths"], parse_json("[1]"));
+  EXPECT_EQ(charts()["other"], parse_json("[1]"));
   EXPECT_EQ(charts()["speed"], parse_json("[5]"));
   BenchRow row;
   row.method = "bad-tol1e-4";
@@ -138,7 +126,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   write_charts(run, {distance, row});
   const json all = charts();
   EXPECT_EQ(all, run.charts);
-  EXPECT_EQ(all["paths"], parse_json("[1]"));
+  EXPECT_EQ(all["other"], parse_json("[1]"));
   const json& cell = all["maps"][planes.size()]["cells"][1];
   for (const char* field : {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "declined",
                             "within_intersecting", "finding"})
@@ -147,9 +135,6 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all["maps"][planes.size()]["plane"], "angle-margin");
   EXPECT_EQ(all["maps"][planes.size()]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
   EXPECT_EQ(all["maps"][planes.size()]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
-  EXPECT_EQ(all["calibration"][1]["bins"][1],
-            parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,
-              "declined":1,"within_disjoint":0,"within_intersecting":1})"));
   EXPECT_EQ(all["speed"], parse_json(R"([{"method":"bad-tol1e-4","curve":"bad","setting":"tol1e-4",
     "family":"all","query":"verdict","ns":12.5,"p99":null,"asked":9,"wrong_disjoint":0,
     "wrong_intersecting":0,"digits":1,"digits_low":null}])"));
@@ -186,17 +171,6 @@ TEST_F(Charts, ReadWhatABenchWrote) {
     std::ofstream(file) << bad;
     EXPECT_THROW(read_bench(file), InputError) << bad;
   }
-}
-
-TEST_F(Charts, AFieldIsSetAndTheOthersStay) {
-  std::ofstream(folder / "charts.json") << R"({"maps":[3],"paths":[4]})";
-  RunData run = read_run(folder, {});
-  const auto methods = select_methods(own_methods(), "intersect");
-  set_charts(run, {{"paths", paths_json(path_stability(methods))}});
-  EXPECT_EQ(charts()["maps"], parse_json("[3]"));
-  EXPECT_EQ(charts()["paths"].size(), 24u);
-  EXPECT_EQ(charts()["paths"][0]["method"], "intersect");
-  EXPECT_EQ(run.charts, charts());
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,12 +13,9 @@
 
 #include "base/files.hpp"
 #include "base/json.hpp"
-#include "base/own_command.hpp"
-#include "base/safe_text.hpp"
-#include "base/source_tree.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/stored_answers.hpp"
-#include "oracles/methods/guest.hpp"
+#include "oracles/methods/method.hpp"
 #include "reports/run/page_template.hpp"
 #include "reports/run/run_summary.hpp"
 #include "reports/run/tally_table.hpp"
@@ -37,50 +33,6 @@ json parsed(const std::string& text) { return json::parse(text, nullptr, false);
 // The run
 // -----------------------------------------------------------------------------------------------------------
 
-std::string names_option(const char* option, const std::vector<std::string>& named,
-                         const std::vector<std::string>& all) {
-  if (named == all) return "";
-  std::string list;
-  for (const std::string& name : named) list += (list.empty() ? "" : ",") + name;
-  return fmt::format(" {} {}", option, shell_quoted(list));
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
-/// Returns the command that repeats this run on a machine with the same build and guests. Empty if all pairs
-/// come from a corpus.
-std::string command_of(const RunData& run) {
-  const Config& config = run.config;
-  const std::vector<std::string> families = lines_of(value_of(config, "families"));
-  const std::string cases = value_of(config, "cases"), corpus = run.folder + "/corpus";
-  const bool has_corpus = std::filesystem::is_directory(corpus);
-  if (has_corpus && families.empty()) return "";
-  std::vector<std::string> asked, all, all_families;
-  for (const MethodRecord& m : run.methods) asked.push_back(m.name);
-  for (const auto& m : all_methods()) all.emplace_back(m->name());
-  for (const Family& f : run.families) all_families.emplace_back(f.name);
-  const Shard shard = shard_of(config);
-  std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
-                                    shell_quoted(value_of(config, "seed")), run.progress.next);
-  for (const Guest& guest : parse_guests(value_of(config, "guests"))) {
-    all.push_back(guest.name);
-    command += ' ' + options_for(guest);
-  }
-  if (shard.count > 1) command += fmt::format(" --shard {}/{}", shard.index, shard.count);
-  command += names_option("--methods", asked, all) + names_option("--families", families, all_families);
-  if (cases != in_source_tree("corpus/cases")) command += " --cases " + shell_quoted(cases);
-  if (has_corpus) command += " --corpus " + shell_quoted(corpus);
-  return command;
-}
-
 json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
   std::uint64_t pairs = 0;  // judged pairs; the next index of a shard also counts pairs of other shards
   for (const MethodTally& m : tallies)
@@ -92,7 +44,6 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
           {"status", value_of(run.config, "status")},
           {"seconds", static_cast<double>(run.progress.milliseconds) / 1000},
           {"build", value_of(run.config, "build")},
-          {"command", command_of(run)},
           {"folder", run.folder}};
 }
 
@@ -278,7 +229,7 @@ void add_findings(json& report, const RunData& run) {
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
-  for (const char* section : {"maps", "calibration", "speed", "paths"}) {
+  for (const char* section : {"maps", "speed"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));

@@ -8,8 +8,8 @@
 
 namespace cyl {
 
-/// Returns the data of the page: the run, its charts (an object with maps, calibration, speed, paths), and
-/// the causes of triage (causes_json() of triage.hpp).
+/// Returns the data of the page: the run, its charts (an object with maps and speed), and the causes of
+/// triage (causes_json() of triage.hpp).
 /// 1. A finding without a pair is only counted.
 /// 2. The result is one line of valid UTF-8.
 /// 3. Distances are enclosed again. Nearest points are the solver's and approximate.

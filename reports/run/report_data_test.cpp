@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "base/json.hpp"
-#include "base/source_tree.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
-#include "oracles/methods/method.hpp"
 #include "reports/run/page_template.hpp"
 #include "reports/triage/triage_store.hpp"
 
@@ -91,8 +89,6 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["run"]["seconds"], 1.5);
   EXPECT_EQ(report["run"]["id"], folder.filename().string());
   EXPECT_EQ(report["run"]["folder"], folder.string());
-  EXPECT_TRUE(report["run"]["command"].get<std::string>().starts_with(
-      "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
   EXPECT_EQ(report["methods"][0],
             parse_ordered_json(R"({"name":"fake","library":"fake","version":"9.8","claim":{"relative":1e-6,
     "absolute":0.001,"source":"its manual","stated":true},"own":false})"));
@@ -102,7 +98,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["tallies"][0],
             parse_ordered_json(R"({"method":"fake","family":"random","asked":1002,"declined":11,
     "failed":12,"contract":13,"resolution":14,"undecided":15})"));
-  for (const char* empty : {"causes", "findings", "maps", "calibration", "speed", "paths"})
+  for (const char* empty : {"causes", "findings", "maps", "speed"})
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
 
@@ -116,37 +112,6 @@ TEST_F(ReportData, AGuestIsALibraryOfItsOwn) {
   const auto report = parse_ordered_json(report_json(read_run(folder / "guests", families())));
   for (const auto& m : report["methods"]) libraries.push_back(m["library"]);
   EXPECT_EQ(libraries, (std::vector<std::string>{"ours", "mujoco", "mujoco-js", "mine"}));
-}
-
-TEST_F(ReportData, TheCommandBringsTheGuests) {
-  const auto command_of = [&](const std::vector<std::string>& methods) {
-    const fs::path run = folder / std::to_string(methods.size());
-    std::vector<MethodRecord> asked;
-    for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
-    RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
-    return parse_ordered_json(report_json(read_run(run, families())))["run"]["command"].get<std::string>();
-  };
-  const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
-  EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
-  std::vector<std::string> all;
-  for (const auto& m : all_methods()) all.emplace_back(m->name());
-  all.emplace_back("mine");
-  const std::string whole = command_of(all);
-  EXPECT_NE(whole.find(plugin), std::string::npos);
-  EXPECT_EQ(whole.find("--methods"), std::string::npos);
-}
-
-TEST_F(ReportData, TheCommandHasTheCasesAndTheCorpus) {
-  const auto command_with = [&](const std::string& cases) {
-    const fs::path run = folder / std::to_string(cases.size());
-    RunStore::create(run, {{"seed", "1"}, {"cases", cases}, {"families", "random\n"}}, {});
-    fs::create_directories(run / (cases.empty() ? "none" : "corpus"));
-    return parse_ordered_json(report_json(read_run(run, families())))["run"]["command"].get<std::string>();
-  };
-  EXPECT_TRUE(command_with("").ends_with(" --cases ''"));
-  EXPECT_NE(command_with("/a b").find(" --cases '/a b' --corpus " + (folder / "4/corpus").string()),
-            std::string::npos);
-  EXPECT_EQ(command_with(in_source_tree("corpus/cases")).find("--cases"), std::string::npos);
 }
 
 TEST_F(ReportData, ShowsAPairOfManyFindingsOnceAndToTheLastBit) {

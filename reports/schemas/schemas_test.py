@@ -101,14 +101,6 @@ def main():
             write = 'import("./reports/web/run/sample.mjs").then((m) => console.log(JSON.stringify(m.sample(60))))'
             made_up = subprocess.run(['node', '-e', write], cwd=ROOT, check=True, capture_output=True).stdout
             hold('report_data.json', [json.loads(made_up)])
-        gate = ('gate', '--method', 'libccd-mpr', '--cases', '')
-        run(*gate, '--pairs', 100, '--json', folder / 'base.json')
-        run(*gate, '--against', folder / 'base.json', '--json', folder / 'gate.json')
-        hold('gate.json', [json.loads((folder / f'{name}.json').read_text()) for name in ('base', 'gate')])
-        for name, families in (('few', 'random'), ('some', 'random,margin_1e-06')):
-            run('bench', '--methods', 'intersect,decide,distance,fcl-libccd', '--families', families, '--pairs', 100,
-                '--min-time', 0, '--passes', 1, '--json', folder / f'{name}.json')
-        hold('bench.json', [json.loads((folder / f'{name}.json').read_text()) for name in ('few', 'some')])
         run('scene', ROOT / 'corpus/scenes/crane.urdf', '--configurations', 5, '--json', folder / 'scene.json')
         hold('scene.json', [json.loads((folder / 'scene.json').read_text())])
     print('passed')

@@ -102,7 +102,7 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
                      const std::string& replayed) {
   const Trial& trial = shown.trial;
   Json c;
-  c["pair"] = pair_to_json(trial.pair);
+  c["pair"] = pair_json(trial.pair);
   c["truth"] = truth_to_json(trial.truth);
   c["margin"] = nullptr;
   if (distance) add_distance(c, *distance);

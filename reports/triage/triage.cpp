@@ -98,7 +98,7 @@ void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes
   fs::create_directories(folder);
   for (const Cause& b : causes) {
     if (b.status == Recurrence::gone) continue;
-    Json line = pair_to_json(b.simplest.pair);
+    Json line = pair_json(b.simplest.pair);
     line["id"] = b.key;
     line["note"] = b.description;
     replace_file(folder / (file_name_of(b.key) + ".jsonl"), line.dump() + '\n');
@@ -134,7 +134,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   run.causes = make_causes(
       {options.folder, context.findings, context.finding_groups, context.causes(), context.simples()},
       context.grouped(), run.causes, out_of_time);
-  check_shown_findings(context, run.methods, run.causes);
   std::set<std::string> certainly_new;
   for (const ChangedGuest& guest : changed) {
     for (const auto& [key, fault] : guest.newly_wrong) {

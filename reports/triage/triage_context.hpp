@@ -111,10 +111,4 @@ void simplify_findings(const TriageContext& context, const std::set<std::string>
 /// those beyond a claim, then the largest.
 std::vector<const Subject*> simplification_order(const TriageContext& context,
                                                  const std::set<std::string>& known);
-/// Judges the shown findings again: of each cause the worst, the least, and one of its severity. A stranger
-/// may have made the run. Throws InputError that names the finding if the referee, the claim or the stored
-/// answer refutes the statement of the run. `asked`: the methods of the run.
-void check_shown_findings(const TriageContext& context, std::span<const MethodRecord> asked,
-                          std::span<const Cause> causes);
-
 }  // namespace cyl

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/scratch_test.hpp"
-#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
 #include "reports/triage/causes.hpp"
@@ -139,44 +138,6 @@ TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   const Json simplest = page_of(b.simplest);
   EXPECT_EQ(simplest["answers"]["mujoco"]["verdict"], "disjoint");
   EXPECT_TRUE(simplest.contains("note"));
-}
-
-/// Returns why a run is refused that states this of the pair apart(), whose solids are 0.02 of their size
-/// apart.
-std::string refused_with(const std::function<void(FindingRecord&)>& change) {
-  const Folder history;
-  FindingRecord stated = finding("seedbook-printed", "random", apart(), FindingKind::wrong_intersecting);
-  change(stated);
-  try {
-    triage(history.make_run("one", "2026-11-20", {stated}), std::chrono::milliseconds(1500));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "shown";
-}
-
-TEST(Triage, JudgesAgainWhatARunStates) {
-  const std::string begin = "finding 1 of the run (seedbook-printed wrong_intersecting) ",
-                    end = ": it is damaged or forged";
-  EXPECT_EQ(refused_with([](FindingRecord&) {}), "shown");
-  EXPECT_EQ(
-      refused_with([](FindingRecord& f) { f.severity = Severity::resolution; }),
-      begin + "is within its claim, but its stored answer is wrong_intersecting (beyond its claim)" + end);
-  for (const Enclosure margin : {Enclosure{0.5, 0.5}, Enclosure{1e-9, 1e-9}})
-    EXPECT_TRUE(refused_with([&](FindingRecord& f) {
-                  f.margin = margin;
-                }).starts_with(begin + "states another margin than the "));
-  EXPECT_EQ(refused_with([](FindingRecord& f) {
-              f.margin = Enclosure{2, 1};
-            }),
-            begin + "has no such margin" + end);
-  EXPECT_EQ(refused_with(
-                [](FindingRecord& f) { f.answers = R"([[{"verdict":"disjoint"},["seedbook-printed"]]])"; }),
-            begin + "is refuted: its stored answer is right, or missing" + end);
-  EXPECT_EQ(refused_with([](FindingRecord& f) { f.kind = FindingKind::crash; }),
-            "finding 1 of the run (seedbook-printed crash) is beyond its claim, but its stored answer is "
-            "wrong_intersecting (beyond its claim)" +
-                end);
 }
 
 TEST(Triage, GoesOnWhereItWas) {

@@ -11,7 +11,6 @@ import { questions, speedPlot } from "./run/speed.tsx";
 export { full, shellQuoted } from "./parts/words.ts";
 export { prove } from "./parts/prove.ts";
 export { exact, floorSqrt } from "./parts/rational.ts";
-export { whyNoExport } from "./run/cause.tsx";
 export { chosen, rowsOf } from "./run/findings.tsx";
 export { glossary } from "./run/glossary.ts";
 export { expand } from "./run/report.ts";
@@ -93,14 +92,15 @@ function plainDocument(): Document {
 }
 
 /** Points of a file's width; text is 11 of them high. */
-const width = 760;
+const width = 600;
 
 interface Key {
   name: string;
   colour: string;
 }
 
-/** A plot in a file of its own: a white background, a title, and the colours with their names below. */
+/** A plot in a file of its own: a title, and the colours with their names below. Its background is white, or dark if the
+ *  reader prefers that. A program that knows no media query shows it white. */
 function framed(plot: Element, title: string, keys: Key[], notes: string[] = []): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
   const columns = Math.max(1, Math.floor(w! / 150)),
@@ -121,6 +121,7 @@ function framed(plot: Element, title: string, keys: Key[], notes: string[] = [])
     `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" ` +
     `xmlns:xlink="http://www.w3.org/1999/xlink" width="${w}" height="${height}" viewBox="0 0 ${w} ${height}" ` +
     `font-family="sans-serif" font-size="11" fill="${colours.fg}">` +
+    `<style>@media (prefers-color-scheme:dark){svg{filter:invert(.9) hue-rotate(180deg)}}</style>` +
     `<rect width="100%" height="100%" fill="${colours.bg}"/><text x="12" y="17" font-size="13" ` +
     `font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" ` +
     `color="${colours.fg}" fill="currentColor">${inner}</g>${legend.join("")}${lines.join("")}</svg>\n`
@@ -163,7 +164,7 @@ export function charts(report: Report): Map<string, string> {
     files.set(
       sure(`map-${map.plane}-${map.method}`),
       framed(
-        mapPlot(map, { ...o, width: width * 0.7 }),
+        mapPlot(map, o),
         `${map.method}: share wrong beyond the claim or failed, else within it`,
         heat,
       ),

@@ -11,12 +11,12 @@ export interface Drawing {
   b: Solid;
   unit: number; // length of the scene that is drawn as 1
   extent: number; // radius of a ball around the origin that holds both
-  contact: Vec; // middle of the nearest points, or as good as is known
   near: { a: Vec; b: Vec } | null;
   direction: Vec | null; // from a to b
   plane: Vec | null; // a point of the separating plane
   point: Vec | null; // a common point
-  gap: number | null; // signed, drawn length
+  gap: number | null; // signed, in the unit
+  widened: number; // how many times as wide as it is the gap is drawn
 }
 
 /** The double nearest to an exact coordinate, for drawing. */
@@ -72,6 +72,25 @@ function support(s: Solid, n: Vec): Vec {
 
 const finite = (x: Vec | null) => (x?.every(Number.isFinite) ? x : null);
 
+/** A gap or an overlap narrower than this part of the drawing cannot be seen. */
+const visibleShare = 0.06;
+
+/** The solids, moved apart (or into each other) about their contact along the direction, until the gap is seen. */
+function widened(d: Drawing): Drawing {
+  if (!d.gap || !d.direction) return d;
+  const times = (visibleShare * d.extent) / Math.abs(d.gap);
+  if (times <= 1 || !Number.isFinite(times)) return d;
+  const move = scale(d.direction, ((times - 1) * d.gap) / 2),
+    back = scale(move, -1);
+  return {
+    ...d,
+    a: { ...d.a, center: add(d.a.center, back) },
+    b: { ...d.b, center: add(d.b.center, move) },
+    near: d.near && { a: add(d.near.a, back), b: add(d.near.b, move) },
+    widened: times,
+  };
+}
+
 export function drawingOf(c: Shown): Drawing {
   const a = drawable(c.pair.a, c.pair.b),
     b = drawable(c.pair.b, c.pair.a),
@@ -110,8 +129,7 @@ export function drawingOf(c: Shown): Drawing {
     : direction
       ? { a: support(drawnA, direction), b: support(drawnB, scale(direction, -1)) }
       : null;
-  const origin: Vec = [0, 0, 0],
-    middle = finite(near && scale(add(near.a, near.b), 0.5)) ?? origin;
+  const middle = finite(near && scale(add(near.a, near.b), 0.5)) ?? [0, 0, 0];
 
   // A plane square to the direction of the certificate itself, in the middle of the space that it leaves free.
   let plane: Vec | null = null;
@@ -126,41 +144,16 @@ export function drawingOf(c: Shown): Drawing {
   const distance = c.truth.distance;
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
   const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + coreReach(s) + s.rounding;
-  return {
+  return widened({
     a: drawnA,
     b: drawnB,
     unit: u,
     extent: Math.max(ball(drawnA), ball(drawnB), 1e-3),
-    contact: near ? middle : (finite(point) ?? origin),
     near: near && finite(near.a) && finite(near.b) && near,
     direction,
     plane: finite(plane),
     point: finite(point),
     gap: gap !== null && Number.isFinite(gap) ? gap : null,
-  };
-}
-
-/** A gap or an overlap narrower than this part of the drawing cannot be seen. */
-const visibleShare = 0.06;
-
-/** How many times as wide as it is the gap is drawn, so that it shows. 1 means to scale, or not known. */
-export function exaggeration(d: Drawing): number {
-  if (d.gap === null || d.gap === 0 || !d.direction) return 1;
-  const k = (visibleShare * d.extent) / Math.abs(d.gap);
-  return k > 1 && Number.isFinite(k) ? k : 1;
-}
-
-/** The solids, moved apart (or into each other) about their contact along the direction, until the gap is k times as
- *  wide. */
-export function exaggerated(d: Drawing, k: number): Drawing {
-  if (k === 1 || d.gap === null || !d.direction) return d;
-  const move = scale(d.direction, ((k - 1) * d.gap) / 2),
-    back = scale(move, -1);
-  return {
-    ...d,
-    a: { ...d.a, center: add(d.a.center, back) },
-    b: { ...d.b, center: add(d.b.center, move) },
-    near: d.near && { a: add(d.near.a, back), b: add(d.near.b, move) },
-    gap: d.gap * k,
-  };
+    widened: 1,
+  });
 }

@@ -9,16 +9,15 @@ import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geome
 interface View {
   eye: Vec;
   up: Vec;
-  target: Vec;
   radius: number;
 }
 
 /** Looking across the direction of the gap, a little from above; a lies left of b. */
-function viewOf(d: Drawing, close: boolean): View {
+function viewOf(d: Drawing): View {
   const along: Vec = d.direction ?? [1, 0, 0],
     [u, v] = squareTo(along);
   const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
-  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
+  return { eye, up: v, radius: 1.12 * d.extent };
 }
 
 type Flat = [number, number];
@@ -39,10 +38,7 @@ function flatten(view: View): Flatten {
   const forward = unit(scale(view.eye, -1)),
     right = unit(cross(forward, view.up)),
     up = cross(right, forward);
-  return (x) => {
-    const from = sub(x, view.target);
-    return [dot(from, right) / view.radius, -dot(from, up) / view.radius];
-  };
+  return (x) => [dot(x, right) / view.radius, -dot(x, up) / view.radius];
 }
 
 const path = (points: Flat[]) =>
@@ -81,9 +77,8 @@ function outline(of: Solid, flat: Flatten, view: View, name: string) {
   );
 }
 
-/** `close` shows the place at which the solids are nearest to each other, instead of the whole solids. */
-export function Projection({ drawing: d, close = false, label }: { drawing: Drawing; close?: boolean; label: string }) {
-  const view = viewOf(d, close),
+export function Projection({ drawing: d, label }: { drawing: Drawing; label: string }) {
+  const view = viewOf(d),
     flat = flatten(view);
   const dotAt = (x: Vec, name: string) => {
     const [cx, cy] = flat(x);

@@ -31,7 +31,7 @@ const sides = [
 const sharesOf = ({ method, bins }: Curve) =>
   sides.flatMap(([key, side]) =>
     bins
-      .map((b) => ({ method, side, decade: b.decade, wrong: b[key], answered: b.asked - (b.declined ?? 0) }))
+      .map((b) => ({ method, side, decade: b.decade, wrong: b[key], answered: b.asked - b.declined }))
       .filter((b) => b.answered > 0)
       .map((b) => ({ ...b, share: b.wrong / b.answered, bounds: shareBounds(b.wrong, b.answered) })),
   );

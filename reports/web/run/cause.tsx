@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One cause with its simplest and its worst case, and one finding.
 import { useState } from "preact/hooks";
-import { isBox, isHalfSpace, type Pair, type Solid } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
 import { grouped, range, safe, shellQuoted } from "../parts/words.ts";
 import { CaseView } from "./case_view.tsx";
@@ -9,55 +8,11 @@ import type { Cause, Report } from "./data.ts";
 import { ClaimWords, Fact, Severity } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
-
-/** `export` writes a program for one of these libraries, or a case for a guest. */
-const libraries = ["fcl", "bullet", "libccd", "ode", "mujoco"],
-  manyCalls = ["nondeterminism", "state_dependent", "undecided_truth"],
-  ofGuests = ["wrong_touching", "wrong_invalid", "malformed", "left_undecided", "side_effect", "reported"];
-function refusal({ methods }: Report, { method, kind, pair }: { method: string; kind: string; pair: Pair }): string {
-  const { library, own } = methods.find((m) => m.name === method) ?? { library: "", own: false },
-    isPackaged = libraries.includes(library);
-  if (own || isText(library) || library === "nlopt") return `it does not know the library of ${method}`;
-  if (manyCalls.includes(kind) || (isPackaged && ofGuests.includes(kind)))
-    return `one call cannot show a finding of the kind "${kindLabel(kind)}"`;
-  const takes = (s: Solid) => {
-    if (library === "libccd") return !isHalfSpace(s);
-    if (isHalfSpace(s)) return library !== "bullet";
-    return !s.rounding || (library !== "bullet" && !isBox(s) && s.radius === 0);
-  };
-  return isPackaged && !(takes(pair.a) && takes(pair.b)) ? `no program of ${library} has these solids` : "";
-}
-/** Why `export` refuses every pair of the cause, or "" if it does not. */
-export function whyNoExport(report: Report, { key, method, kind, simplest, worst }: Cause): string {
-  const shown = [simplest, worst].map(({ pair }) => refusal(report, { method, kind, pair }));
-  const works = shown.includes("") || report.findings.some((f) => f.cause === key && refusal(report, f) === "");
-  return works ? "" : shown[0]!;
-}
-
-function NextSteps({ report, b }: { report: Report; b: Cause }) {
-  const run = shellQuoted(report.run.folder),
-    key = shellQuoted(b.key),
-    reason = whyNoExport(report, b);
-  return (
-    <section class="handling">
-      <h3>Next steps</h3>
-      <Copy label="Explain it" text={`./daylight explain ${run} ${key}`} />
-      {reason ? (
-        <p class="soft"><code>export</code> writes nothing for the maintainers, because {safe(reason)}.</p>
-      ) : (
-        <Copy
-          label="For the maintainers: a proof, the text of an issue, and a program or case"
-          text={`./daylight export ${run} ${key} --out upstream`}
-        />
-      )}
-    </section>
-  );
-}
+import { isOfNewFamilies, kindLabel, sentenceOf } from "./words.ts";
 
 const fromTo = (first: string, last: string) => safe(first === last || last === "" ? first : `${first} to ${last}`);
 
-/** The facts of a cause, its methods, and the next steps. */
+/** The facts of a cause, its methods, and the command that exports it. */
 function Story({ report, b }: { report: Report; b: Cause }) {
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   return (
@@ -89,7 +44,10 @@ function Story({ report, b }: { report: Report; b: Cause }) {
           )}
         </span>
       </p>
-      <NextSteps report={report} b={b} />
+      <Copy
+        label="For the maintainers of a library: a proof, the text of an issue, and a program or case"
+        text={`./daylight export ${shellQuoted(report.run.folder)} ${shellQuoted(b.key)} --out upstream`}
+      />
     </>
   );
 }

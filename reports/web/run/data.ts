@@ -2,7 +2,7 @@
 // The fields of the data that the page reads, as expand() of report.ts gives them. C++ writes the data as
 // reports/schemas/report_data.json describes them (reports/run/report_data.*).
 // Sections without data are empty. The page names the commands that add them.
-import type { Answer, Shown, Verdict } from "../parts/data.ts";
+import type { Answer, Shown } from "../parts/data.ts";
 
 /** A method. expand() adds its library. */
 export interface Doer {
@@ -85,9 +85,10 @@ export interface MapCell
     Counts<"wrong_disjoint" | "wrong_intersecting" | "within_disjoint" | "within_intersecting"> {
   finding?: number;
 }
-/** Share wrong against margin. Bin d holds margins in (10^(-d-1), 10^-d], and the last one all below. */
+/** Share wrong against margin: the rows of a map of angle and margin. Bin d holds margins in (10^(-d-1), 10^-d], and
+ *  the last one all below. */
 export interface Calibration extends Doer {
-  bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; declined?: number }[];
+  bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; declined: number }[];
 }
 
 /** Speed against accuracy, from `daylight bench`. `digits` is -log10 of the least margin from which on the method was
@@ -101,15 +102,8 @@ export interface SpeedPoint extends Doer, Counts<"ns" | "asked" | "wrong_disjoin
   digits: number | null;
   digits_low: number | null;
 }
-/** Along a path of pairs through touching or through parallel axes. */
-export interface PathStability extends Doer, Counts<"steps" | "flips"> {
-  path: string;
-  distance_jump: number | null;
-  direction_jump_degrees: number | null;
-  trace?: { at: number; verdict: Verdict; distance: number | null }[];
-}
 export interface Report {
-  run: Record<"id" | "seed" | "started" | "status" | "build" | "command" | "folder", string> &
+  run: Record<"id" | "seed" | "started" | "status" | "build" | "folder", string> &
     Counts<"pairs" | "seconds">;
   methods: Method[];
   families: { name: string; summary: string }[];
@@ -122,5 +116,4 @@ export interface Report {
   calibration: Calibration[];
   speed: SpeedPoint[];
   speed_on?: string; // the machine, compiler and date of these times
-  paths: PathStability[];
 }

@@ -9,7 +9,7 @@ import { charts, daylight } from "../chart.mjs";
 import { sourcesHash } from "../stamp.mjs";
 import { sample, untriaged } from "./sample.mjs";
 
-const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted, whyNoExport } = daylight;
+const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted } = daylight;
 
 test("the committed page was built from the committed sources", () => {
   const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
@@ -58,28 +58,6 @@ test("the order of causes and findings is that of the data", () => {
   const { causes, findings } = expand(packed);
   assert.deepEqual(causes.map((b) => b.key), packed.causes.map((b) => b.key));
   assert.deepEqual(findings.map((f) => f.id), packed.findings.map((f) => f.id));
-});
-
-test("export is offered only for what it can write", () => {
-  const report = expand(sample()),
-    [b] = report.causes,
-    shown = (rounding) => ({ pair: { ...b.simplest.pair, a: { ...b.simplest.pair.a, rounding } } }),
-    guest = { ...report.methods.find((m) => m.name === "ode"), name: "mine", library: "mine" };
-  report.methods.push(guest);
-  const why = (method, kind, rounding) =>
-    whyNoExport(report, { key: "k", method, kind, simplest: shown(rounding), worst: shown(rounding) });
-  for (const [method, kind, rounding, reason] of [
-    ["ode", "crash", 0, /^$/],
-    ["ode", "crash", 1, /no program of ode/],
-    ["ode", "malformed", 0, /one call .* "malformed"/],
-    ["mine", "malformed", 1, /^$/],
-    ["mine", "state_dependent", 0, /one call .* "state dependent"/],
-    ["seedbook", "crash", 0, /does not know/],
-    ["intersect", "crash", 0, /does not know/],
-  ])
-    assert.match(why(method, kind, rounding), reason, `${method} ${kind} ${rounding}`);
-  Object.assign(report.findings[0], { ...shown(0), method: "ode", kind: "crash", cause: "k" });
-  assert.equal(why("ode", "crash", 1), "", "a finding without rounding can be sent");
 });
 
 test("a sentence has the largest margin of its cause", () => {
@@ -137,23 +115,17 @@ test("no point on the front is beaten in both", () => {
 
 test("maps and curves separate a claim kept from one broken, and declined from undecided", () => {
   const cell = { y: 0, asked: 10, wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
-  const [x, y] = [2, 1].map((n) => ({ title: "t", labels: Array.from({ length: n }, (_, i) => `${i}`) }));
+  const axis = { title: "t", labels: ["0", "1"] };
   const cells = [
     { ...cell, x: 0, wrong_disjoint: 4, within_disjoint: 4 },
     { ...cell, x: 1, wrong_disjoint: 4, within_disjoint: 2, declined: 3 },
   ];
-  const bin = { decade: 0, asked: 100, wrong_disjoint: 2, wrong_intersecting: 0, undecided: 0, declined: 60 };
-  const report = {
-    ...sample(),
-    maps: [{ method: "ode", plane: "scale-offset", x, y, cells }],
-    calibration: [{ method: "ode", family: null, bins: [bin, { ...bin, decade: 1, wrong_disjoint: 0, declined: 100 }] }],
-  };
-  const files = charts(expand(report));
-  const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
+  const files = charts(expand({ ...sample(), maps: [{ method: "ode", plane: "angle-margin", x: axis, y: axis, cells }] }));
+  const rects = files.get("map-angle-margin-ode").match(/<rect [^>]*aria-label="angle [^>]*>/g);
   assert.match(rects[0], /wrongly reported disjoint 4 \(40 %\)\nwithin the claim 4" fill="#68727d"/);
   assert.match(rects[1], /declined 3 \(30 %\)\nwithin the claim 2" fill="#8f1612"/);
   const said = files.get("calibration").match(/wrong \d+ of \d+/g);
-  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of its answers");
+  assert.deepEqual(said, ["wrong 8 of 17", "wrong 0 of 17"], "of its answers");
 });
 
 test("every plot is drawn as a whole SVG", () => {

@@ -49,7 +49,7 @@ export const Legend = ({ empty }: { empty: string }) => (
         <i style={{ background }} /> {words}
       </span>
     ))}
-    <span class="whole">A cell shows the first that applies.</span>
+    <span class="whole">&emsp;A cell shows the first that applies.</span>
   </p>
 );
 

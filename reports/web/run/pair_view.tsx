@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Both solids, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
-import { useMemo, useState } from "preact/hooks";
-import { drawingOf, exaggerated, exaggeration } from "../parts/drawing.ts";
+// Both solids as lines. A gap too narrow to see is drawn wider, and the caption states it.
+import { useMemo } from "preact/hooks";
+import { drawingOf } from "../parts/drawing.ts";
 import { coreReach } from "../parts/geometry.ts";
 import { Projection } from "../parts/projection.tsx";
 import { short } from "../parts/words.ts";
 import type { Case } from "./data.ts";
 
-/** Gaps narrower than this part of what can be seen are widened at first. */
-const widenedAtOnce = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
 
-/** Both solids as lines, small. */
+/** Both solids, small. */
 export function Thumbnail({ shown }: { shown: Case }) {
-  const drawing = useMemo(() => {
-    const drawn = drawingOf(shown);
-    return exaggerated(drawn, exaggeration(drawn));
-  }, [shown]);
+  const drawing = useMemo(() => drawingOf(shown), [shown]);
   return (
     <span class="thumb" aria-hidden="true">
       <Projection drawing={drawing} label="" />
@@ -26,57 +21,38 @@ export function Thumbnail({ shown }: { shown: Case }) {
 }
 
 export function PairView({ shown }: { shown: Case }) {
-  const trueDrawing = useMemo(() => drawingOf(shown), [shown]),
-    factor = exaggeration(trueDrawing);
-  const [close, zoom] = useState(false);
-  const [wide, widen] = useState(factor > widenedAtOnce);
-  const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
-  const sizes = [trueDrawing.a, trueDrawing.b].map(coreReach),
+  const drawing = useMemo(() => drawingOf(shown), [shown]);
+  const sizes = [drawing.a, drawing.b].map(coreReach),
     ratio = Math.max(...sizes) / Math.min(...sizes);
-
-  const gap = trueDrawing.gap ?? 0,
-    words = `the ${gap < 0 ? "overlap" : "gap"} of ${short(Math.abs(gap) * trueDrawing.unit)}`;
+  const gap = drawing.gap ?? 0,
+    words = `the ${gap < 0 ? "overlap" : "gap"} of ${short(Math.abs(gap) * drawing.unit)}`;
   const swatches = { a: true, b: true, "plane between": drawing.plane, "common point": drawing.point };
   return (
     <figure class="pair-view">
-      <div class="stage-tools" role="group" aria-label="View">
-        <button type="button" aria-pressed={!close} onClick={() => zoom(false)}>
-          Whole pair
-        </button>
-        <button type="button" aria-pressed={close} onClick={() => zoom(true)}>
-          Contact
-        </button>
-        {factor > 1 && (
-          <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>
-            Widen the {gap < 0 ? "overlap" : "gap"}
-          </button>
+      <p class="swatches">
+        {Object.entries(swatches).map(
+          ([name, isShown]) =>
+            isShown && (
+              <span key={name}>
+                <i class={name} /> {name}
+              </span>
+            ),
         )}
-        <span class="swatches">
-          {Object.entries(swatches).map(
-            ([name, isShown]) =>
-              isShown && (
-                <span key={name}>
-                  <i class={name} /> {name}
-                </span>
-              ),
-          )}
-        </span>
-      </div>
+      </p>
       <div class="stage">
         <Projection
           drawing={drawing}
-          close={close}
-          label={`Solid a and solid b, ${shown.truth.verdict}${trueDrawing.gap === null ? "" : `, ${words}`}`}
+          label={`Solid a and solid b, ${shown.truth.verdict}${drawing.gap === null ? "" : `, ${words}`}`}
         />
       </div>
       <figcaption>
-        {factor > 1 && wide ? (
+        {drawing.widened > 1 ? (
           <b class="warn">
-            Not to scale: {words} is drawn {short(factor, 2)} times as wide, by moving the solids{" "}
+            Not to scale: {words} is drawn {short(drawing.widened, 2)} times as wide, by moving the solids{" "}
             {gap > 0 ? "apart" : "into each other"} about their contact.
           </b>
         ) : (
-          `To scale${factor > 1 ? `: ${words} is drawn as it is` : ""}.`
+          "To scale."
         )}
         {Number.isFinite(ratio) &&
           ratio > uneven &&

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put into the form of data.ts: every finding with its case, every row with its library. Causes
 // and findings keep their order.
+import { group, sort, sum } from "d3-array";
 import type { Answer } from "../parts/data.ts";
 import { shellQuoted, short } from "../parts/words.ts";
-import type { Cause, FailureMap, Finding, Method, Report, SpeedPoint } from "./data.ts";
+import type { Calibration, Cause, FailureMap, Finding, Method, Report, SpeedPoint } from "./data.ts";
 
 /** JSON as it was written; the schema describes it. */
 type Packed = any;
@@ -49,6 +50,19 @@ const noCounts = {
   ...{ failed: 0, undecided: 0, declined: 0 },
 };
 
+/** The rows of a map of angle and margin. What touches is in the last decade. */
+function calibrationOf({ method, library, y, cells }: FailureMap): Calibration {
+  const decades = group(cells, (c) => Math.min(c.y, y.labels.length - 2));
+  const bins = sort(decades, ([decade]) => decade).map(([decade, of]) => ({
+    decade,
+    asked: sum(of, (c) => c.asked),
+    wrong_disjoint: sum(of, (c) => c.wrong_disjoint),
+    wrong_intersecting: sum(of, (c) => c.wrong_intersecting),
+    declined: sum(of, (c) => c.declined),
+  }));
+  return { method, library, bins };
+}
+
 export function expand({ cases, names, ...packed }: Packed): Report {
   const library = libraryOf(packed.methods),
     librariesOf = (of: string[]) => [...new Set(of.map(library))],
@@ -67,6 +81,9 @@ export function expand({ cases, names, ...packed }: Packed): Report {
     simplest: withEnds(b.simplest),
     worst: withEnds(b.worst ?? b.simplest), // no hang is worse than another
   }));
+  const maps: FailureMap[] = packed.maps.map((m: Packed) =>
+    inDegrees(withLibrary({ ...m, cells: m.cells.map((c: Packed) => ({ ...noCounts, ...c })) })),
+  );
   return {
     ...packed,
     unreadable: packed.unreadable ?? 0,
@@ -76,13 +93,10 @@ export function expand({ cases, names, ...packed }: Packed): Report {
     })),
     causes,
     findings,
-    maps: packed.maps.map((m: Packed) =>
-      inDegrees(withLibrary({ ...m, cells: m.cells.map((c: Packed) => ({ ...noCounts, ...c })) })),
-    ),
+    maps,
     tallies: packed.tallies.map(withLibrary),
-    calibration: packed.calibration.map(withLibrary),
+    calibration: maps.filter((m) => m.plane === "angle-margin").map(calibrationOf),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
-    paths: packed.paths.map(withLibrary),
   };
 }
 

@@ -8,7 +8,7 @@ import type { Report, Tally } from "./data.ts";
 import { Fact, Legend } from "./elements.tsx";
 import { addressOf, toFindings } from "./findings.tsx";
 import { about } from "./glossary.ts";
-import { isOfNewFamilies, isText, kindLabel, sentenceOf } from "./words.ts";
+import { isOfNewFamilies, isText, kindLabel, sentenceOf, sentenceOfFinding } from "./words.ts";
 
 const labels = { bad: "beyond claim or failed", within: "within claim", undecided: "undecided or declined" };
 
@@ -99,8 +99,15 @@ function Answer({ report }: { report: Report }) {
           <a href={addressOf(b)}>{safe(sentenceOf(b))}</a>.
         </p>
       ))}
+      {report.causes.length === 0 && beyond[0] && (
+        <p>
+          The worst finding: <a href={`#/finding/${beyond[0].id}`}>{safe(sentenceOfFinding(beyond[0]))}</a>.
+        </p>
+      )}
       <p class="soft">
-        {compared ? "Compared with earlier runs." : "There are no causes of earlier runs to compare with."}
+        {compared
+          ? "Compared with earlier runs."
+          : report.causes.length > 0 && "There are no causes of earlier runs to compare with."}
         {undrawn > 0 &&
           ` For ${plural(undrawn, "new fault")}, no earlier run tested the method on these families. So it is ` +
             `unknown whether ${undrawn === 1 ? "it is" : "they are"} really new.`}

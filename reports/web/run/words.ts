@@ -2,7 +2,7 @@
 // Names of a run as people read them, and a cause in one plain sentence.
 import type { Coordinate, Pair } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
-import type { Cause, Claim } from "./data.ts";
+import type { Cause, Claim, Finding } from "./data.ts";
 
 /** Whether it is a publication that the project began with, and not a library. */
 export const isText = (library: string) => library.startsWith("seed");
@@ -36,18 +36,24 @@ export const isOfNewFamilies = (b: Cause) => b.status === "new" && b.asked_befor
 
 /** The subject of the sentence: a method, a library with several of its methods, or several libraries. The amount may
  *  come from any of them. */
-function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Cause): [string, boolean] {
+function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries }: Told): [string, boolean] {
   if (methods.length < 2) return [methods[0] ?? method, false];
   if (libraries.length === 1) return [`${libraries[0]} (${methods.length} methods)`, false];
   return [`${methods.length} methods of ${libraries.length} libraries`, true];
 }
 
-export function sentenceOf(b: Cause): string {
+/** A finding as if it were a cause of its own. */
+export const sentenceOfFinding = (f: Finding) =>
+  sentenceOf({ ...f, methods: [f.method], methods_of_kind: [f.method], libraries_of_kind: [f.library], worst: f }, "about");
+
+type Told = Pick<Cause, "method" | "methods" | "methods_of_kind" | "libraries_of_kind" | "kind" | "margin" | "worst">;
+
+export function sentenceOf(b: Told, upTo = "up to about"): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
     solids = areCylinders(b.worst.pair) ? "cylinders" : "solids",
     largest = b.margin?.[1] ?? 0,
-    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of` : "more than 1e308 times",
+    amount = Number.isFinite(largest) ? `${upTo} ${short(largest, 2)} of` : "more than 1e308 times",
     said = (verdict: string) => `${who} report${s} \u201c${verdict}\u201d, but the ${solids}`;
   switch (b.kind) {
     case "wrong_intersecting":
