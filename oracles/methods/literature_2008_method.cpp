@@ -11,13 +11,11 @@ namespace cyl {
 namespace {
 
 using literature::CircleWay;
-using literature::CriticalWay;
 using literature::Options;
 
 struct Setting {
   std::string_view library, algorithm, setting;
   CircleWay circle;
-  CriticalWay critical;
   Options options;
   double relative;  ///< of the claim
 };
@@ -26,42 +24,17 @@ struct Setting {
 // pairs of each family. The literal methods must be as good as exact arithmetic would make them. The margins:
 //     polynomial-polish: 1.6e-7, lattice_dust. projection, seedbook: none, except for exact touching.
 constexpr Setting settings[] = {
-    {"seed2008",
-     "polynomial",
-     "polish0",
-     CircleWay::polynomial,
-     CriticalWay::normalised,
-     {{}, 0, 1e-3},
-     1e-5},
-    {"seed2008",
-     "polynomial",
-     "polish4",
-     CircleWay::polynomial,
-     CriticalWay::normalised,
-     {{}, 4, 1e-3},
-     1e-5},
-    {"seed2008",
-     "projection",
-     "polish0",
-     CircleWay::projection,
-     CriticalWay::normalised,
-     {{}, 0, 1e-3},
-     1e-13},
-    {"seed2008",
-     "projection",
-     "polish4",
-     CircleWay::projection,
-     CriticalWay::normalised,
-     {{}, 4, 1e-3},
-     1e-13},
-    {"seedbook", "", "", CircleWay::projection, CriticalWay::adjugate, {{}, 60, 1e-3}, 1e-13},
+    {"seed2008", "polynomial", "polish0", CircleWay::polynomial, {{}, 0, 1e-3}, 1e-5},
+    {"seed2008", "polynomial", "polish4", CircleWay::polynomial, {{}, 4, 1e-3}, 1e-5},
+    {"seed2008", "projection", "polish0", CircleWay::projection, {{}, 0, 1e-3}, 1e-13},
+    {"seed2008", "projection", "polish4", CircleWay::projection, {{}, 4, 1e-3}, 1e-13},
+    {"seedbook", "", "", CircleWay::projection, {{}, 60, 1e-3}, 1e-13},
 };
 
 /// The meaning of the settings, and the part of them that is in no document.
 constexpr std::string_view source =
     "solver/literature/separation_2008.hpp: the text itself names no error; the relative part is ours, above "
-    "the "
-    "largest error seen. polishN: N Newton steps of a root.";
+    "the largest error seen. polishN: N Newton steps of a root.";
 
 std::unique_ptr<Method> method_of(const Setting& s) {
   return std::make_unique<LiteratureMethod>(
@@ -69,9 +42,7 @@ std::unique_ptr<Method> method_of(const Setting& s) {
       Claim{.relative = s.relative, .source = source, .assumed = true},
       // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
       s.circle == CircleWay::polynomial ? 16 : 1, s.options.literal,
-      [=](const Prepared& a, const Prepared& b) {
-        return separation_2008(a, b, s.circle, s.critical, s.options);
-      });
+      [=](const Prepared& a, const Prepared& b) { return separation_2008(a, b, s.circle, s.options); });
 }
 
 /// The literal document, with these faults.
@@ -80,8 +51,7 @@ std::unique_ptr<Method> literal_method(Document document, const std::string& nam
   const bool book = document == Document::book;
   const Options options{.faults = faults, .step_cap = 60, .tolerance = 1e-3, .literal = true};
   return method_of({book ? "seedbook" : "seed2008", "", name,
-                    book ? CircleWay::projection : CircleWay::polynomial,
-                    book ? CriticalWay::adjugate : CriticalWay::normalised, options, 1e-13});
+                    book ? CircleWay::projection : CircleWay::polynomial, options, 1e-13});
 }
 
 }  // namespace
