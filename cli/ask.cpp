@@ -37,7 +37,6 @@ int write_questions(const AskOptions& options) {
   const std::vector<Case> cases = cases_in(folder, of_cylinders);
   const std::vector<Family> families = families_named(options.families, of_cylinders);
   const Workload workload{{}, families, cases, {}};
-  const Schedule schedule = schedule_of(workload);
   const auto closed = [](std::FILE* file) {
     if (file != stdout) std::fclose(file);
   };
@@ -47,7 +46,7 @@ int write_questions(const AskOptions& options) {
   ProgressLine line;
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < options.pairs; ++i) {
-    fmt::print(file.get(), "{}\n", format_case(question_at(workload, schedule, options.seed, i)));
+    fmt::print(file.get(), "{}\n", format_case(question_at(workload, options.seed, i)));
     if (i % shown_pairs != 0) continue;
     const auto elapsed =
         std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);

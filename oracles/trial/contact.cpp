@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/half_space.hpp"
 
@@ -34,8 +35,6 @@ Vector3 scaled(const Vector3& v) {
   return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
 }
 
-Vector3 plain(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
-
 struct Angle {
   double sine, cosine;  // >= 0
 };
@@ -50,9 +49,8 @@ Part part_along(const Solid& c, const Vector3& direction) {
   if (is_half_space(c)) return Part::cap;
   if (is_box(c)) {
     int square = 0;  // edges that lie in the farthest face
-    const auto edges = edge_directions<double>(c.quaternion);
     for (std::size_t i = 0; i < 3; ++i)
-      square += c.edges[i] > 0 && angle_between(plain(edges[i]), direction).cosine <= flat_tol;
+      square += c.edges[i] > 0 && angle_between(edge_direction(c, i), direction).cosine <= flat_tol;
     return square == 0 ? Part::rim : square == 1 ? Part::side : Part::cap;
   }
   const Angle angle = angle_between(c.axis, direction);
@@ -209,8 +207,7 @@ AxesAngle exact_angle(const Angle& angle, const auto& exact_lines) {
 /// The directions of the edges, or the axis.
 std::vector<Vector3> lines_of(const Solid& c) {
   if (!is_box(c)) return {c.axis};
-  const auto edges = edge_directions<double>(c.quaternion);
-  return {plain(edges[0]), plain(edges[1]), plain(edges[2])};
+  return {edge_direction(c, 0), edge_direction(c, 1), edge_direction(c, 2)};
 }
 Rational3 exact_line(const Solid& c, std::size_t line) {
   return is_box(c) ? edge_directions<mpq_class>(c.quaternion)[line] : exact(c.axis);

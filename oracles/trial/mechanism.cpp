@@ -311,6 +311,12 @@ std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> me
   return found;
 }
 
+std::optional<bool> depends_on_last_bit(std::string_view method, FindingKind kind, const Pair& pair) {
+  for (const auto& m : ccd_methods_of_other_sums())
+    if (m->name() == method) return !try_method(m, pair).fails(kind);
+  return {};
+}
+
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method) {
   std::vector<std::size_t> sharers;
   for (std::size_t m = 0; m < of.methods.size(); ++m)

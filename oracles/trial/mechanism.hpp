@@ -78,6 +78,11 @@ std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> me
                                      std::span<const Failing> failing, const Caps& caps);
 std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
                                      std::span<const Failing> failing, Asker& asker);
+/// Finds out whether a failure is the library's own, or depends on the last bit of our adapter's sums. Asks
+/// once more, contained, with the sums of our support function in another order. Returns whether this failure
+/// is then absent. Returns nothing if the library does not call our support function.
+std::optional<bool> depends_on_last_bit(std::string_view method, FindingKind kind, const Pair& pair);
+
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors show.
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method);
 

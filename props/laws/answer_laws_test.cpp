@@ -58,11 +58,7 @@ TEST(AnswerLaws, TakeTouchingInOneWayForIntersectingInAnother) {
 // flat.
 TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
   Planted method = plant(
-      "decide",
-      [](const Pair&, MethodAnswer& answer) {
-        answer = {};
-        answer.status = Status::answered;
-      },
+      "decide", [](const Pair&, MethodAnswer& answer) { answer = answered(Verdict::undecided); },
       of_everything);
   const auto violation = [&](const Solid& a, const Solid& b) {
     return violation_of(method, law_numbered(39), {a, b}).has_value();

@@ -10,7 +10,7 @@
 
 #include "base/safe_text.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
-#include "oracles/trial/depends_on_last_bit.hpp"
+#include "oracles/trial/mechanism.hpp"
 
 namespace cyl {
 namespace {

@@ -141,8 +141,6 @@ TEST_F(Mjcf, FaultsAreNamed) {
   EXPECT_EQ(why("<worldbody><body pos='1 2'/></worldbody>"), ": pos is '1 2', not 3 numbers");
   EXPECT_EQ(why("<worldbody><body><joint name='j' range='2 1'/></body></worldbody>"),
             ": joint j: its range is none");
-  EXPECT_EQ(why("<worldbody><body><joint name='j' type='slide' range='-1e308 1e308'/></body></worldbody>"),
-            ": joint j: its limits or its origin are so large that numbers overflow: give smaller ones");
   EXPECT_EQ(why("<worldbody><body><joint name='j' axis='0 0 0'/></body></worldbody>"),
             ": joint j: its axis is zero");
   EXPECT_EQ(why("<worldbody>\n<body></worldbody>").substr(0, 9), ": line 2:");

@@ -162,15 +162,6 @@ TEST(Sound, OnlyWhatFitsWithinTheDecimalsIsACapsule) {
   EXPECT_EQ(proof_of(narrower).verdict, MotionVerdict::open);
 }
 
-TEST(Sound, NearIsNotRefuted) {
-  const Scene scene = geared("continuous", "continuous", "1", "-1.3 0 0");
-  const MotionProof near = proof_of(scene, 0.15), proved = proof_of(scene, 0.05);
-  EXPECT_EQ(near.verdict, MotionVerdict::within);
-  EXPECT_NEAR(near.least, 0.1, 1e-3);
-  EXPECT_EQ(proved.verdict, MotionVerdict::never);
-  EXPECT_EQ(proof_of(geared("continuous", "continuous", "1"), 0.5).verdict, MotionVerdict::refuted);
-}
-
 TEST(Sound, AnExemptionIsAboutContact) {
   Scene scene = geared("continuous", "continuous", "1", "-1.3 0 0");
   scene.exemptions.push_back({scene.bodies[0].link, scene.bodies[1].link, "Never"});
