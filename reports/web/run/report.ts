@@ -97,6 +97,7 @@ export function expand({ cases, names, ...packed }: Packed): Report {
     tallies: packed.tallies.map(withLibrary),
     calibration: maps.filter((m) => m.plane === "angle-margin").map(calibrationOf),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
+    paths: packed.paths ?? [],
   };
 }
 
