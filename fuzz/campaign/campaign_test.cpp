@@ -5,7 +5,6 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <stdexcept>
 

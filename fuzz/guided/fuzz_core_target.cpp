@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The core target: our solver, its laws and the referee on one pair, and no foreign code but the exact
 // arithmetic.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fuzz/guided/fuzz_judge.hpp"

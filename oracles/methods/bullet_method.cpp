@@ -21,7 +21,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"

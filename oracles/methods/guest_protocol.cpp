@@ -2,7 +2,6 @@
 #include "oracles/methods/guest_protocol.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"

@@ -2,8 +2,6 @@
 // Each law of one answer catches a planted fault. If other laws catch it too, there is a reason.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <thread>
 
 #include "oracles/referee/referee.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "props/laws/laws.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -13,7 +13,6 @@
 #include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"
-#include "props/shrink/move_parts.hpp"
 #include "props/shrink/moves.hpp"
 
 namespace cyl::moves {
