@@ -118,8 +118,8 @@ Known draw_known(RandomStream& stream) {
   return {TwinInterval(x) + TwinInterval(y), exactly(x) + exactly(y)};
 }
 
-/// `terms` is the sum of the lengths that the operation adds, or its result. The error is at most 2^-98 of
-/// it.
+/// `terms` is the sum of the lengths that the operation adds, or its result. The error is at most 2^-98
+/// times that.
 void check_twins(RandomStream& stream) {
   const Known a = draw_known(stream), b = draw_known(stream);
   const auto expect = [&](const TwinInterval& x, const mpq_class& exact, const mpq_class& terms,
@@ -135,7 +135,7 @@ void check_twins(RandomStream& stream) {
   expect(sum, a.exact + b.exact, lengths, "twins: sum");
   expect(a.twin - b.twin, a.exact - b.exact, lengths, "twins: difference");
   expect(product, exact_product, abs(exact_product), "twins: product");
-  // Of operands with errors.
+  // The operands have errors.
   expect(product - sum, exact_product - a.exact - b.exact, abs(exact_product) + lengths, "twins: both");
   expect(product * sum, exact_product * (a.exact + b.exact), abs(exact_product) * lengths, "twins: three");
   if (b.exact == 0)

@@ -14,7 +14,7 @@ namespace cyl {
 inline constexpr double box_error = 64 * unit_roundoff_error;
 /// The same if the certificate is not measured in the scene, but as seen from the first box.
 inline constexpr double quick_error = 4 * box_error;
-/// The same of f(n) if the other solid is no box.
+/// The same of f(n) if the other solid is not a box.
 inline constexpr double plane_error = 16 * unit_roundoff_error;
 /// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
@@ -56,7 +56,7 @@ inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) no
   return both_are(Prepared::moderate, a, b) & (contact <= power_of_two(moderate_exponent));
 }
 
-/// What `ask` returns for the ShapePair of two solids. `swapped`: whether b comes first.
+/// Returns the result of `ask` for the ShapePair of two solids. `swapped`: whether b comes first.
 template <class Ask>
 [[gnu::always_inline]] inline auto ask_in_order(const Prepared& a, const Prepared& b, double clearance,
                                                 bool swapped, Ask ask) noexcept {
