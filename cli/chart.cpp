@@ -8,7 +8,9 @@
 
 #include "base/source_tree.hpp"
 #include "bench/curves.hpp"
+#include "bench/paths.hpp"
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "reports/run/charts.hpp"
@@ -20,6 +22,7 @@ namespace {
 
 struct ChartArguments {
   std::string run, bench, out;
+  bool stability = false;
 };
 
 void chart(const ChartArguments& arguments) {
@@ -28,6 +31,9 @@ void chart(const ChartArguments& arguments) {
   RunData run = read_run(arguments.run, campaign_families());
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
+  if (arguments.stability)
+    set_charts(run,
+               {{"paths", paths_json(path_stability(methods_for_targets({}, {arguments.run}).methods))}});
   write_page(run);
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
@@ -49,11 +55,13 @@ void add_chart(Program& program) {
       .option("--bench FILE", arguments->bench,
               "results of daylight bench --curves --json; without it, earlier curves stay")
       .existing_file();
+  command.flag("--stability", arguments->stability,
+               "also measure how steady the answers are along paths of pairs");
   command.section("Output");
   command.option("--out DIR", arguments->out, "folder for SVG files; requires Node.js");
   command.examples(
       "  daylight bench --curves --json bench.json\n"
-      "  daylight chart runs/latest --bench bench.json --out charts",
+      "  daylight chart runs/latest --bench bench.json --stability --out charts",
       "The exit codes 2 and 3 do not occur for chart.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);

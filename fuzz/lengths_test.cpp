@@ -86,7 +86,7 @@ double support_of(const Pair& pair) {
   return sum;
 }
 
-/// What a place in the code makes of a pair.
+/// The result of a place in the code for a pair.
 template <class Result>
 struct Place {
   const char* name;

@@ -61,8 +61,8 @@ struct Body {
   /// The shape that the solid bounds. A body that is clear of the solid is clear of it; if near, nothing is
   /// known.
   std::optional<BoxShape> box = std::nullopt;
-  /// A capsule in that shape, with the centre and axis of the solid, if one is known. What meets it meets the
-  /// shape.
+  /// A capsule in that shape, with the centre and axis of the solid, if one is known. A solid that meets it
+  /// meets the shape.
   std::optional<Solid> inner = std::nullopt;
   double excess = 0;  ///< how far the solid may reach beyond the shapes that it stands for
   /// Bodies that the file asks to check against it, regardless of other rules.

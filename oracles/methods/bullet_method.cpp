@@ -168,7 +168,7 @@ MethodAnswer answer_of(std::optional<double> distance) {
   return answer;
 }
 
-/// What all methods of Bullet have in common, of the base that they need.
+/// The common part of all methods of Bullet, with the base that they need.
 template <class Base>
 class BulletOf : public Base {
  public:

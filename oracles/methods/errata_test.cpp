@@ -91,7 +91,7 @@ TEST(Errata, EachCaseShowsOneAndErrataMdStatesItsAnswers) {
     const auto way =
         std::ranges::find_if(ways, [&](const Difference& methods) { return shows(c.pair, *e, methods); });
     ASSERT_NE(way, ways.end()) << id;
-    for (const double x : core_numbers_of(c.pair)) EXPECT_EQ(x, std::round(x)) << id;
+    for (const double x : numbers_of(c.pair)) EXPECT_EQ(x, std::round(x)) << id;
     const std::string section = section_of(all, id);
     EXPECT_NE(section.find(" Kind: "), std::string::npos) << id;
     const auto answer = [&](const auto& method) {

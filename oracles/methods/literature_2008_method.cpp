@@ -11,13 +11,11 @@ namespace cyl {
 namespace {
 
 using literature::CircleWay;
-using literature::CriticalWay;
 using literature::Options;
 
 struct Setting {
   std::string_view library, algorithm, setting;
   CircleWay circle;
-  CriticalWay critical;
   int step_cap;
   double tolerance;
   double relative;  ///< of the claim
@@ -26,13 +24,12 @@ struct Setting {
 // Claims lie above the largest certain margins seen, relative to the size, on 6000 (polynomial) or 20000
 // pairs of each family. The literal methods must be as good as exact arithmetic would make them. The margins:
 //     polynomial-polish: 1.6e-7, lattice_dust. projection, seedbook: none, except for exact touching.
-constexpr auto norm = CriticalWay::normalised, adjugate = CriticalWay::adjugate;
 constexpr Setting settings[] = {
-    {"seed2008", "polynomial", "polish0", CircleWay::polynomial, norm, 0, 1e-3, 1e-5},
-    {"seed2008", "polynomial", "polish4", CircleWay::polynomial, norm, 4, 1e-3, 1e-5},
-    {"seed2008", "projection", "polish0", CircleWay::projection, norm, 0, 1e-3, 1e-13},
-    {"seed2008", "projection", "polish4", CircleWay::projection, norm, 4, 1e-3, 1e-13},
-    {"seedbook", "", "", CircleWay::projection, adjugate, 60, 1e-3, 1e-13},
+    {"seed2008", "polynomial", "polish0", CircleWay::polynomial, 0, 1e-3, 1e-5},
+    {"seed2008", "polynomial", "polish4", CircleWay::polynomial, 4, 1e-3, 1e-5},
+    {"seed2008", "projection", "polish0", CircleWay::projection, 0, 1e-3, 1e-13},
+    {"seed2008", "projection", "polish4", CircleWay::projection, 4, 1e-3, 1e-13},
+    {"seedbook", "", "", CircleWay::projection, 60, 1e-3, 1e-13},
 };
 
 /// The meaning of the settings, and the part of them that is in no document.
@@ -47,17 +44,16 @@ std::unique_ptr<Method> method_of(const Setting& s, bool literal = false, litera
       MethodName{std::string(s.library), std::string(s.algorithm), std::string(s.setting)}, "2008-03-02",
       Claim{.relative = s.relative, .source = source, .assumed = true},
       // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
-      s.circle == CircleWay::polynomial ? 16 : 1, literal, [=](const Prepared& a, const Prepared& b) {
-        return separation_2008(a, b, s.circle, s.critical, options);
-      });
+      s.circle == CircleWay::polynomial ? 16 : 1, literal,
+      [=](const Prepared& a, const Prepared& b) { return separation_2008(a, b, s.circle, options); });
 }
 
 /// The literal document, with these faults.
 std::unique_ptr<Method> literal_method(Document document, const std::string& name,
                                        literature::Faults faults) {
   if (document == Document::book)
-    return method_of({"seedbook", "", name, CircleWay::projection, adjugate, 60, 1e-3, 1e-13}, true, faults);
-  return method_of({"seed2008", "", name, CircleWay::polynomial, norm, 60, 1e-3, 1e-13}, true, faults);
+    return method_of({"seedbook", "", name, CircleWay::projection, 60, 1e-3, 1e-13}, true, faults);
+  return method_of({"seed2008", "", name, CircleWay::polynomial, 60, 1e-3, 1e-13}, true, faults);
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ std::string fitting(const std::string& printed, std::size_t room) {
 }
 
 /// Asks as ask_noexcept() does. If the library keeps no state between calls (Method::recovers), its failed
-/// assertion is an answer: a crash, with the text that the death of the process would have had. Every other
+/// assertion is a crash as an answer, with the text of the death of a process. Every other
 /// abort ends the process, as do assertions beyond `recovery_cap`. The text is taken from standard error,
 /// which must be a file that can be truncated.
 MethodAnswer ask_recovering(Method& method, const Pair& pair, CallMode mode) {

@@ -192,7 +192,7 @@ Mechanism probe(std::span<const std::unique_ptr<Method>> methods, std::size_t me
   return found.right_sibling ? Mechanism::setting : Mechanism::unclassified;
 }
 
-/// Asks about the pair as it is and moved to the origin, and then goes on from where it still fails.
+/// Asks about the pair as it is and moved to the origin, and then goes on from the one that still fails.
 Mechanism find_mechanism(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
                          Asker& asker, Classification& found) {
   const bool far = is_far(failing.pair);

@@ -22,7 +22,7 @@ enum class Level : unsigned char {
   cylinder,   ///< yes or no, of the solids themselves
   distance,   ///< the distance with its error bound
   certified,  ///< a proof
-  box         ///< the box around the solid: decides apart; in no cascade
+  box         ///< the box around the solid: decides apart, in no cascade
 };
 constexpr auto words_of(Level) noexcept {
   return std::array{"sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified", "box"};

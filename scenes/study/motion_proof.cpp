@@ -255,7 +255,7 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
   }
-  // What inner solids meet, the shapes meet. They prove nothing else.
+  // If inner solids meet, the shapes meet. They prove nothing else.
   const auto has_inner = [](const Body& body) { return !body.box || body.inner; };
   if (proof.bounded && holds && has_inner(scene.bodies[a]) && has_inner(scene.bodies[b])) {
     Scene inner = scene;
