@@ -72,7 +72,7 @@ class Replayer {
     };
     for (const std::string& name : arguments.targets) {
       std::vector<Target> named = targets_of(name);
-      if (named.size() > 1) std::erase_if(named, is_of_another);
+      if (!arguments.methods.empty() && named.size() > 1) std::erase_if(named, is_of_another);
       std::ranges::move(named, std::back_inserter(targets_));
     }
   }

@@ -87,13 +87,6 @@ TEST(Sound, AFollowerOfAHeldJointIsHeld) {
   }
 }
 
-TEST(Sound, MimicsInACircleAreRefused) {
-  EXPECT_THROW(robot("<link name='base'/><link name='one'/><link name='two'/>" +
-                     joint("a", "continuous", "base", "one", "<mimic joint='b'/>") +
-                     joint("b", "continuous", "base", "two", "<mimic joint='a'/>")),
-               std::runtime_error);
-}
-
 // If this were read as a tree, one link would stand in two places, and the other in none.
 TEST(Sound, LinksThatAreNoTreeAreRefused) {
   const std::string links = ball("base", "0 0 -1") + ball("one", "1 0 0") + ball("two", "-1 0 0");
