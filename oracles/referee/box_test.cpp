@@ -269,8 +269,8 @@ TEST(BoxWitness, ProvesOnlyWhatIsSo) {
   EXPECT_EQ(check_witness(smooth, offer(points, {1, 1, 0.5}, {2, 2, -1})), Verdict::undecided);
   EXPECT_EQ(check_witness(smooth, offer(points, {1.25, 1, 0}, {2, 2, 0})), Verdict::undecided);
   const Pair in_plane{{.shape = Shape::half_space}, box({0, 0, 1.5}, {2, 2, 2}, {1, 0, 0, 0}, 1)};
-  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, -0.25}, {0, 0, 0.5})), Verdict::intersecting);
-  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, 0.25}, {0, 0, 0.5})), Verdict::undecided);
+  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, -0.125}, {0, 0, 0.75})), Verdict::intersecting);
+  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, 0.25}, {0, 0, 0.75})), Verdict::undecided);
   EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, -0.25}, {0, 0, 0.25})), Verdict::undecided);
   EXPECT_EQ(check_witness(in_plane, offer(direction, {0, 0, 2})), Verdict::undecided);
 }
