@@ -325,9 +325,9 @@ TEST(Summary, JsonHasEveryField) {
   std::vector<BenchRow> rows{row_of("intersect", "random", "verdict", 10),
                              row_of("good \"x\"", "random", "verdict", 90)};
   rows[0].max_error = 1e-14;
-  const auto json = parse_json("{" + bench_json(rows, summarise(rows)) + "}");
-  ASSERT_EQ(json["results"].size(), 2u);
-  const auto& row = json["results"][0];
+  const auto json = bench_json(rows);
+  ASSERT_EQ(json.size(), 2u);
+  const auto& row = json[0];
   for (const char* field :
        {"method", "family", "query", "foreign", "n", "median_ns", "spread", "p50_ns", "p99_ns", "max_ns",
         "instructions", "wrong_disjoint", "wrong_intersecting", "wrong_below_claim", "wrong_at_margin",
@@ -339,9 +339,7 @@ TEST(Summary, JsonHasEveryField) {
   EXPECT_EQ(row["median_ns"], 10);
   EXPECT_EQ(row["max_error"], 1e-14);
   EXPECT_TRUE(row["instructions"].is_null());
-  EXPECT_EQ(json["results"][1]["method"], "good \"x\"");
-  EXPECT_EQ(json["summary"]["verdict"]["right"]["least"], 9);
-  EXPECT_EQ(json["summary"]["verdict"]["families"][0]["right"]["method"], "good \"x\"");
+  EXPECT_EQ(json[1]["method"], "good \"x\"");
 }
 
 TEST(Summary, TableForPeople) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -13,7 +12,6 @@
 #include "cli/commands.hpp"
 #include "cli/families.hpp"
 #include "cli/options.hpp"
-#include "cli/progress.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/campaign/offline.hpp"
 
@@ -25,9 +23,6 @@ struct AskOptions {
   std::optional<std::string> cases;
   std::uint64_t pairs = 20'000, seed = 1;
 };
-
-/// The number of pairs between two looks at the clock.
-constexpr std::uint64_t shown_pairs = 1024;
 
 int write_questions(const AskOptions& options) {
   const std::string folder = options.cases ? *options.cases : in_source_tree("corpus/cases");
@@ -44,17 +39,8 @@ int write_questions(const AskOptions& options) {
   const std::unique_ptr<std::FILE, decltype(closed)> file(
       options.out == "-" ? stdout : std::fopen(options.out.c_str(), "w"), closed);
   if (!file) throw std::runtime_error(options.out + ": cannot be written");
-  ProgressLine line;
-  const auto start = std::chrono::steady_clock::now();
-  for (std::uint64_t i = 0; i < options.pairs; ++i) {
+  for (std::uint64_t i = 0; i < options.pairs; ++i)
     fmt::print(file.get(), "{}\n", format_case(question_at(workload, schedule, options.seed, i)));
-    if (i % shown_pairs != 0) continue;
-    const auto elapsed =
-        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
-    if (line.due(elapsed))
-      line.show(elapsed, static_cast<double>(i) / static_cast<double>(options.pairs),
-                fmt::format("{} pairs", i));
-  }
   if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
     throw std::runtime_error(options.out + ": could not be written");
   return exit_pass;

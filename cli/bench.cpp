@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
+#include "base/files.hpp"
 #include "base/times.hpp"
 #include "bench/bench_summary.hpp"
 #include "bench/curves.hpp"
@@ -18,7 +17,6 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "reports/run/bench_table.hpp"
 
 namespace cyl {
@@ -33,14 +31,11 @@ struct BenchArguments {
   GuestOptions guests;
 };
 
-void write_json(const std::string& file, const std::vector<BenchRow>& rows,
-                const std::vector<QueryComparisons>& queries) {
+void write_json(const std::string& file, const std::vector<BenchRow>& rows) {
   const BuildInfo info = build_info();
-  std::ofstream out(file);
-  out << fmt::format("{{\"commit\":{},\"date\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
-                     quote_json(info.commit), quote_json(today()), quote_json(info.compiler),
-                     quote_json(info.flags), quote_json(info.cpu), bench_json(rows, queries));
-  if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+  const nlohmann::ordered_json all{{"commit", info.commit}, {"date", today()}, {"compiler", info.compiler},
+                                   {"flags", info.flags},   {"cpu", info.cpu}, {"results", bench_json(rows)}};
+  write_file(file, all.dump(1) + '\n');
 }
 
 /// Sets the options that --curves or --shapes stands for, unless the command line gives them. Five margins of
@@ -94,7 +89,7 @@ void run(const BenchArguments& options) {
         std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
       fmt::print("{}: no row, because it does not support these pairs\n", method->name());
   fmt::print("{}", pipes);
-  if (!options.json.empty()) write_json(options.json, rows, queries);
+  if (!options.json.empty()) write_json(options.json, rows);
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ void begin_with_corpus(const CampaignArguments& arguments, CampaignOptions& opti
   options.create_only = true;
   run_campaign(options, selection.workload());
   options.resume = true;
-  options.create_only = arguments.create_only;
+  options.create_only = false;
   point_latest_at(options.out);
   hold(options.out);
 }
@@ -293,10 +293,8 @@ int campaign(const CampaignArguments& arguments) {
 
   options.jobs = arguments.jobs;
   options.build = build_info().text();
-  options.create_only = arguments.create_only;
   if (!options.resume && (!arguments.corpus.empty() || options.fuzz.count() > 0)) {
     begin_with_corpus(arguments, options, selection);
-    if (options.create_only) return exit_pass;
   }
   if (!take_corpus(options, selection)) {
     print_stopped(options);
@@ -327,7 +325,6 @@ int campaign(const CampaignArguments& arguments) {
       throw;
     }
   }
-  if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);
   print_not_asked(selection.methods);
   fmt::print("{}\n", cost_in_words(summary.cost));
@@ -353,7 +350,6 @@ void add_campaign(Program& program) {
   command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
   command.option("--resume DIR", arguments->resume, "continue the run in this folder")
       .not_empty("the folder of a run is expected");
-  command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.flag("--table", arguments->table, "also print the counts of each method");
   command.flag("--list", arguments->list, "only list the methods with their claims, and the families");
   command.section("Pairs");
@@ -382,8 +378,8 @@ void add_campaign(Program& program) {
       "Ctrl-C ends a campaign and keeps all complete batches. Exit code 3 of campaign can also mean that\n"
       "the run stopped before its limit.");
   command.run([arguments, share, command] {
-    for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--shard", "--cases", "--corpus",
-                              "--create-only", "--fuzz"}) {
+    for (const char* fixed :
+         {"--seed", "--out", "--methods", "--families", "--shard", "--cases", "--corpus", "--fuzz"}) {
       if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
           std::string(fixed) +

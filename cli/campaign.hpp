@@ -23,7 +23,7 @@ struct CampaignArguments {
   std::optional<std::uint64_t> pairs;
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool list = false, create_only = false, table = false;
+  bool list = false, table = false;
   GuestOptions guests;
 };
 

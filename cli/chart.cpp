@@ -1,39 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cstddef>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/process/child.hpp"
 #include "base/source_tree.hpp"
 #include "bench/curves.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "reports/run/charts.hpp"
-#include "reports/run/draw_charts.hpp"
 #include "reports/run/report_data.hpp"
 
 namespace cyl {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ChartArguments {
   std::string run, bench, out;
 };
 
+/// Draws the charts as SVG files in `out`, which it makes, by Node.js. Returns their names.
+std::vector<std::string> draw_charts(const RunData& data, const std::string& out) {
+  const std::string script = in_source_tree("reports/web/chart.mjs");
+  if (Child({"/bin/sh", "-c", "command -v node >/dev/null 2>&1"}, {}).wait() != 0)
+    throw std::runtime_error("charts need Node.js: apt-get install nodejs");
+  if (script.empty()) throw std::runtime_error("reports/web/chart.mjs is not beside this program");
+  const auto began = fs::file_time_type::clock::now();
+  // The paths are absolute, so that Node.js does not take them for options.
+  const std::vector<std::string> command{"node", fs::absolute(script).string(), fs::absolute(out).string()};
+  if (Child(command, {.input = report_json(data)}).wait() != 0)
+    throw std::runtime_error("node " + script + " failed");
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(out))
+    if (entry.path().extension() == ".svg" && entry.last_write_time() >= began)
+      files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 void chart(const ChartArguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
-  RunData run = read_run(arguments.run, campaign_families());
+  RunData run = read_run(arguments.run);
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
   write_page(run);
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
   if (arguments.out.empty()) return;
-  for (const std::string& file : draw_charts(run, arguments.out, in_source_tree("reports/web/chart.mjs")))
-    fmt::print("{}\n", file);
+  for (const std::string& file : draw_charts(run, arguments.out)) fmt::print("{}\n", file);
 }
 
 }  // namespace

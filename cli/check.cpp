@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -14,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -23,8 +21,6 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/methods/contained.hpp"
-#include "oracles/referee/half_space.hpp"
-#include "oracles/referee/interval.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -47,9 +43,8 @@ constexpr double decisive_widths[] = {1e-2, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
 struct CheckOptions {
   std::vector<std::string> files;
   std::string method;
-  bool text = false;
   bool distance = false;
-  double clearance = 0;  ///< in the unit of the pairs. If negative, minus the tolerated depth
+  double clearance = 0;  ///< in the unit of the pairs
   GuestOptions guests;
   bool asks_somebody() const { return !method.empty() || guests.any(); }
 };
@@ -59,32 +54,9 @@ struct Reply {
   std::string line;
 };
 
-std::string label(const CaseLine& c) {
-  return c.value && !c.value->id.empty() ? c.value->id : fmt::format("line {}", c.line);
-}
-
-Reply malformed(const CaseLine& c, const std::string& file, bool text) {
+Reply malformed(const CaseLine& c, const std::string& file) {
   const std::string error = file.empty() ? c.error : file + ": " + c.error;
-  return {Verdict::invalid, text ? "invalid: " + error
-                                 : fmt::format(R"({{"verdict":"invalid","error":{}}})", quote_json(error))};
-}
-
-std::string describe(const Enclosure& d) {
-  if (d.lo == 0 && d.hi == 0) return "";
-  if (d.lo < 0 && d.hi > 0) return fmt::format(", {} deep to {} apart", format_end(-d.lo), format_end(d.hi));
-  const bool apart = d.lo >= 0;
-  return fmt::format(", {} to {} {}", format_end(apart ? d.lo : 0 - d.hi),
-                     format_end(apart ? d.hi : 0 - d.lo), apart ? "apart" : "deep");
-}
-
-/// Returns what the verdict means for the solids themselves.
-std::string in_words(Verdict verdict, double clearance) {
-  if (clearance == 0 || verdict == Verdict::undecided) return to_string(verdict);
-  const std::string length = format_double(std::abs(clearance));
-  const bool meet = verdict == Verdict::intersecting;
-  if (clearance < 0) return (meet ? "deeper than " : "not deeper than ") + length;
-  if (meet) return "within " + length;
-  return (verdict == Verdict::touching ? "exactly " : "more than ") + length + " apart";
+  return {Verdict::invalid, fmt::format(R"({{"verdict":"invalid","error":{}}})", quote_json(error))};
 }
 
 /// Adds members to the object of a line.
@@ -99,66 +71,26 @@ std::string clearance_member(const CheckOptions& options) {
   return options.clearance == 0 ? "" : "\"clearance\":" + format_double(options.clearance) + ',';
 }
 
-/// Adds a length to both ends, rounded outward.
-Enclosure shifted(const Enclosure& d, const Interval& length) {
-  const Interval sum = Interval(d.lo, d.hi) + length;
-  return {sum.lo, sum.hi};
-}
-
-/// Returns whether |distance| may be as small as the rounding of the decimals of a pair. `distance` encloses
-/// it at a relative width.
-bool is_within_rounding(const Pair& pair, const std::function<Enclosure(double)>& distance) {
+/// Returns whether |distance| may be as small as the rounding of the decimals of a pair.
+bool is_within_rounding(const Pair& pair, const Truth& truth) {
   double error = 0;
   for (const Solid* c : {&pair.a, &pair.b})
     for (const double x :
          {c->center.x(), c->center.y(), c->center.z(), c->radius, c->height, c->rounding, edges_of(*c)})
       error += decimal_rounding_error * std::abs(x);
   for (const double width : decisive_widths) {
-    const Enclosure d = distance(width);
+    const Enclosure d = enclose_distance(pair, truth, width);
     if (std::max(d.lo, -d.hi) > error) return false;
     if (std::max(-d.lo, d.hi) <= error) return true;
   }
   return true;
 }
 
-/// Returns the solid that a clearance grows: a, or b if a is a half-space.
-auto& growing(auto& pair) { return is_half_space(pair.a) ? pair.b : pair.a; }
-
 /// Returns the pair whose verdict answers the question: the clearance is added to one rounding, because all
-/// roundings count alike.
+/// roundings count alike. A half-space has none.
 Pair widened(Pair pair, double clearance) {
-  if (clearance > 0) growing(pair).rounding += clearance;
+  (is_half_space(pair.a) ? pair.b : pair.a).rounding += clearance;
   return pair;
-}
-
-/// Decides by the distance whether the solids overlap by more than the tolerated depth. Sets the verdict. A
-/// direction proves that they do not; one of doubles may not exist for touching solids 1e16 times as large as
-/// the tolerated depth. That they do has no certificate but the enclosure. Returns the enclosure, less the
-/// clearance.
-Enclosure decide_depth(const Pair& pair, Truth& truth, double clearance) {
-  const bool no_overlap = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::touching;
-  Enclosure beyond{};
-  AttainedDistance attained;
-  for (const double width : decisive_widths) {
-    attained = attain_distance(pair, truth, width);
-    beyond = shifted(attained.distance, Interval(-clearance));
-    if (beyond.lo > 0 || beyond.hi < 0) break;
-  }
-  const bool shown = beyond.lo > 0;
-  if (no_overlap) beyond.lo = std::max(beyond.lo, -clearance);
-  truth.verdict = beyond.lo > 0   ? Verdict::disjoint
-                  : beyond.hi < 0 ? Verdict::intersecting
-                                  : Verdict::undecided;
-  if (shown || truth.certificate.kind != CertificateKind::direction) truth.certificate = {};
-  if (shown && attained.direction != std::array{0.0, 0.0, 0.0}) {
-    truth.certificate.kind = CertificateKind::direction;
-    truth.certificate.vector.head = attained.direction;
-    if (has_half_space(pair)) {  // only the normal itself separates
-      const Vector3 n = direction_of_half_space(pair);
-      truth.certificate.vector.head = {n.x(), n.y(), n.z()};
-    }
-  }
-  return beyond;
 }
 
 /// Returns the verdict that the referee proves. It tries the certificate of the solver first.
@@ -167,45 +99,26 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
   const MethodAnswer offered[] = {solver.ask(pair)};
   Truth truth = judge(pair, offered);
   std::optional<Enclosure> distance;
-  if (options.clearance < 0)
-    distance = decide_depth(pair, truth, options.clearance);
-  else if (options.distance)
-    distance = enclose_distance(pair, truth);
+  if (options.distance) distance = enclose_distance(pair, truth);
   const bool rounded = (truth.verdict == Verdict::disjoint || truth.verdict == Verdict::intersecting) &&
-                       is_within_rounding(pair, [&](double width) {
-                         return options.clearance < 0 ? *distance : enclose_distance(pair, truth, width);
-                       });
-  if (!options.text)
-    return {truth.verdict,
-            with_members(format_truth(truth, distance ? &*distance : nullptr),
-                         clearance_member(options) + (rounded ? "\"within_rounding\":true," : ""))};
-  const Interval added = options.clearance < 0
-                             ? Interval(options.clearance)
-                             : Interval(growing(pair).rounding) - Interval(growing(c.value->pair).rounding);
-  const Certificate& proof = truth.certificate;
+                       is_within_rounding(pair, truth);
   return {truth.verdict,
-          fmt::format("{}: {}{}{}{}", label(c), in_words(truth.verdict, options.clearance),
-                      distance ? describe(shifted(*distance, added)) : "",
-                      proof.kind == CertificateKind::none ? "" : ", proof " + format_certificate(proof),
-                      rounded ? ". The rounding of decimals to doubles may decide this" : "")};
+          with_members(format_truth(truth, distance ? &*distance : nullptr),
+                       clearance_member(options) + (rounded ? "\"within_rounding\":true," : ""))};
 }
 
 /// Returns the method's own answer, which has no proof.
-Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer,
-               const CheckOptions& options) {
-  const bool text = options.text;
+Reply reported(const Method& method, const MethodAnswer& answer, const CheckOptions& options) {
   if (answer.status == Status::answered) {
     std::string said = format_method_answer(answer);
-    if (text) return {answer.verdict, fmt::format("{}: {} answers {}", label(c), method.name(), said)};
     said.back() = ',';
     return {answer.verdict, with_members(fmt::format(R"({}"method":{}}})", said, quote_json(method.name())),
                                          clearance_member(options))};
   }
   const std::string error = fmt::format(
       "{} {}: {}", method.name(), answer.status == Status::declined ? "declined" : "failed", answer.reason);
-  return {Verdict::undecided, text ? label(c) + ": " + error
-                                   : fmt::format(R"({{"verdict":"undecided","method":{},"error":{}}})",
-                                                 quote_json(method.name()), quote_json(error))};
+  return {Verdict::undecided, fmt::format(R"({{"verdict":"undecided","method":{},"error":{}}})",
+                                          quote_json(method.name()), quote_json(error))};
 }
 
 class Checker {
@@ -269,17 +182,16 @@ class Checker {
     }
     auto next = said.begin();
     for (const CaseLine& c : batch) {
-      print(!c.value                    ? malformed(c, file, options_.text)
+      print(!c.value                    ? malformed(c, file)
             : !options_.asks_somebody() ? certified(c, *methods_[0], options_)
-                                        : reported(c, *methods_[0], (next++)->answer, options_));
+                                        : reported(*methods_[0], (next++)->answer, options_));
     }
   }
 
   void print(const Reply& reply) {
     invalid_ |= reply.verdict == Verdict::invalid;
     undecided_ |= reply.verdict == Verdict::undecided;
-    // JSON escapes control characters. A line of text may quote an id or a reason with control characters.
-    fmt::print("{}\n", options_.text ? escaped_controls(reply.line) : reply.line);
+    fmt::print("{}\n", reply.line);
   }
 
   const CheckOptions& options_;
@@ -289,10 +201,9 @@ class Checker {
 };
 
 int check(const CheckOptions& options) {
-  if (!std::isfinite(options.clearance))
-    throw UsageError(fmt::format("--clearance {} is not a length: give a finite number", options.clearance));
-  if (options.clearance < 0 && options.asks_somebody())
-    throw UsageError("a --clearance below 0 is decided by proved distances, not by a method");
+  if (!std::isfinite(options.clearance) || options.clearance < 0)
+    throw UsageError(
+        fmt::format("--clearance {} is not a length: give a finite number, 0 or more", options.clearance));
   Checker checker(options);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back("-");
@@ -310,13 +221,9 @@ void add_check(Program& program) {
       program.command("Ask", "check", "Reads pairs and writes a proved answer for each, one a line");
   auto options = std::make_shared<CheckOptions>();
   command.option("FILE", options->files, "JSON Lines of pairs; '-' or no file is standard input").readable();
-  command.section("Output");
-  command.flag("--text", options->text, "write sentences instead of JSON");
   command.section("Question");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
-  command
-      .option("--clearance LENGTH", options->clearance,
-              "decide if the signed distance is <= LENGTH; if LENGTH is below 0, if it is < LENGTH")
+  command.option("--clearance LENGTH", options->clearance, "decide if the signed distance is at most LENGTH")
       .not_empty("a length is expected");
   command.section("Methods");
   command.option("--method NAME", options->method, "print the unproved answer of this method instead of ours")
@@ -326,7 +233,7 @@ void add_check(Program& program) {
       "  echo "
       "'{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},\"b\":{\"center\":[3,0,0],"
       "\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check\n"
-      "  daylight check --text --distance pairs.jsonl",
+      "  daylight check --distance pairs.jsonl",
       "Exit code 0 of check means that all pairs are answered, 3 that some are undecided,\n"
       "and 65 that some are not valid.");
   command.run([options] { return check(*options); });

@@ -14,17 +14,7 @@ trap 'rm -r "$folder"' EXIT
 } >"$folder/drawn.jsonl"
 "$daylight" check --distance --clearance 0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
-"$daylight" check --clearance -0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
-[[ $(grep '"disjoint"' "$folder/answers.jsonl" | grep -cv '"direction"') == 0 ]] || { echo 'no direction'; exit 1; }
-python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
 cat "${exact%vectors/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
-# These touch or nearly do, and are large beside the clearance: the direction itself has to show the depth.
-cat >>"$folder/pairs.jsonl" <<'END'
-{"a":{"shape":"box","edges":[98,0,98],"quaternion":[6,2,3,0],"center":[-5,-2,-1]},"b":{"shape":"box","edges":[0,0,50],"quaternion":[3,4,0,0],"center":[26,10,-37]}}
-{"a":{"shape":"box","edges":[0,98,196],"quaternion":[6,2,3,0],"center":[0,0,0]},"b":{"shape":"box","edges":[4,4,4],"quaternion":[1,1,0,0],"center":[-74,48,-44]}}
-END
-"$daylight" check --clearance -1e-6 "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
-python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 "$daylight" check --distance "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
 python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 grep -q '"points"' "$folder/answers.jsonl" || { echo 'no certificate of two points'; exit 1; }

@@ -9,8 +9,6 @@
 
 #include "base/safe_text.hpp"
 #include "base/scratch_test.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "reports/export/export.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_program.hpp"
 #include "reports/export/pair_in_words.hpp"
@@ -41,11 +39,6 @@ std::string program_about(const Pair& pair, const Method& method) {
   return reproducing_program(*find_library_call(method.name()), asked, method);
 }
 
-int exit_code(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
 /// Builds a program and runs it, and returns its exit code.
 int run(const LibraryCall& call, const std::string& program) {
   const Scratch scratch;
@@ -53,7 +46,8 @@ int run(const LibraryCall& call, const std::string& program) {
   const std::string command = "cd " + shell_quoted(scratch.folder.string()) + " && c++ " +
                               std::string(compiler_options) + " reproduce.cpp -o reproduce " + call.flags +
                               " && ./reproduce >printed";
-  return exit_code(command);
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
 TEST(ExportOfBoxes, EachProgramAsksAboutTheBoxes) {
@@ -73,47 +67,6 @@ TEST(ExportOfBoxes, EachProgramAsksAboutTheBoxes) {
     }
   }
   EXPECT_EQ(asked, 17u);
-}
-
-/// A finding of a library about boxes.
-struct Known {
-  const char* method;
-  FindingKind kind;
-  const char* pair;
-  const char* title;
-};
-
-TEST(ExportOfBoxes, WhatIsWrongIsShownAndProved) {
-  constexpr Known known[] = {
-      {"ode-unrefined", FindingKind::wrong_disjoint,
-       R"({"a":{"shape":"box","center":[0,0,0],"edges":[1.1,2.3,3.7]},"b":{"shape":"box",)"
-       R"("center":[0.085,-1.351,1.266],"edges":[0.7,1.9,1.3],"quaternion":[0.2,0.4,-0.3,0.8]}})",
-       "# dCollide misses two boxes that overlap by "},
-      {"mujoco", FindingKind::wrong_disjoint,
-       R"({"a":{"shape":"box","center":[0.5925,-0.1767,0.9954],"edges":[0.31,0.38,0.01],)"
-       R"("quaternion":[-0.1456,0.6839,-0.3971,-1.1985]},"b":{"center":[0.5751,-0.1913,0.9644],)"
-       R"("axis":[-0.7638,-0.4187,0.4912],"radius":0,"height":1.25,"rounding":0.048}})",
-       "# mjCOLLISIONFUNC misses a box and a capsule that overlap by "},
-      {"libccd-gjk", FindingKind::wrong_intersecting,
-       R"({"a":{"shape":"box","center":[-0.09908630743496327,-0.6138244876771951,0.3480884883066273],)"
-       R"("edges":[0.5782379154315364,0.6760290651554375,0.007045399856336327],"quaternion":)"
-       R"([-0.8620804758030183,-0.6791368132252795,0.9138861971965249,-0.1664450035771728]},"b":{"center":)"
-       R"([-0.3410911369662285,-0.5251222290104027,0.7375054398483323],"axis":)"
-       R"([0.5024754105401076,0.7212581367104907,0.47676531127113414],"radius":2.4405509337846776,)"
-       R"("height":0.010389988613600977}})",
-       "# ccdGJKIntersect reports a box and a cylinder that are "},
-  };
-  for (const auto& [method, kind, text, title] : known) {
-    const CaseLine line = parse_case(text, 1);
-    ASSERT_TRUE(line.value) << line.error;
-    const Scratch scratch;
-    const Export files = make_export(select_methods(all_methods(), method), method, kind, line.value->pair);
-    write_export(files, scratch.folder.string());
-    const std::string folder = "cd " + shell_quoted(scratch.folder.string());
-    EXPECT_EQ(exit_code(folder + " && sh build.sh >printed"), 1) << files.at("reproduce.cpp");
-    EXPECT_EQ(exit_code(folder + " && python3 exact.py >printed"), 0) << files.at("exact.py");
-    EXPECT_TRUE(files.at("issue.md").starts_with(title)) << files.at("issue.md");
-  }
 }
 
 // A direction separates these boxes by 1e-17 only, and the library gets rounded rotations.

@@ -120,10 +120,9 @@ GateBase read_base(const std::string& file) {
       }
     }
     base.pairs = natural(all, "pairs");
-    for (const json& f : all.at("failures")) {
-      auto& causes = f.at("severity") == to_string(Severity::resolution) ? base.within : base.causes;
-      causes[f.at("cause").get<std::string>()] += natural(f, "count");
-    }
+    for (const json& f : all.at("failures"))
+      if (f.at("severity") != to_string(Severity::resolution))
+        base.causes[f.at("cause").get<std::string>()] += natural(f, "count");
   } catch (const json::exception&) {
     refuse("is not a report of the gate of this version");
   }
@@ -133,8 +132,6 @@ GateBase read_base(const std::string& file) {
 void mark_known(JudgedGate& gate, const GateBase& base) {
   for (JudgedFailure& f : gate.failures) {
     if (f.cause.empty()) continue;
-    if (const auto before = base.within.find(f.cause); !is_error(f) && before != base.within.end())
-      f.in_base = before->second;
     const auto found = base.causes.find(f.cause);
     if (found == base.causes.end()) continue;
     f.in_base = found->second;

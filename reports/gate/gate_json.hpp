@@ -26,7 +26,6 @@ struct GateBase {
   std::vector<std::string> cases;               ///< digests
   std::map<GatePhase, std::string> digests;     ///< of the pairs of each phase that draws
   std::map<std::string, std::uint64_t> causes;  ///< of failures beyond claims, and on how many pairs
-  std::map<std::string, std::uint64_t> within;  ///< the same within claims, which excuse nothing
 };
 
 /// Reads what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it
@@ -39,7 +38,7 @@ void note_gaps(JudgedGate& gate, const GateBase& base);
 
 /// Marks the failures whose cause is in the base as known. It does not mark a cause that has more pairs
 /// now, unless chance or a slower machine explains it: a hang, or a failure that is not deterministic. A
-/// failure within the claim is only marked as old or new.
+/// failure of the base within the claim excuses nothing.
 void mark_known(JudgedGate& gate, const GateBase& base);
 
 }  // namespace cyl

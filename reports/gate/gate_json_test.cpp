@@ -82,21 +82,6 @@ TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
   EXPECT_FALSE(known(f, base)) << "without a cause nothing is known";
 }
 
-TEST(GateJson, WithinAClaimNothingIsExcusedButSaidToBeOld) {
-  const ScratchFile file(gate_json(example_gate()));
-  const GateBase base = read_base(file.path);
-  EXPECT_EQ(base.within.size(), 1u);
-  JudgedGate gate = example_gate();
-  mark_known(gate, base);
-  EXPECT_EQ(gate.failures[2].in_base, 1234u);
-  EXPECT_FALSE(gate.failures[2].known);
-  gate.failures[2].severity = Severity::contract;
-  gate.failures[2].in_base = 0;
-  mark_known(gate, base);
-  EXPECT_FALSE(gate.failures[2].known) << "beyond the claim now";
-  EXPECT_EQ(gate.failures[2].in_base, 0u);
-}
-
 TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   const JudgedGate gate = example_gate();
   const ScratchFile file(gate_json(gate));

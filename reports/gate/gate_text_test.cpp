@@ -167,20 +167,6 @@ TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {
   EXPECT_TRUE(has(proved_in_words(m), nothing)) << proved_in_words(m);
 }
 
-TEST(GateText, UndecidedPairsAreBesideTheDecidedOnes) {
-  GateMethod m = example_gate().report.methods[0];
-  m.cells.resize(1);
-  m.cells[0] = {{ContactFeature::side_side, 3}, true, 300, 0, 100};
-  m.close_cells.clear();
-  EXPECT_EQ(
-      proved_in_words(m),
-      "The verdict of intersect is right on all 300 independent random pairs whose margin exceeds its\n"
-      "  claim.\n"
-      "  The error rate is <= 1.0e-02 overall and <= 1.0e-02 in each of 1 combination of contact feature\n"
-      "  and decade of margin, at 95 % confidence.\n"
-      "  It is undecided on 100 more.\n");
-}
-
 TEST(GateText, ACombinationThatIsAlwaysWrongHasARate) {
   GateMethod m = example_gate().report.methods[0];
   m.close_cells.clear();

@@ -15,7 +15,7 @@ namespace cyl {
 /// A failure of the report, with what is known about it.
 struct JudgedFailure : GateFailure {
   bool known = false;         ///< excused: the base has it on as many pairs
-  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this, be it within the claim
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
   std::string options = {};   ///< options that add a guest, else empty
 };
 

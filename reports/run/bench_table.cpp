@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "corpus/pairs/pair_io.hpp"
-
 namespace cyl {
 namespace {
 
@@ -19,56 +17,8 @@ std::string number(double x, int digits = 1) {
   return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-";
 }
 std::string power(double x) { return std::isfinite(x) ? fmt::format("{:.0e}", x) : "-"; }
-std::string number_text(double x) { return std::isfinite(x) ? format_double(x) : "null"; }
-
-std::string join(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ",")); }
-
-std::string competitor_json(const Competitor& competitor) {
-  if (competitor.method.empty()) return "null";
-  return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})",
-                     quote_json(competitor.method), number_text(competitor.ns), number_text(competitor.ratio),
-                     number_text(competitor.max_error));
-}
-
-std::string ratios_json(const Ratios& ratios) {
-  return fmt::format(R"({{"least":{},"geometric_mean":{}}})", number_text(ratios.least),
-                     number_text(ratios.geometric_mean));
-}
-
-std::string row_json(const BenchRow& row) {
-  return fmt::format(R"({{"method":{},"library":{},"algorithm":{},"setting":{},"family":{},"query":{},)"
-                     R"("foreign":{},"n":{},"median_ns":{},)"
-                     R"("spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
-                     R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},)"
-                     R"("wrong_below_claim":{},"wrong_at_margin":{},)"
-                     R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
-                     quote_json(row.method), quote_json(row.name.library), quote_json(row.name.algorithm),
-                     quote_json(row.name.setting), quote_json(row.family), quote_json(row.query), row.foreign,
-                     row.pairs, number_text(row.median_ns), number_text(row.spread_percent),
-                     number_text(row.p50_ns), number_text(row.p99_ns), number_text(row.max_ns),
-                     number_text(row.instructions), row.wrong_disjoint, row.wrong_intersecting,
-                     row.wrong_below_claim, row.wrong_at_margin, row.undecided, row.failed,
-                     number_text(row.max_error), number_text(row.max_error_at_most));
-}
-
-std::string comparisons_json(std::span<const QueryComparisons> queries) {
-  std::vector<std::string> objects;
-  for (const QueryComparisons& s : queries) {
-    std::vector<std::string> comparisons;
-    for (const Comparison& c : s.comparisons) {
-      comparisons.push_back(fmt::format(
-          R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
-          R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
-          quote_json(c.family), quote_json(c.method), number_text(c.ns), number_text(c.p99_over_median),
-          number_text(c.over_verdict), number_text(c.over_random), number_text(c.max_error),
-          number_text(c.max_error_at_most), c.wrong, c.wrong_at_margin, competitor_json(c.right),
-          competitor_json(c.fastest)));
-    }
-    objects.push_back(fmt::format(
-        "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
-        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(comparisons)));
-  }
-  return fmt::format("{{{}}}", join(objects));
+nlohmann::ordered_json measured_json(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
 }
 
 }  // namespace
@@ -137,10 +87,32 @@ std::string format_comparisons(std::span<const QueryComparisons> queries) {
   return text;
 }
 
-std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries) {
-  std::vector<std::string> results;
-  for (const BenchRow& row : rows) results.push_back('\n' + row_json(row));
-  return fmt::format("\"results\":[{}\n],\n\"summary\":{}", join(results), comparisons_json(queries));
+nlohmann::ordered_json bench_json(std::span<const BenchRow> rows) {
+  auto all = nlohmann::ordered_json::array();
+  for (const BenchRow& row : rows)
+    all.push_back({{"method", row.method},
+                   {"library", row.name.library},
+                   {"algorithm", row.name.algorithm},
+                   {"setting", row.name.setting},
+                   {"family", row.family},
+                   {"query", row.query},
+                   {"foreign", row.foreign},
+                   {"n", row.pairs},
+                   {"median_ns", measured_json(row.median_ns)},
+                   {"spread", measured_json(row.spread_percent)},
+                   {"p50_ns", measured_json(row.p50_ns)},
+                   {"p99_ns", measured_json(row.p99_ns)},
+                   {"max_ns", measured_json(row.max_ns)},
+                   {"instructions", measured_json(row.instructions)},
+                   {"wrong_disjoint", row.wrong_disjoint},
+                   {"wrong_intersecting", row.wrong_intersecting},
+                   {"wrong_below_claim", row.wrong_below_claim},
+                   {"wrong_at_margin", row.wrong_at_margin},
+                   {"undecided", row.undecided},
+                   {"failed", row.failed},
+                   {"max_error", measured_json(row.max_error)},
+                   {"max_error_at_most", measured_json(row.max_error_at_most)}});
+  return all;
 }
 
 }  // namespace cyl

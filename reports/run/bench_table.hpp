@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/json.hpp"
 #include "bench/bench.hpp"
 #include "bench/bench_summary.hpp"
 
@@ -14,8 +15,7 @@ namespace cyl {
 /// certificate's over its verdict).
 std::string format_bench_table(std::span<const BenchRow> rows);
 std::string format_comparisons(std::span<const QueryComparisons> queries);
-/// Members of a JSON object: "results" (the fields of BenchRow by name, `pairs` as "n", `spread_percent` as
-/// "spread") and "summary" (by query).
-std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries);
+/// An array with the fields of BenchRow by name, `pairs` as "n", `spread_percent` as "spread".
+nlohmann::ordered_json bench_json(std::span<const BenchRow> rows);
 
 }  // namespace cyl

@@ -44,7 +44,10 @@ function whoOf({ method, methods_of_kind: methods, libraries_of_kind: libraries 
 
 /** A finding as if it were a cause of its own. */
 export const sentenceOfFinding = (f: Finding) =>
-  sentenceOf({ ...f, methods: [f.method], methods_of_kind: [f.method], libraries_of_kind: [f.library], worst: f }, "about");
+  sentenceOf(
+    { ...f, methods: [f.method], methods_of_kind: [f.method], libraries_of_kind: [f.library], worst: f },
+    "about",
+  );
 
 type Told = Pick<Cause, "method" | "methods" | "methods_of_kind" | "libraries_of_kind" | "kind" | "margin" | "worst">;
 
