@@ -89,7 +89,7 @@ int study(SceneArguments& arguments) {
                                        std::ranges::any_of(s.motions->exemptions, is_open));
   const bool not_proved = left_open || s.undecided > 0 || s.verification.undecided > 0;
   const bool not_known =
-      !std::ranges::all_of(s.pairs, [&](const PairStudy& p) { return is_known(scene, p); });
+      !s.motions && !std::ranges::all_of(s.pairs, [&](const PairStudy& p) { return is_known(scene, p); });
   const bool not_seen = !scene.left_out.empty() || !joints_held_between(scene, s).empty();
   return not_proved || not_known || not_seen ? exit_undecided : exit_pass;
 }
@@ -102,7 +102,7 @@ void add_scene(Program& program) {
   Command command = program.command(
       "Measure", "scene",
       "Reports which simpler shapes can replace a robot's cylinders, and the time each takes");
-  command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
+  command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl").readable();
   command.section("Question");
   command.option("--clearance LENGTH", question.clearance,
                  "gaps up to this are too near; in the scene's unit (URDF, MJCF: metres)");

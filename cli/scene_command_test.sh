@@ -18,7 +18,7 @@ holds 'said' out ' in 20 configurations of seed 1, clearance 0.01 '
 holds 'how sure that is' out 'each wrong in less than 15 % of all configurations, at 95 % confidence'
 expect 0 'one configuration' "$daylight" scene "$scenes/crane.urdf" --at luff=-0.5 travel=1
 holds 'one' out ' in 1 configuration of '
-expect 0 'a list' "$daylight" scene "$scenes/shelf.csv"
+expect 0 'a list' "$daylight" scene "$scenes/shelf.jsonl"
 holds 'four cylinders' out '^6 pairs: 6 checked\.'
 expect 1 'no place for JSON' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --json none/crane.json
 holds 'which' err 'none/crane.json cannot be written'

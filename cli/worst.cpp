@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -22,15 +22,14 @@
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "cli/targets.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/strata.hpp"
 #include "corpus/store/case_files.hpp"
-#include "corpus/store/run_store.hpp"
+#include "oracles/referee/referee.hpp"
 
 namespace cyl {
 namespace {
 
-namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 struct WorstArguments {
@@ -41,30 +40,10 @@ struct WorstArguments {
   GuestOptions guests;
 };
 
-std::vector<Pair> pairs_of(const std::string& name) {
-  std::vector<Pair> pairs;
-  const auto add = [&](const CaseLine& line) {
-    if (!line.value) throw InputError(name + ": " + line.error);
-    pairs.push_back(line.value->pair);
-  };
-  if (fs::is_directory(name)) {
-    for (const FindingRecord& finding : RunStore::open(name).findings()) add(parse_case(finding.pair, 1));
-    return pairs;
-  }
-  std::ifstream in(name);
-  if (!in) throw UsageError("'" + name + "' is neither a run nor a file of cases");
-  CaseReader reader(in);
-  while (const auto line = reader.next()) add(*line);
-  if (in.bad()) throw std::runtime_error(name + " cannot be read");
-  return pairs;
-}
-
 std::vector<Pair> known_pairs(const WorstArguments& arguments) {
   std::vector<Pair> pairs;
-  for (const std::string& name : arguments.from) {
-    const std::vector<Pair> more = pairs_of(name);
-    pairs.insert(pairs.end(), more.begin(), more.end());
-  }
+  for (const std::string& name : arguments.from)
+    for (const Target& target : targets_of(name)) pairs.push_back(target.pair);
   if (arguments.from.empty())
     for (const Case& c : read_case_folder(in_source_tree("corpus/cases"))) pairs.push_back(c.pair);
   return pairs;
@@ -87,27 +66,10 @@ std::vector<ContactFeature> features_of(const std::string& name) {
                    "rim-rim, cap-side, cap-rim, cap-cap, containment");
 }
 
-/// A pair that was found, and why it counts.
-struct Shown {
-  std::string what, beside;
-  Pair pair;
-  std::string reason = {};
-};
-
-std::vector<Shown> shown(const Worst& worst) {
-  std::vector<Shown> all;
-  if (const auto& f = worst.failed)
-    all.push_back({to_string(f->failure), in_words(Severity::contract), f->pair, f->reason});
-  if (const auto& w = worst.wrong)
-    all.push_back({fmt::format("margin {:.4g} {}", w->finding.margin->lo, to_string(w->finding.kind)),
-                   in_words(w->finding.severity), w->pair});
-  if (const auto& s = worst.scored)
-    all.push_back({fmt::format("error {:.4g}", s->score),
-                   s->beyond      ? "beyond its claim"
-                   : s->score > 1 ? "at most"
-                                  : "within its claim",
-                   s->pair});
-  return all;
+std::string score_text(const WorstPair& found) {
+  if (is_failure(found.kind)) return to_string(found.kind);
+  if (found.kind == FindingKind::distance_outside) return fmt::format("error {:.4g}", found.score);
+  return fmt::format("margin {:.4g} {}", found.score, to_string(found.kind));
 }
 
 /// Searches the methods one after the other, and the features of each in turn. If a search ends early, the
@@ -117,10 +79,7 @@ int search_all(const WorstArguments& arguments) {
       methods_for_targets(arguments.guests, arguments.from, arguments.methods).methods, arguments.methods);
   const std::vector<ContactFeature> features = features_of(arguments.feature);
   std::vector<Pair> known = known_pairs(arguments);
-  WorstOptions options;
-  options.seed = arguments.seed;
-  options.objective = *from_word<Objective>(arguments.search);
-  options.domain.fine = options.objective == Objective::error;
+  WorstOptions options{.objective = *from_word<Objective>(arguments.search), .seed = arguments.seed};
   if (arguments.evaluations) options.evaluation_cap = *arguments.evaluations;
   const milliseconds budget = !arguments.budget.empty() ? parse_duration(arguments.budget)
                               : arguments.evaluations   ? options.budget
@@ -137,19 +96,16 @@ int search_all(const WorstArguments& arguments) {
   bool beyond_claim = false;
   for (const auto& method : methods) {
     for (const ContactFeature feature : features) {
+      options.feature = feature;
       std::vector<Pair> starts = known;
-      if (arguments.from.empty()) {
-        const std::vector<Pair> drawn = drawn_starts(feature, arguments.seed, options.objective);
-        starts.insert(starts.end(), drawn.begin(), drawn.end());
-        const std::vector<Pair> boxes = drawn_box_starts(*method, arguments.seed);
-        starts.insert(starts.end(), boxes.begin(), boxes.end());
-      }
+      if (arguments.from.empty())
+        std::ranges::move(drawn_starts(*method, options), std::back_inserter(starts));
       options.budget = std::max(milliseconds(0), (budget - elapsed()) / static_cast<int>(all - ended));
       const std::string name = fmt::format("{} {}", method->name(), to_string(feature));
       Worst worst;
       {
         ProgressLine line;
-        worst = worst_of(method, starts, {feature, {}}, options, [&](const Worst& w, milliseconds) {
+        worst = worst_of(method, starts, options, [&](const Worst& w) {
           if (!line.due(elapsed())) return;
           const double share = arguments.evaluations
                                    ? part(ended, all) + part(w.evaluations, options.evaluation_cap * all)
@@ -159,16 +115,18 @@ int search_all(const WorstArguments& arguments) {
       }
       ++ended;
       beyond_claim |= worst.beyond_claim();
-      const std::vector<Shown> found = shown(worst);
-      if (found.empty())
+      if (!worst.failed && !worst.worst)
         fmt::print("{} nothing in {}, {}\n", name, counted(worst.evaluations, "shape"),
                    counted(worst.questions, "question"));
-      for (const auto& [what, beside, pair, reason] : found) {
+      for (const auto& found : {worst.failed, worst.worst}) {
+        if (!found) continue;
+        const std::string what = score_text(*found), beside = in_words(found->severity),
+                          remark = found->reason.empty() ? what : what + ": " + found->reason;
         const std::string id = fmt::format("worst/{}/{}", method->name(), to_string(feature));
-        const std::string remark = reason.empty() ? what : what + ": " + reason;
-        const std::string line = case_line(pair, id, fmt::format("{}, {}", remark, beside), arguments.seed);
+        const std::string line =
+            case_line(found->pair, id, fmt::format("{}, {}", remark, beside), arguments.seed);
         fmt::print("{} {} ({}) {}\n", name, what, beside, line);
-        known.insert(known.begin(), pair);  // a bad pair for one method may be bad for the next
+        known.insert(known.begin(), found->pair);  // a bad pair for one method may be bad for the next
         if (out.is_open()) out << line << '\n' << std::flush;
       }
       std::fflush(stdout);

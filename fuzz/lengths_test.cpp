@@ -16,7 +16,7 @@
 #include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/support.hpp"
 #include "fuzz/guided/record.hpp"
-#include "fuzz/worst/pair_chart.hpp"
+#include "fuzz/worst/shapes.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
@@ -171,17 +171,10 @@ const Scaler scalers[] = {
     {"fitted", [](const Pair& p) { return std::vector{fitted(p, {.greatest = 0.25}).value_or(p)}; }},
     {"moves::scales", [](const Pair& p) { return moves::scales(p); }},
     {"law 2", [](const Pair& p) { return asked_by(2, p); }},
-    {"bring_into",
+    {"bring_into_domain",
      [](const Pair& p) {
-       if (has_half_space(p)) return std::vector{scaled(p, 1)};  // no search for these
-       return std::vector{bring_into({.most_size = 2}, p).value_or(p)};
-     }},
-    {"PairChart",
-     [](const Pair& p) {
-       if (has_half_space(p)) return std::vector{scaled(p, 1)};
-       PairChart::Point x{};
-       x[0] = 1;
-       return std::vector{PairChart(p, {}, {}).pair(x)};
+       const Pair large = scaled(p, 12);
+       return std::vector{has_half_space(p) ? large : bring_into_domain(large).value()};
      }},
 };
 
@@ -230,6 +223,13 @@ const Changer changers[] = {
        return all;
      }},
     {"equalities", [](const Pair& p) { return moves::equalities(p); }},
+    {"nudged",
+     [](const Pair& p) {
+       RandomStream stream("lengths_test", 1, 0);
+       std::vector<Pair> all;
+       for (int i = 0; i < 20; ++i) all.push_back(nudged(p, stream));
+       return all;
+     }},
     {"roundings", [](const Pair& p) { return moves::roundings(scaled(p, -3)); }},
 };
 

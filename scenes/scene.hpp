@@ -61,6 +61,8 @@ struct Body {
   /// The shape that the solid bounds. A body that is clear of the solid is clear of it; if near, nothing is
   /// known.
   std::optional<BoxShape> box = std::nullopt;
+  std::optional<Solid> inner =
+      std::nullopt;   ///< a solid in that shape, if one is known: what meets it meets the shape
   double excess = 0;  ///< how far the solid may reach beyond the shapes that it stands for
   /// Bodies that the file asks to check against it, regardless of other rules.
   std::vector<std::string> paired = {};

@@ -99,20 +99,6 @@ TEST(Pairs, OfWeldedAndFloatingBodies) {
   EXPECT_EQ(why("rail/bar", "thigh/femur"), Reason::floating);
 }
 
-TEST(Files, JsonLinesAndCsvSayTheSame) {
-  const Scene a = read_scene(folder + "shelf.jsonl"), b = read_scene(folder + "shelf.csv");
-  ASSERT_EQ(a.bodies.size(), 4u);
-  ASSERT_EQ(b.bodies.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(a.bodies[i].name, b.bodies[i].name);
-    EXPECT_EQ(a.bodies[i].solid.center, b.bodies[i].solid.center);
-    EXPECT_EQ(a.bodies[i].solid.axis, b.bodies[i].solid.axis);
-    EXPECT_EQ(a.bodies[i].solid.radius, b.bodies[i].solid.radius);
-    EXPECT_EQ(a.bodies[i].solid.height, b.bodies[i].solid.height);
-  }
-  EXPECT_FALSE(moves(a));
-}
-
 TEST(Files, JsonLinesHaveAllSolids) {
   const Scene scene =
       read_text(".jsonl", R"({"shape":"half_space","point":[0,0,0],"normal":[0,0,2],"name":"floor"}
@@ -126,6 +112,7 @@ TEST(Files, JsonLinesHaveAllSolids) {
   EXPECT_EQ(placed[2].quaternion, (std::array{1.0, 1e-17, 0.0, 0.0})) << "what stands still is not rounded";
   EXPECT_EQ(placed[2].rounding, 0.5);
   EXPECT_EQ(placed[3].rounding, 0.5);
+  EXPECT_FALSE(moves(scene));
   EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::disabled);
   EXPECT_EQ(PairRule(scene).reason(scene.bodies[0], scene.bodies[3]), PairRule::Reason::checked);
 }
@@ -150,10 +137,6 @@ TEST(Files, FaultsAreNamed) {
             std::string::npos);
   EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("line 1: centre is not a field of a solid; "),
             std::string::npos);
-  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n0,0,0,0,0,1,one,2").find("radius is 'one'"),
-            std::string::npos);
-  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius\n").find("no column 'height'"), std::string::npos);
-  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n1,2").find("2 fields, not 8"), std::string::npos);
   EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'/><link name='b'/></robot>").find("root"),
             std::string::npos);
   EXPECT_NE(error_of(".urdf", "<robot>\n<link name='a'></robot>").find("line 2: "), std::string::npos);
@@ -254,14 +237,6 @@ TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
   EXPECT_EQ(spheres, 3u);
   EXPECT_NEAR(scene.bodies[0].solid.rounding, 0.06, 1e-15);
   EXPECT_NEAR(scene.bodies[0].solid.height, 0.3, 1e-15);
-}
-
-TEST(Files, SolidsMayBeRounded) {
-  const Scene csv = read_text(".csv", "rounding,x,y,z,ax,ay,az,radius,height\n0.25,0,0,0,0,0,1,0,2\n");
-  EXPECT_EQ(csv.bodies.at(0).solid.rounding, 0.25);
-  EXPECT_NE(error_of(".jsonl", R"({"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":-1})")
-                .find("rounding is negative"),
-            std::string::npos);
 }
 
 }  // namespace

@@ -34,7 +34,6 @@ except ImportError:  # to judge takes the standard library only
 FOLDER = pathlib.Path(__file__).parent / 'v1'
 V2 = FOLDER.parent / 'v2'
 WORDS = ('disjoint', 'touching', 'intersecting', 'invalid')
-STORE = '.daylight-vectors.json'
 LIMIT = 10.0  # seconds that an answer may take
 
 
@@ -69,18 +68,6 @@ def exclusions(path):
             raise ValueError(f'{path}:{number}: {name} is excluded without a reason')
         excluded[name] = reason.strip()
     return excluded
-
-
-def failed_before(path=STORE):
-    try:
-        return json.loads(pathlib.Path(path).read_text(encoding='utf-8'))
-    except (OSError, ValueError):
-        return []
-
-
-def remember(failed, path=STORE):
-    if failed or pathlib.Path(path).exists():
-        pathlib.Path(path).write_text(json.dumps(sorted(failed), indent=0) + '\n', encoding='utf-8')
 
 
 def solid_of(solid):
@@ -206,35 +193,24 @@ def serve(name):
 
 
 class Run:
-    """Asks about each vector once, at first about those that failed last time."""
+    """Asks about each vector once."""
 
-    def __init__(self, name, vectors, tolerance=0.0, excluded=None, store=STORE, limit=LIMIT):
-        self.asker, self.tolerance, self.store = Asker(name, limit), tolerance, store
-        self.excluded = excluded or {}
-        self.before = set(failed_before(store))
-        asked = [v for v in vectors if v['id'] not in self.excluded]
-        self.vectors = sorted(asked, key=lambda v: v['id'] not in self.before)
+    def __init__(self, name, vectors, tolerance=0.0, excluded=(), limit=LIMIT):
+        self.asker, self.tolerance = Asker(name, limit), tolerance
+        self.vectors = [v for v in vectors if v['id'] not in excluded]
         self.results = {}
 
     def result(self, v):
-        first = [] if self.results else [w for w in self.vectors if w['id'] in self.before]
-        for w in [*first, v]:
-            if w['id'] not in self.results:
-                said, failure = self.asker.ask(solid_of(w['a']), solid_of(w['b']), w['result'] == 'invalid')
-                self.results[w['id']] = failure or judge(w, said, self.tolerance)
+        if v['id'] not in self.results:
+            said, failure = self.asker.ask(solid_of(v['a']), solid_of(v['b']), v['result'] == 'invalid')
+            self.results[v['id']] = failure or judge(v, said, self.tolerance)
         return self.results[v['id']]
 
     def is_wrong(self, v):
         return self.result(v) not in ('right', 'acceptable', 'declined')
 
-    def finish(self):
-        """Stores the ids that fail; those that were not asked this time keep what they were."""
-        self.asker.close()
-        asked = {v['id']: v for v in self.vectors if v['id'] in self.results}
-        remember([i for i, v in asked.items() if self.is_wrong(v)] + sorted(self.before - set(asked)), self.store)
-
     def cells(self):
-        """{(flag, decade): vectors}. A vector is in the cells of its flags. Failures of the last time are first."""
+        """{(flag, decade): vectors}. A vector is in the cells of its flags."""
         cells = {}
         for v in self.vectors:
             for flag in v['flags'] or ['General']:
@@ -249,13 +225,9 @@ def decade_of(v):
     return f'1e{math.floor(math.log10(v["margin"])):+03d}' if v['margin'] else 'unknown'
 
 
-def simplest(vectors):
-    return min(vectors, key=lambda v: (len(json.dumps([v['a'], v['b']])), v['id']))
-
-
 def report(flag, failing, results):
     """The text of a failure: how many, the simplest pair, and the class of bug."""
-    v = simplest(failing)
+    v = min(failing, key=lambda v: (len(json.dumps([v['a'], v['b']])), v['id']))
     about = known_flags().get(flag, {})
     pair = json.dumps({k: {name: x for name, x in v[k].items() if name != 'quaternion'} for k in 'ab'})
     lines = [f'{len(failing)} wrong. The simplest, {v["id"]}: {results[v["id"]]}', pair]
@@ -272,7 +244,6 @@ def pytest_addoption(parser):
     group.addoption('--daylight-tolerance', type=float, default=0.0, help='a length that the library states')
     group.addoption('--daylight-limit', type=float, default=LIMIT, help='seconds that an answer may take')
     group.addoption('--daylight-exclude', metavar='FILE', help='an id and a reason a line')
-    group.addoption('--daylight-store', default=STORE, help='file of the ids that failed, which are asked first')
 
 
 def pytest_collection_modifyitems(session, config, items):
@@ -283,7 +254,7 @@ def pytest_collection_modifyitems(session, config, items):
     try:
         config.daylight_run = run = Run(name, load(option('--daylight-tier'))['vectors'],
                                         option('--daylight-tolerance'), exclusions(option('--daylight-exclude')),
-                                        option('--daylight-store'), option('--daylight-limit'))
+                                        option('--daylight-limit'))
     except (ValueError, OSError) as error:
         raise UsageError(f'--daylight: {error}') from error
     group = Group.from_parent(session, name='daylight', nodeid='daylight')
@@ -293,7 +264,7 @@ def pytest_collection_modifyitems(session, config, items):
 
 def pytest_sessionfinish(session):
     if hasattr(session.config, 'daylight_run'):
-        session.config.daylight_run.finish()
+        session.config.daylight_run.asker.close()
 
 
 class Group(Collector):

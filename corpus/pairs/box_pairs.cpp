@@ -19,7 +19,6 @@ namespace {
 
 using enum SolidKind;
 
-constexpr std::array<double, 6> offsets{1e2, 1e4, 1e6, 1e8, 1e10, 1e12};
 constexpr std::array<double, 8> quaternion_lengths{1e-300, 1e-150, 1e-20, -1, 3, 1e20, 1e150, 1e300};
 
 SolidKind draw_box_kind(RandomStream& s) { return s.below(4) == 0 ? rounded_box : box; }
@@ -29,20 +28,50 @@ SolidKind draw_one(const std::array<SolidKind, count>& kinds, RandomStream& s) {
   return kinds[s.below(count)];
 }
 
-Pair draw_edges(RandomStream& s, std::uint64_t index) {
-  constexpr std::array kinds{box, box, box, rounded_box, capsule, cylinder, rounded};
+/// A box and a solid of one of the kinds.
+template <std::size_t count>
+Pair draw_kinds(const std::array<SolidKind, count>& kinds, RandomStream& s,
+                double (*length)(RandomStream&) = draw_moderate) {
   Pair p;
-  p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
-  p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
+  p.a = draw_kind(draw_box_kind(s), s, length);
+  p.b = draw_kind(draw_one(kinds, s), s, length);
+  return p;
+}
+
+double thinned(RandomStream& s, double length) { return s.coin() ? 0 : s.pick(dusts) * length; }
+
+void make_thin(Solid& c, RandomStream& s) {
+  if (!is_box(c)) {
+    double& length = s.coin() ? c.radius : c.height;
+    length = thinned(s, length);
+    return;
+  }
+  constexpr std::array<std::size_t, 8> counts{1, 1, 1, 2, 2, 2, 2, 3};
+  const std::size_t count = counts[s.below(counts.size())], first = s.below(3);
+  for (std::size_t i = 0; i < count; ++i) {
+    double& edge = c.edges[(first + i) % 3];
+    edge = thinned(s, edge);
+  }
+}
+
+Pair draw_near_box(RandomStream& s, std::uint64_t index) {
+  constexpr std::array kinds{sphere, capsule, cylinder, rounded, half_space, box, rounded_box};
+  const SolidKind first = draw_box_kind(s), second = draw_one(kinds, s);
+  return draw_near(first, second, s, index);
+}
+
+}  // namespace
+
+Pair draw_box_edges(RandomStream& s, std::uint64_t index) {
+  constexpr std::array kinds{box, box, box, rounded_box, capsule, cylinder, rounded};
+  Pair p = draw_kinds(kinds, s);
   return put_in_contact(p, {TouchPart::line, TouchPart::line}, margin_at(index), s);
 }
 
 // A tilted solid meets the facet in the point of it that is farthest along -n.
-Pair draw_flush(RandomStream& s, std::uint64_t index) {
+Pair draw_box_flush(RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{box, box, rounded_box, capsule, cylinder, rounded};
-  Pair p;
-  p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
-  p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
+  Pair p = draw_kinds(kinds, s);
   const auto [n, u] = draw_frame(s);
   const double x = s.between(-0.6, 0.6), y = s.between(-0.6, 0.6), z = s.between(-0.6, 0.6);
   const Vector3 on_a = touch_plane(p.a, TouchPart::face, n, u, {x, y}, s);
@@ -62,7 +91,7 @@ Pair draw_flush(RandomStream& s, std::uint64_t index) {
   return in_any_order(p, s);
 }
 
-Pair draw_stacked(RandomStream& s, std::uint64_t index) {
+Pair draw_box_stacked(RandomStream& s, std::uint64_t index) {
   constexpr std::array<std::array<double, 4>, 4> turns{
       {{1, 0, 0, 0}, {1, 1, 1, 1}, {3, 0, 0, 4}, {-1, 2, 0, -2}}};
   Pair p;
@@ -97,11 +126,9 @@ Pair draw_stacked(RandomStream& s, std::uint64_t index) {
 
 // The inner solid touches a plane from inside. The margin is from the plane to the facet, in sizes of the
 // inner solid. A negative one is beyond the facet.
-Pair draw_nested(RandomStream& s, std::uint64_t index) {
+Pair draw_box_nested(RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{sphere, capsule, cylinder, rounded, box, box, rounded_box};
-  Pair p;
-  p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
-  p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
+  Pair p = draw_kinds(kinds, s);
   const double part = draw_decade(s, 1, 12) * s.between(0.3, 1);
   for (double* x : {&p.b.radius, &p.b.height, &p.b.rounding, &p.b.edges[0], &p.b.edges[1], &p.b.edges[2]})
     *x *= part;
@@ -115,27 +142,9 @@ Pair draw_nested(RandomStream& s, std::uint64_t index) {
   return in_any_order(p, s);
 }
 
-double thinned(RandomStream& s, double length) { return s.coin() ? 0 : s.pick(dusts) * length; }
-
-void make_thin(Solid& c, RandomStream& s) {
-  if (!is_box(c)) {
-    double& length = s.coin() ? c.radius : c.height;
-    length = thinned(s, length);
-    return;
-  }
-  constexpr std::array<std::size_t, 8> counts{1, 1, 1, 2, 2, 2, 2, 3};
-  const std::size_t count = counts[s.below(counts.size())], first = s.below(3);
-  for (std::size_t i = 0; i < count; ++i) {
-    double& edge = c.edges[(first + i) % 3];
-    edge = thinned(s, edge);
-  }
-}
-
-Pair draw_thin(RandomStream& s, std::uint64_t index) {
+Pair draw_box_thin(RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{sphere, capsule, cylinder, rounded, half_space, box, rounded_box};
-  Pair p;
-  p.a = draw_kind(draw_box_kind(s), s, draw_moderate);
-  p.b = draw_kind(draw_one(kinds, s), s, draw_moderate);
+  Pair p = draw_kinds(kinds, s);
   make_thin(p.a, s);
   if (s.coin()) make_thin(p.b, s);
   if (size_of(p) == 0) p.a.edges[0] = 1;
@@ -148,7 +157,7 @@ Pair draw_thin(RandomStream& s, std::uint64_t index) {
 
 // All numbers are integers or halves, so the solids touch exactly along a coordinate axis. Square to it they
 // lie over each other or beside.
-Pair draw_lattice(RandomStream& s, std::uint64_t) {
+Pair draw_box_lattice(RandomStream& s, std::uint64_t) {
   constexpr std::array kinds{sphere, capsule, cylinder, rounded, box, box, box, rounded_box};
   constexpr std::array<std::array<double, 4>, 10> quarters{{{1, 0, 0, 0},
                                                             {1, 1, 0, 0},
@@ -160,10 +169,7 @@ Pair draw_lattice(RandomStream& s, std::uint64_t) {
                                                             {0, 1, 1, 0},
                                                             {0, 0, 2, -2},
                                                             {-3, 3, 3, 3}}};
-  Pair p;
-  const auto length = [](RandomStream& t) { return static_cast<double>(t.integer(1, 4)); };
-  p.a = draw_kind(draw_box_kind(s), s, length);
-  p.b = draw_kind(draw_one(kinds, s), s, length);
+  Pair p = draw_kinds(kinds, s, [](RandomStream& r) { return static_cast<double>(r.integer(1, 4)); });
   for (Solid* c : {&p.a, &p.b}) {
     c->axis = is_box(*c) ? Vector3(0, 0, 1) : s.coordinate_axis();
     c->quaternion = {1, 0, 0, 0};
@@ -193,22 +199,13 @@ Pair draw_lattice(RandomStream& s, std::uint64_t) {
   return in_any_order(p, s);
 }
 
-Pair draw_near_box(RandomStream& s, std::uint64_t index) {
-  constexpr std::array kinds{sphere, capsule, cylinder, rounded, half_space, box, rounded_box};
-  const SolidKind first = draw_box_kind(s), second = draw_one(kinds, s);
-  return draw_near(first, second, s, index);
-}
-
-Pair draw_far(RandomStream& s, std::uint64_t index) {
+Pair draw_box_far(RandomStream& s, std::uint64_t index) {
   Pair p = draw_near_box(s, index);
-  const Vector3 away = s.pick(offsets) * s.unit_vector();
-  p.a.center += away;
-  p.b.center += away;
-  if (is_half_space(p.b) && s.coin()) p.b.center += s.pick(offsets) * s.perpendicular(p.b.axis);
+  move_far(p, s);
   return in_any_order(p, s);
 }
 
-Pair draw_long_quaternion(RandomStream& s, std::uint64_t index) {
+Pair draw_box_quaternion(RandomStream& s, std::uint64_t index) {
   Pair p = draw_near_box(s, index);
   for (Solid* c : {&p.a, &p.b}) {
     const double length = s.pick(quaternion_lengths);
@@ -216,30 +213,6 @@ Pair draw_long_quaternion(RandomStream& s, std::uint64_t index) {
       if (is_box(*c)) x *= length;
   }
   return in_any_order(p, s);
-}
-
-}  // namespace
-
-Pair draw_with_box(BoxKind kind, RandomStream& s, std::uint64_t index) {
-  switch (kind) {
-    case BoxKind::edges:
-      return draw_edges(s, index);
-    case BoxKind::flush:
-      return draw_flush(s, index);
-    case BoxKind::stacked:
-      return draw_stacked(s, index);
-    case BoxKind::nested:
-      return draw_nested(s, index);
-    case BoxKind::thin:
-      return draw_thin(s, index);
-    case BoxKind::lattice:
-      return draw_lattice(s, index);
-    case BoxKind::far:
-      return draw_far(s, index);
-    case BoxKind::quaternion:
-      break;
-  }
-  return draw_long_quaternion(s, index);
 }
 
 }  // namespace cyl

@@ -48,7 +48,7 @@ struct Certificate {
 
 /// The arithmetic that settled a question.
 enum class Stage : unsigned char {
-  filter,          ///< double, with outward rounding
+  filter,          ///< double, or sums of two doubles, with bounds of rounding
   multiprecision,  ///< MPFI; in files and on screens "wide"
   exact            ///< rationals
 };

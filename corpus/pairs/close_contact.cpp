@@ -76,8 +76,6 @@ double place(RandomStream& s) {
   }
 }
 
-enum class Part { side, rim, cap };
-
 /// How the two axes lie about the normal. The tilts are from the normal, towards the contact. The azimuth is
 /// from one axis to the other.
 struct Poise {
@@ -189,23 +187,6 @@ Poise generic_poise(RandomStream& r, ContactFeature feature, double s) {
   }
 }
 
-std::pair<Part, Part> parts_of(ContactFeature feature) {
-  switch (feature) {
-    case side_rim:
-      return {Part::side, Part::rim};
-    case cap_side:
-      return {Part::cap, Part::side};
-    case cap_rim:
-      return {Part::cap, Part::rim};
-    case cap_cap:
-      return {Part::cap, Part::cap};
-    case rim_rim:
-      return {Part::rim, Part::rim};
-    default:
-      return {Part::side, Part::side};
-  }
-}
-
 /// Returns the features that can meet so. A side's or cap's own angle to the normal is not a small one.
 std::span<const ContactFeature> features_of(AxesLie lie, AngleBand band) {
   static constexpr std::array all{side_rim, rim_rim, side_side, cap_rim};
@@ -264,11 +245,12 @@ void draw_lengths(RandomStream& s, CloseKind kind, Pair& p) {
 
 /// Sets the axis of a solid whose outward normal at the contact is `n`. `e` is the direction of the axis in
 /// the plane of contact. Returns the contact relative to the centre of the solid.
-Vector3 set_solid(RandomStream& s, Solid& solid, Part part, const Vector3& n, const Vector3& e,
+Vector3 set_solid(RandomStream& s, Solid& solid, TouchPart part, const Vector3& n, const Vector3& e,
                   const Turn& tilt) {
   const Vector3 towards = tilt.cosine * n + tilt.sine * e, radial = tilt.sine * n - tilt.cosine * e;
   const double where = place(s);
-  const double along = part == Part::side ? s.sign() * where : 1, across = part == Part::cap ? where : 1;
+  const double along = part == TouchPart::line ? s.sign() * where : 1,
+               across = part == TouchPart::face ? where : 1;
   solid.axis = s.sign() * towards;
   return along * solid.height / 2 * towards + across * solid.radius * radial;
 }

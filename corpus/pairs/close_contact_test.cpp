@@ -105,30 +105,6 @@ TEST(CloseContact, HasTheAnglesOfItsCell) {
   EXPECT_GT(exact[AxesLie::near_square], 20u);
 }
 
-TEST(CloseContact, ReachesTheEndsOfPlacesAndLengths) {
-  std::size_t flat = 0, thread = 0, equal = 0, tiny = 0, middle = 0, border = 0;
-  see_rounds(40, [&](const CloseContact& c) {
-    const auto& [a, b] = c.pair;
-    flat += a.height == 0 || b.height == 0;
-    thread += a.radius == 0 || b.radius == 0;
-    equal += a.radius == b.radius || a.height == b.height;
-    const Wide least = std::min({a.radius, a.height, b.radius, b.height});
-    tiny += least > 0 && least < 1e-4L * size_of(c.pair);
-    if (c.feature != ContactFeature::side_side) return;
-    // Along the axis of a, the contact's place is what b's centre and axis do not explain.
-    const Wide3 normal = c.normal.cast<Wide>(), axis = unit(a.axis), other = unit(b.axis);
-    const Wide3 across = normal.cross(other), between = (b.center - a.center).cast<Wide>();
-    if (const Wide lever = std::abs(axis.dot(across)); lever > 0.5L && a.height > 0) {
-      const Wide where = std::abs(between.dot(across)) / lever / (Wide(a.height) / 2);
-      middle += where < 1e-14L;
-      border += std::abs(where - 1) < 1e-14L;
-    }
-  });
-  for (const std::size_t count : {flat, thread, equal, tiny}) EXPECT_GT(count, 500u);
-  EXPECT_GT(middle, 50u);
-  EXPECT_GT(border, 50u);
-}
-
 TEST(CloseContact, RodsAreRodsAndRimsAreRims) {
   for (std::uint64_t i = 0; i < 500; ++i) {
     const CloseContact rods = draw_close_contact(CloseKind::rods, seed, i);

@@ -302,11 +302,6 @@ Pair rounded_box_pair(RandomStream& s, std::uint64_t index) {
   return draw_rounded(rounded_box, static_cast<SolidKind>(index % kinds), s, index / kinds);
 }
 
-template <BoxKind kind>
-Pair box_pair(RandomStream& s, std::uint64_t index) {
-  return draw_with_box(kind, s, index);
-}
-
 struct Entry {
   std::string_view name, summary;
   Pair (*draw)(RandomStream&, std::uint64_t index);
@@ -383,19 +378,17 @@ constexpr Entry entries[] = {
     {"box_half_space", "a box and a half-space", rounded_pair<box, half_space>},
     {"box_box", "two boxes", rounded_pair<box, box>},
     {"rounded_box", "a rounded box and a solid of any kind", rounded_box_pair},
-    {"box_edges", "edge meets edge or side at every angle, in the middle or at the corners",
-     box_pair<BoxKind::edges>},
+    {"box_edges", "edge meets edge or side at every angle, in the middle or at the corners", draw_box_edges},
     {"box_flush", "a facet meets a facet, edge, cap or side, flat or 1e-15 to 1e-2 rad from it",
-     box_pair<BoxKind::flush>},
+     draw_box_flush},
     {"box_stacked", "boxes turned alike, often equal, at facets, edges, corners or one centre",
-     box_pair<BoxKind::stacked>},
+     draw_box_stacked},
     {"box_nested", "a solid 1e-1 to 1e-12 as large as a box, inside it or through its surface",
-     box_pair<BoxKind::nested>},
-    {"box_thin", "plates, rods and points: edges 0 or nearly, often both solids", box_pair<BoxKind::thin>},
-    {"box_lattice", "small integers and quarter turns: exact ties", box_pair<BoxKind::lattice>},
-    {"box_far", "nearly touching 1e2 to 1e12 from the origin", box_pair<BoxKind::far>},
-    {"box_quaternion", "nearly touching, quaternions of length 1e-300 to 1e300",
-     box_pair<BoxKind::quaternion>},
+     draw_box_nested},
+    {"box_thin", "plates, rods and points: edges 0 or nearly, often both solids", draw_box_thin},
+    {"box_lattice", "small integers and quarter turns: exact ties", draw_box_lattice},
+    {"box_far", "nearly touching 1e2 to 1e12 from the origin", draw_box_far},
+    {"box_quaternion", "nearly touching, quaternions of length 1e-300 to 1e300", draw_box_quaternion},
 };
 
 template <std::size_t i>

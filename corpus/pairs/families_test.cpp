@@ -10,10 +10,8 @@
 #include <string>
 
 #include "base/fnv.hpp"
-#include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/random_stream.hpp"
 
 namespace cyl {
 namespace {
@@ -31,11 +29,6 @@ Wide wide_size(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radiu
 Wide support(const Solid& c, const Wide3& m) {
   const Wide3 w = unit_axis(c);
   return c.radius * m.cross(w).norm() + Wide(c.height) / 2 * std::abs(m.dot(w));
-}
-
-/// Returns how far planes square to the unit vector m separate a from b. It is at most the signed distance.
-Wide gap_along(const Pair& p, const Wide3& m) {
-  return m.dot(wide(p.b.center) - wide(p.a.center)) - support(p.a, m) - support(p.b, m);
 }
 
 /// How far x is outside the solid, along its axis or radially.
@@ -67,23 +60,6 @@ TEST(Families, HaveNamesAndSummaries) {
   EXPECT_EQ(find_family("axes"), nullptr);
 }
 
-TEST(Families, ArePureFunctions) {
-  for (const Family& f : families()) {
-    const std::string there = format_pair(f.generate(seed, 57));
-    for (std::uint64_t i : {56u, 58u, 0u}) f.generate(seed, i);
-    EXPECT_EQ(format_pair(f.generate(seed, 57)), there) << f.name;
-  }
-}
-
-TEST(Families, DrawValidPairs) {
-  for (const Family& f : families())
-    for (std::uint64_t i = 0; i < 2000; ++i) {
-      const Pair p = f.generate(seed, i);
-      ASSERT_EQ(find_defect(p.a), Defect::none) << f.name << " " << i;
-      ASSERT_EQ(find_defect(p.b), Defect::none) << f.name << " " << i;
-    }
-}
-
 TEST(Families, DrawDistinctPairs) {
   std::set<std::string> seen;
   std::size_t drawn = 0;
@@ -101,7 +77,11 @@ TEST(Families, KeepTheirPairsForEver) {
     if (f.name == "close_contacts") {
       EXPECT_EQ(digest, 12863362681524556228u);
     }
-    for (std::uint64_t i = 0; i < 500; ++i) digest = fnv1a(format_pair(f.generate(seed, i)), digest);
+    for (std::uint64_t i = 0; i < 500; ++i) {
+      const Pair pair = f.generate(seed, i);
+      EXPECT_TRUE(is_legal(pair)) << f.name << ' ' << i;
+      digest = fnv1a(format_pair(pair), digest);
+    }
   }
   EXPECT_EQ(digest, 15129444820110717u);
   digest = fnv1a({});
@@ -114,58 +94,8 @@ TEST(Families, KeepTheirPairsForEver) {
   EXPECT_EQ(digest, 9001784708597669980u);
 }
 
-struct Touching {
-  const char* name;
-  ContactKind kind;
-};
-constexpr std::array touching{Touching{"touching_side_side", ContactKind::side_side},
-                              Touching{"touching_side_rim", ContactKind::side_rim},
-                              Touching{"touching_rim_rim", ContactKind::rim_rim},
-                              Touching{"touching_cap_rim", ContactKind::cap_rim},
-                              Touching{"touching_cap_side", ContactKind::cap_side},
-                              Touching{"touching_cap_cap", ContactKind::cap_cap},
-                              Touching{"touching_parallel_sides", ContactKind::parallel_sides},
-                              Touching{"touching_needles", ContactKind::needle_needle},
-                              Touching{"touching_disks", ContactKind::disk_disk}};
-
-/// Relative to the size. It is half of the smallest margin, so rounding takes no pair across contact.
+/// Relative to the size.
 constexpr Wide construction_tol = 5e-16L;
-
-TEST(Families, TouchAtTheMarginTheyName) {
-  for (const Touching& t : touching) {
-    std::set<double> margins;
-    for (std::uint64_t i = 0; i < 600; ++i) {
-      RandomStream stream(t.name, seed, i);
-      const Contact c = draw_contact(t.kind, stream, i);
-      ASSERT_EQ(format_pair(draw(t.name, i)), format_pair(c.pair));
-      const Wide size = wide_size(c.pair), bound = construction_tol * size;
-      const double margin = contact_margin(t.kind, i);
-      margins.insert(margin);
-      ASSERT_NEAR(c.distance, margin * static_cast<double>(size),
-                  1e-15 * std::abs(margin) * static_cast<double>(size));
-
-      // f(normal) = -distance, and the contact points are points of the solids.
-      const Wide3 n = wide(c.normal), p = wide(c.point);
-      const Wide gap = gap_along(c.pair, n / n.norm());
-      ASSERT_LE(std::abs(gap - c.distance), bound) << t.name << " " << i;
-      ASSERT_LE(excess(c.pair.a, p), bound) << t.name << " " << i;
-      ASSERT_LE(excess(c.pair.b, p + Wide(c.distance) * n), bound) << t.name << " " << i;
-
-      // No direction, near the normal or far from it, promises a greater distance.
-      for (int k = 0; k < 20; ++k) {
-        Wide3 m = wide(stream.unit_vector());
-        m = n + std::ldexp(m.norm(), -2 * k) * m;
-        m /= m.norm();
-        ASSERT_LE(gap_along(c.pair, m), gap + bound) << t.name << " " << i << " " << k;
-      }
-    }
-    const bool slender = t.kind == ContactKind::needle_needle || t.kind == ContactKind::disk_disk;
-    EXPECT_EQ(margins.size(), slender ? 20u : 28u);
-    EXPECT_EQ(*margins.begin(), slender ? -1e-6 : -1e-2);
-    EXPECT_EQ(*margins.rbegin(), slender ? 1e-6 : 1e-2);
-    for (double m : margins) EXPECT_TRUE(margins.contains(-m) && std::abs(m) >= 1e-15) << m;
-  }
-}
 
 TEST(Families, HaveTheAnglesTheyName) {
   std::set<int> decades;
@@ -186,22 +116,10 @@ TEST(Families, HaveTheAnglesTheyName) {
     ASSERT_LE(std::abs(cosine(right)), 1e-15L);
     beside += right.a.axis.dot(right.b.axis) == 0;
 
-    // The axis segments meet, so the centres' difference is a combination of the axes within the heights.
+    // The axes meet, so the centres differ by nothing square to both.
     const Pair crossing = draw("axes_crossing", i);
-    const Wide3 u = unit_axis(crossing.a), v = unit_axis(crossing.b);
     const Wide3 d = wide(crossing.b.center) - wide(crossing.a.center);
-    Eigen::Matrix<Wide, 3, 2> axes;
-    axes << u, -v;
-    const Eigen::Matrix<Wide, 2, 2> gram = axes.transpose() * axes;
-    const Wide det = gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(1, 0);
-    const Eigen::Matrix<Wide, 2, 1> rhs = axes.transpose() * d;
-    const Wide s = (gram(1, 1) * rhs(0) - gram(0, 1) * rhs(1)) / det,
-               t = (gram(0, 0) * rhs(1) - gram(1, 0) * rhs(0)) / det;
-    ASSERT_LE((s * u - t * v - d).norm(), 1e-15L * 20) << i;
-    if (det > 1e-4L) {
-      ASSERT_LE(std::abs(s), crossing.a.height * 0.5L + 1e-10L) << i;
-      ASSERT_LE(std::abs(t), crossing.b.height * 0.5L + 1e-10L) << i;
-    }
+    ASSERT_LE(std::abs(d.dot(unit_axis(crossing.a).cross(unit_axis(crossing.b)))), 1e-14L) << i;
   }
   EXPECT_EQ(decades.size(), 15u);
   EXPECT_EQ(same, 300);

@@ -3,11 +3,12 @@
 // contact outwards: nothing is solved, so no solver's error can hide in them.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -25,11 +26,15 @@ enum class ContactKind : unsigned char {
   disk_disk        ///< rim_rim of disks, height 2.5e-5 to 4e-2 of the radius
 };
 
-/// A pair and why its distance is known.
+/// The feature of each kind, in their order.
+inline constexpr std::array features_of_kinds{
+    ContactFeature::side_side, ContactFeature::side_rim,  ContactFeature::rim_rim,
+    ContactFeature::cap_rim,   ContactFeature::cap_side,  ContactFeature::cap_cap,
+    ContactFeature::side_side, ContactFeature::side_side, ContactFeature::rim_rim};
+constexpr bool is_slender(ContactKind kind) { return kind >= ContactKind::needle_needle; }
+
 struct Contact {
   Pair pair;
-  Vector3 normal;   ///< unit, from a to b: up to rounding, the direction whose f is minus the distance
-  Vector3 point;    ///< of a; point + distance * normal is of b
   double distance;  ///< signed; rounding keeps within 5e-16 of the size on every pair tried
 };
 
@@ -38,8 +43,5 @@ struct Contact {
 Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index);
 /// A contact at a signed margin: any gap, a penetration up to 1e-2, or up to 1e-6 for needles and disks.
 Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin);
-
-/// The margin at `index`, negative if the solids penetrate.
-double contact_margin(ContactKind kind, std::uint64_t index);
 
 }  // namespace cyl

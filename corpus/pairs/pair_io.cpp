@@ -366,7 +366,7 @@ void append(std::string& out, const Solid& c) {
     const auto& [name, first, count] = solid_fields[letters_of_fields.find(letter)];
     out.append("\"").append(name).append(count > 1 ? "\":[" : "\":");
     for (std::size_t i = 0; i < count; ++i)
-      out.append(i > 0 ? "," : "").append(format_double(numbers[first + i]));
+      out.append(i > 0 ? "," : "").append(format_number(numbers[first + i]));
     out.append(count > 1 ? "]," : ",");
   }
   out.back() = '}';
@@ -421,6 +421,10 @@ std::string format_double(double x) {
   std::array<char, 32> digits;  // the longest, "-2.2250738585072014e-308", has 24
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
   return std::string(digits.data(), end);
+}
+
+std::string format_number(double x) {
+  return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"';
 }
 
 std::string quote_json(std::string_view text) {

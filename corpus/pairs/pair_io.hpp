@@ -86,8 +86,11 @@ CaseLine parse_case(std::string_view text, std::size_t line);
 std::string format_case(const Case& c);
 std::string format_pair(const Pair& p);  ///< {"a":{...},"b":{...}}
 /// Returns the shortest decimals that read back as the double, by std::to_chars ("0.1", "1e-300", "-0"). Also
-/// returns "nan" and "inf", which are not JSON and which the reader rejects.
+/// returns "nan", "inf" and "-inf", which are not JSON.
 std::string format_double(double x);
+/// Returns the same as JSON. A number that JSON does not have becomes a string, which the reader of pairs
+/// rejects.
+std::string format_number(double x);
 /// A JSON string literal with quotes; invalid UTF-8 becomes U+FFFD.
 std::string quote_json(std::string_view text);
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/stratum.hpp"
 #include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
@@ -69,14 +68,11 @@ Pair draw_anywhere(SolidKind a, SolidKind b, RandomStream& s) {
   return p;
 }
 
-// How far from the middle of a side, cap or segment a contact may lie, as a part of the way to its end.
-constexpr double inside_part = 0.6;
-
 /// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim, or in
 /// any part of a box. A segment is touched inside it or at its end. A half-space lies behind the plane.
 /// Returns the contact from the centre.
 Vector3 touch_anywhere(Solid& c, const Vector3& n, RandomStream& s) {
-  const Vector3 v = s.perpendicular(n), third = n.cross(v);
+  const Vector3 v = s.perpendicular(n);
   if (is_box(c)) {
     const auto part = static_cast<TouchPart>(s.below(3));
     const double along = s.between(-inside_part, inside_part), across = s.between(-inside_part, inside_part);
@@ -86,17 +82,9 @@ Vector3 touch_anywhere(Solid& c, const Vector3& n, RandomStream& s) {
     c.axis = n;
     return s.between(-2, 2) * v;
   }
-  const double half = c.height / 2;
   const std::size_t feature = s.below(c.radius > 0 ? 3 : 2);
-  if (feature == 0) {
-    c.axis = third;
-    return c.radius * n + s.between(-inside_part, inside_part) * half * third;
-  }
-  if (feature == 2) {
-    c.axis = s.sign() * n;
-    return half * n + s.between(0, inside_part) * c.radius * v;
-  }
-  return touch_plane(c, TouchPart::point, n, v, {0, 0}, s);
+  if (feature == 1) return touch_plane(c, TouchPart::point, n, v, {0, 0}, s);
+  return touch_inside(c, feature == 0 ? TouchPart::line : TouchPart::face, n, v, s);
 }
 
 Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
@@ -181,6 +169,14 @@ Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index, d
   return put_near(p, s, index);
 }
 
+void move_far(Pair& p, RandomStream& s) {
+  const Vector3 away = s.pick(offsets) * s.unit_vector();
+  for (Solid* c : {&p.a, &p.b}) {
+    c->center += away;
+    if (is_half_space(*c) && s.coin()) c->center += s.pick(offsets) * s.perpendicular(c->axis);
+  }
+}
+
 Pair draw_half_space(HalfSpaceKind kind, RandomStream& s, std::uint64_t index) {
   constexpr std::array kinds{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded};
   Pair p = draw_near(SolidKind::half_space, kinds[s.below(kinds.size())], s, index);
@@ -194,17 +190,13 @@ Pair draw_half_space(HalfSpaceKind kind, RandomStream& s, std::uint64_t index) {
     case HalfSpaceKind::thin:
       (s.coin() ? p.b.radius : p.b.height) *= s.coin() ? 0 : s.pick(dusts);
       break;
-    case HalfSpaceKind::far: {
-      const Vector3 away = s.pick(offsets) * s.unit_vector();
-      p.a.center += away;
-      p.b.center += away;
-      if (s.coin()) p.a.center += s.pick(offsets) * s.perpendicular(p.a.axis);
+    case HalfSpaceKind::far:
+      move_far(p, s);
       break;
-    }
     case HalfSpaceKind::scaled_normal:
       p.a.axis *= s.pick(normal_lengths);
   }
-  return s.coin() ? p : Pair{p.b, p.a};
+  return in_any_order(p, s);
 }
 
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
@@ -225,7 +217,7 @@ Pair draw_unequal(RandomStream& s, std::uint64_t index) {
   const SolidKind a = kinds[s.below(kinds.size())], b = kinds[s.below(kinds.size() - 1)];  // one is round
   constexpr std::uint64_t resolved_cap = 24;  // margins 1e-1 to 1e-12, which both signs have
   const Pair p = draw_near(a, b, s, index % resolved_cap, s.within_decades(parts));
-  return s.coin() ? p : Pair{p.b, p.a};
+  return in_any_order(p, s);
 }
 
 }  // namespace cyl

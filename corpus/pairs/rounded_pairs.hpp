@@ -31,6 +31,9 @@ Pair put_near(Pair pair, RandomStream& stream, std::uint64_t index);
 /// Draws such a pair with moderate lengths. b is `b_to_a` times as large.
 Pair draw_near(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index, double b_to_a = 1);
 
+/// Moves both up to 1e12 from the origin, and the point of a half-space from the solid in half of the pairs.
+void move_far(Pair& pair, RandomStream& stream);
+
 enum class HalfSpaceKind : unsigned char { tilted, thin, far, scaled_normal };
 /// Draws a half-space and a solid near touching, at margins of 1e-1 to 1e-15, then changes it.
 /// 1. tilted: the normal is along the axis or square to it, within 1e-3 rad.

@@ -21,36 +21,14 @@ using enum ContactFeature;
 /// slender solids.
 constexpr int penetration_decade = 2, slender_penetration_decade = 6;
 
-/// Returns the kinds of a feature. Slender kinds come last, and one of them is taken by turns.
-std::span<const ContactKind> kinds_of(ContactFeature feature) {
-  static constexpr std::array sides{ContactKind::side_side, ContactKind::parallel_sides,
-                                    ContactKind::needle_needle};
-  static constexpr std::array side_rims{ContactKind::side_rim};
-  static constexpr std::array rims{ContactKind::rim_rim, ContactKind::disk_disk};
-  static constexpr std::array cap_sides{ContactKind::cap_side};
-  static constexpr std::array cap_rims{ContactKind::cap_rim};
-  static constexpr std::array caps{ContactKind::cap_cap};
-  switch (feature) {
-    case side_side:
-      return sides;
-    case side_rim:
-      return side_rims;
-    case rim_rim:
-      return rims;
-    case cap_side:
-      return cap_sides;
-    case cap_rim:
-      return cap_rims;
-    case cap_cap:
-      return caps;
-    case containment:
-      break;
-  }
-  return {};
-}
-
-bool is_slender(ContactKind kind) {
-  return kind == ContactKind::needle_needle || kind == ContactKind::disk_disk;
+/// Returns the kinds of a feature, which are taken by turns.
+std::vector<ContactKind> kinds_of(ContactFeature feature, bool slender_too) {
+  std::vector<ContactKind> kinds;
+  for (std::size_t i = 0; i < features_of_kinds.size(); ++i)
+    if (const auto kind = static_cast<ContactKind>(i);
+        features_of_kinds[i] == feature && (slender_too || !is_slender(kind)))
+      kinds.push_back(kind);
+  return kinds;
 }
 
 // p is a point of the outer solid's side or cap. The inner solid reaches from depth g below p to at most g/2
@@ -120,9 +98,7 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
   const double margin = tenths[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
   if (feature == containment) return draw_containment(s, margin);
   const bool penetrates = index % 2 == 1 && decade >= penetration_decade;
-  std::span<const ContactKind> kinds = kinds_of(feature);
-  if (penetrates && decade < slender_penetration_decade && is_slender(kinds.back()))
-    kinds = kinds.first(kinds.size() - 1);
+  const auto kinds = kinds_of(feature, !penetrates || decade >= slender_penetration_decade);
   const ContactKind kind = kinds[index / 2 % kinds.size()];
   return draw_contact_at(kind, s, penetrates ? -margin : margin).pair;
 }

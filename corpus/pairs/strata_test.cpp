@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::uint64_t seed = 20261121;
 
-TEST(Strata, NameTheFeatures) {
-  EXPECT_STREQ(to_string(ContactFeature::side_side), "side-side");
-  EXPECT_STREQ(to_string(ContactFeature::containment), "containment");
-  for (const ContactFeature feature : enum_values<ContactFeature>)
-    EXPECT_EQ(from_word<ContactFeature>(to_string(feature)), feature);
-  EXPECT_FALSE(from_word<ContactFeature>("rim-side"));
-}
-
 TEST(Strata, AreFilledButForTheCellsNamed) {
   std::set<std::string> seen;
   for (const ContactFeature feature : enum_values<ContactFeature>)

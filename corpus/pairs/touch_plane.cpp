@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/stratum.hpp"
 #include "corpus/pairs/support.hpp"
 
 namespace cyl {
@@ -46,6 +45,24 @@ Vector3 touch_with_box(Solid& box, TouchPart part, const Vector3& n, const Vecto
 }
 
 }  // namespace
+
+std::array<TouchPart, 2> parts_of(ContactFeature feature) {
+  using enum TouchPart;
+  switch (feature) {
+    case ContactFeature::side_rim:
+      return {line, point};
+    case ContactFeature::rim_rim:
+      return {point, point};
+    case ContactFeature::cap_side:
+      return {face, line};
+    case ContactFeature::cap_rim:
+      return {face, point};
+    case ContactFeature::cap_cap:
+      return {face, face};
+    default:
+      return {line, line};
+  }
+}
 
 // Each element of the symmetric matrix q q^T, times 4 over |q|^2, is a sum of elements of the rotation. A row
 // with a large diagonal element is q at some length.
@@ -109,6 +126,16 @@ Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u
   const Vector3 towards = normalise(along * n + across * w), radial = normalise(across * n - along * w);
   c.axis = s.sign() * towards;
   return half * towards + c.radius * radial;
+}
+
+Vector3 touch_inside(Solid& c, TouchPart part, const Vector3& n, const Vector3& v, RandomStream& s) {
+  const double half = c.height / 2;
+  if (part == TouchPart::line) {
+    c.axis = n.cross(v);
+    return c.radius * n + s.between(-inside_part, inside_part) * half * c.axis;
+  }
+  c.axis = s.sign() * n;
+  return half * n + s.between(0, inside_part) * c.radius * v;
 }
 
 Pair in_any_order(const Pair& p, RandomStream& s) { return s.coin() ? p : Pair{p.b, p.a}; }

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -17,6 +18,9 @@ enum class TouchPart : unsigned char {
   line,   ///< an edge, a side, a segment
   face    ///< a facet, a cap
 };
+
+/// The parts of two solids that meet.
+std::array<TouchPart, 2> parts_of(ContactFeature feature);
 
 /// Returns a quaternion, not of length 1, of the rotation with these columns. They are orthonormal up to
 /// rounding.
@@ -42,6 +46,13 @@ struct TouchPlace {
 /// rounding.
 Vector3 touch_plane(Solid& c, TouchPart part, const Vector3& n, const Vector3& u, const TouchPlace& place,
                     RandomStream& s);
+
+/// How far from the middle of a side or cap a contact inside it may lie, as a part of the way to its border.
+inline constexpr double inside_part = 0.6;
+
+/// Turns a cylinder so that a plane square to `n` touches it inside its side, which lies along n x v, or
+/// inside its cap, beside the centre along v. `v` is square to n. Returns the contact from the centre.
+Vector3 touch_inside(Solid& c, TouchPart part, const Vector3& n, const Vector3& v, RandomStream& s);
 
 Pair in_any_order(const Pair& pair, RandomStream& s);
 /// Returns a power of ten.

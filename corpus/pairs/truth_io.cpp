@@ -9,18 +9,15 @@
 namespace cyl {
 namespace {
 
-/// JSON has only finite numbers. Other numbers become strings.
-std::string number(double x) { return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"'; }
-
 void append(std::string& s, const ExactVector& v) {
   for (std::size_t i = 0; i < 3; ++i) {
     s += i == 0 ? '[' : ',';
     if (!v.exact[i].empty()) {
       s.append("\"").append(v.exact[i]).append("\"");
     } else if (v.tail[i] != 0) {
-      s.append("[").append(number(v.head[i])).append(",").append(number(v.tail[i])).append("]");
+      s.append("[").append(format_number(v.head[i])).append(",").append(format_number(v.tail[i])).append("]");
     } else {
-      s += number(v.head[i]);
+      s += format_number(v.head[i]);
     }
   }
   s += ']';
@@ -99,8 +96,8 @@ std::string format_method_answer(const MethodAnswer& answer) {
            '}';
   }
   std::string s = verdict_member(answer.verdict);
-  if (answer.has_distance) s.append(",\"distance\":").append(number(answer.distance));
-  if (answer.at_least) s.append(",\"distance_at_least\":").append(number(answer.distance));
+  if (answer.has_distance) s.append(",\"distance\":").append(format_number(answer.distance));
+  if (answer.at_least) s.append(",\"distance_at_least\":").append(format_number(answer.distance));
   append(s, answer.certificate());
   return s += '}';
 }

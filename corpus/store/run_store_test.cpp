@@ -322,24 +322,6 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
   EXPECT_EQ(cut.groups()[0].binade, whole.groups()[0].binade);
 }
 
-/// Returns the bytes of the store, with all files that SQLite keeps beside it.
-std::uintmax_t size_of(const fs::path& folder) {
-  std::uintmax_t bytes = 0;
-  for (const auto& file : fs::directory_iterator(folder)) bytes += file.file_size();
-  return bytes;
-}
-
-TEST_F(Store, DoesNotGrowWithTheNumberOfPairs) {
-  const auto fill = [&](const fs::path& run, std::uint64_t batches) {
-    RunStore store = RunStore::create(run, {});
-    const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(i * 7 % 60)); };
-    for (std::uint64_t k = 0; k < batches; ++k) store.commit(batch_of(k * 100, k * 100 + 100, margin), 1);
-  };
-  fill(folder / "short", 20);
-  fill(folder / "long", 2000);
-  EXPECT_EQ(size_of(folder / "long"), size_of(folder / "short"));
-}
-
 TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
   RunStore::create(folder, {});
   std::uint64_t before = 0;

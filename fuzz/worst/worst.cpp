@@ -8,9 +8,12 @@
 
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "fuzz/guided/mutator.hpp"
+#include "fuzz/worst/shapes.hpp"
+#include "oracles/methods/contained.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/shown_distance.hpp"
@@ -42,13 +45,15 @@ constexpr double enclosure_part = 1e-4, enclosure_least = 1e-18, enclosure_most 
 /// The relative width of enclosures of depths for `error`, a part of the error that a claim allows.
 constexpr double error_width = 1e-14;
 
-/// Mutations of the worst pair. The next walk may start from the worst of them.
-constexpr int mutations = 12;
 /// Part of the budget that looking at the starts may take.
 constexpr double starts_part = 0.25;
+/// Shapes of one walk. Walks of this length from several places find more than longer ones.
+constexpr int walk_cap = 250;
+/// One shape in this many of a walk is a mutation.
+constexpr std::size_t mutation_share = 4;
 
-int rank(Failure failure) {
-  return failure == Failure::crash ? 3 : failure == Failure::hang ? 2 : failure == Failure::none ? 0 : 1;
+int rank(FindingKind failure) {
+  return failure == FindingKind::crash ? 3 : failure == FindingKind::hang ? 2 : 1;
 }
 
 /// Returns the least and the greatest error of the distance over its bound. For a depth, the bound limits
@@ -79,27 +84,25 @@ struct Evaluation {
   Pair pair{};
 };
 
-struct Score {
-  double value = 0;
-  bool beyond = false;
-};
-
 /// Measures how bad the method is on one shape after the other, and walks from the worst. The solver's
 /// estimate guides the search, and kept pairs are proved.
 class WorstSearch {
  public:
-  WorstSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
-              const OnWorst& on_worst)
-      : method_(method), sought_(sought), options_(options), on_worst_(on_worst), claim_(method->claim()) {}
+  WorstSearch(const std::unique_ptr<Method>& method, const WorstOptions& options, const OnWorst& on_worst)
+      : method_(method),
+        options_(options),
+        on_worst_(on_worst),
+        claim_(method->claim()),
+        by_margin_(options.objective == Objective::margin),
+        stream_("worst", options.seed, 0) {}
 
   Worst run(std::span<const Pair> starts) {
     evaluate_starts(starts);
-    RandomStream stream("worst", options_.seed, 0);
     for (std::size_t round = 0; !starts.empty() && !over(); ++round) {
       if (candidates_.empty())
-        try_start(mutate(starts[stream.below(starts.size())], stream.bits()));
+        try_start(mutate(starts[stream_.below(starts.size())], stream_.bits()));
       else
-        walk(next_start(round, stream), stream);
+        walk(next_start(round));
     }
     return std::move(worst_);
   }
@@ -119,7 +122,7 @@ class WorstSearch {
            breaks_ >= crash_cap;
   }
 
-  /// Starts that already have the wanted features go first.
+  /// Starts that already have the wanted feature go first.
   void evaluate_starts(std::span<const Pair> starts) {
     const double evaluation_part = starts_part * static_cast<double>(options_.evaluation_cap);
     for (const bool of_it : {true, false})
@@ -127,55 +130,40 @@ class WorstSearch {
         if (over() || static_cast<double>(worst_.evaluations) >= evaluation_part ||
             elapsed() >= starts_part * options_.budget)
           break;
-        if (likely_sought(start) == of_it) try_start(start);
+        if (has_feature(start, approximate_distance(start)) == of_it) try_start(start);
       }
     std::ranges::stable_sort(candidates_, std::greater(), &Evaluation::value);
   }
 
   void try_start(const Pair& start) {
-    const std::optional<Pair> pair = bring_into(options_.domain, start);
-    worst_.evaluations += !pair;
-    const Evaluation found = evaluate(pair);
+    const Evaluation found = evaluate(start);
     if (found.value > nothing_wrong) candidates_.push_back(found);
   }
 
-  /// Returns the start of the next walk: the worst pair, the next of the starts, or the worst of some
-  /// mutations of the worst pair.
-  Pair next_start(std::size_t round, RandomStream& stream) {
-    const Pair& worst = best_.value > nothing_wrong ? best_.pair : candidates_.front().pair;
-    if (round % 3 == 0) return worst;
-    if (round % 3 == 1) return candidates_[round / 3 % candidates_.size()].pair;
-    Evaluation kept{nothing_wrong, worst};
-    for (int i = 0; i < mutations && !over(); ++i) {
-      const Evaluation found = evaluate(bring_into(options_.domain, mutate(worst, stream.bits())));
-      if (found.value > kept.value) kept = found;
-    }
-    return kept.pair;
+  /// Returns the start of the next walk: the worst pair, or the next of the starts.
+  Evaluation next_start(std::size_t round) const {
+    if (round % 2 == 0 && best_.value > nothing_wrong) return best_;
+    return candidates_[round / 2 % candidates_.size()];
   }
 
-  // The sizes of the first steps are drawn, or two walks from one place would be the same.
-  void walk(const Pair& from, RandomStream& stream) {
-    const PairChart chart(from, sought_.feature, options_.domain);
-    PairChart::Point steps = chart.step();
-    const double common = std::pow(10, stream.between(-2, 0.3));
-    for (double& step : steps) step *= common * stream.between(0.2, 1);
-    const std::size_t before = worst_.evaluations;
-    chart.walk(steps, [&](const Pair& pair) {
+  void walk(Evaluation at) {
+    for (int i = 0; i < walk_cap && !over(); ++i) {
       const unsigned breaks = breaks_;
-      const double value = evaluate(pair).value;
-      return over() || breaks_ > breaks ? std::nullopt : std::optional(value);
-    });
-    if (worst_.evaluations == before) ++worst_.evaluations;  // a walk that does not begin must end too
+      const Evaluation next = evaluate(stream_.below(mutation_share) == 0 ? mutate(at.pair, stream_.bits())
+                                                                          : nudged(at.pair, stream_));
+      if (breaks_ > breaks) return;
+      if (next.value > at.value) at = next;
+    }
   }
 
   /// Asks about a shape, and keeps in worst_ what is worse than all before. A shape on which something breaks
   /// counts for nothing: it is not walked from.
-  Evaluation evaluate(const std::optional<Pair>& pair) {
-    if (!pair) return {};
+  Evaluation evaluate(const Pair& any) {
     ++worst_.evaluations;
-    if (on_worst_) on_worst_(worst_, elapsed());
-    const std::optional<Ray> ray = ray_of(*pair);
-    if (!ray || !is_in(options_.domain, *pair) || !is_in(options_.domain, ray->touching)) return {};
+    if (on_worst_) on_worst_(worst_);
+    const std::optional<Pair> pair = bring_into_domain(any);
+    const std::optional<Ray> ray = pair ? ray_of(*pair) : std::nullopt;
+    if (!ray || !is_in_domain(ray->touching)) return {};
     const unsigned breaks = breaks_;
     const Evaluation found = worst_on(*pair, *ray);
     if (breaks_ > breaks) return {};
@@ -217,24 +205,22 @@ class WorstSearch {
   }
 
   void note_failure(const Probe& probe) {
-    const Failure failure = probe.answer.failure;
-    if (failure == Failure::crash) ++breaks_;
-    if (failure == Failure::hang) breaks_ += crash_cap / hang_cap + 1;
-    if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
-    if (likely_sought(probe.pair) && is_also_sought(probe.pair))
-      worst_.failed = FailedPair{probe.pair, failure, probe.answer.reason};
+    const FindingKind failure = finding_of(probe.answer.failure);
+    if (failure == FindingKind::crash) ++breaks_;
+    if (failure == FindingKind::hang) breaks_ += crash_cap / hang_cap + 1;
+    if (worst_.failed && rank(failure) <= rank(worst_.failed->kind)) return;
+    if (has_feature(probe.pair, approximate_distance(probe.pair)))
+      worst_.failed = WorstPair{probe.pair, failure, Severity::contract, 0, probe.answer.reason};
   }
 
-  /// Returns whether the wanted features meet, approximately. That is fast, and proved later if it matters.
-  bool likely_sought(const Pair& pair) const {
-    return !sought_.feature || has_feature(pair, approximate_distance(pair));
-  }
+  /// Returns whether the wanted feature meets, by an approximate distance. That is proved later if it
+  /// matters.
   bool has_feature(const Pair& pair, const MeasuredDistance& d) const {
-    return !d.direction.isZero(0) && feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
+    return !options_.feature ||
+           (!d.direction.isZero(0) && feature_at(pair, d.value < 0, d.direction) == *options_.feature);
   }
-  bool is_also_sought(const Pair& pair) const { return !sought_.also || sought_.also(pair); }
 
-  /// For the optimiser: beyond the claim by the margin, else by the part of the claim that is used.
+  /// For the walk: beyond the claim by the margin, else by the part of the claim that is used.
   double value_of(double margin, double size) const {
     const double gap = margin * size, claimed = reach(claim_, size);
     return gap >= claimed ? beyond + std::log10(margin) : std::log10(gap / claimed);
@@ -243,18 +229,17 @@ class WorstSearch {
   /// The value by the approximate distance, which is fast.
   double likely_value(const Probe& probe) const {
     if (probe.answer.status != Status::answered) return nothing_wrong;
-    if (options_.objective != Objective::margin) {
-      const double score = score_of(probe, false).value;
-      return score > 0 && likely_sought(probe.pair) ? std::log10(score) : nothing_wrong;
-    }
     const Verdict said = probe.answer.verdict;
     const bool wrong = probe.margin < 0 ? said == Verdict::disjoint
                                         : said == Verdict::intersecting || said == Verdict::touching;
-    if (!wrong || (sought_.kind && (*sought_.kind == FindingKind::wrong_intersecting) != (probe.margin > 0)))
-      return nothing_wrong;
+    if (by_margin_ && !wrong) return nothing_wrong;
     const MeasuredDistance d = approximate_distance(probe.pair);
+    if (!has_feature(probe.pair, d)) return nothing_wrong;
+    if (!by_margin_) {
+      const double error = error_of(probe, false).hi;
+      return error > 0 ? std::log10(error) : nothing_wrong;
+    }
     if ((d.value < 0) != (probe.margin < 0)) return nothing_wrong;
-    if (sought_.feature && !has_feature(probe.pair, d)) return nothing_wrong;
     const double size = size_of(probe.pair);
     return value_of(std::abs(d.value) / size, size);
   }
@@ -272,16 +257,14 @@ class WorstSearch {
   }
 
   Evaluation worst_on(const Pair& pair, const Ray& ray) {
-    const bool by_margin = options_.objective == Objective::margin;
     Evaluation found;
-    const std::vector<Probe> probes = ask_along(pair, ray, by_margin ? margins_per_decade : 1);
+    const std::vector<Probe> probes = ask_along(pair, ray, by_margin_ ? margins_per_decade : 1);
     const Probe* first = worst_among(probes, found.value);
     if (first == nullptr) return found;
     Probe worst = *first;
-    if (by_margin) refine(worst, found.value, ray);
+    if (by_margin_) refine(worst, found.value, ray);
     found.pair = worst.pair;
-    if (found.value > proved_ + gain_tol)
-      found.value = std::min(found.value, by_margin ? prove_verdict(worst) : prove_score(worst));
+    if (found.value > proved_ + gain_tol) found.value = std::min(found.value, prove(worst));
     return found;
   }
 
@@ -299,57 +282,52 @@ class WorstSearch {
     }
   }
 
-  // Each returns the proved value, and keeps the pair if it is the worst so far.
-
-  double prove_verdict(const Probe& wrong) {
-    const MethodAnswer& answer = wrong.answer;
-    Proofs proofs(wrong.pair, {&answer, 1});
-    Trial& proved = proofs.of(wrong.pair);
-    if (!proved.decided()) return nothing_wrong;
-    proved.distance_at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
-    const auto finding = compare(proved, claim_, answer);
-    if (!finding || !is_refuted_verdict(finding->kind) || !finding->margin) return nothing_wrong;
-    if ((sought_.kind && finding->kind != *sought_.kind) ||
-        (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) ||
-        !is_also_sought(wrong.pair))
+  /// Returns the proved value, and keeps the pair if it is the worst so far.
+  double prove(const Probe& probe) {
+    const std::optional<WorstPair> proved = by_margin_ ? proved_verdict(probe) : proved_error(probe);
+    if (!proved || (options_.feature && contact_feature(probe.pair) != options_.feature))
       return nothing_wrong;
-    const double size = size_of(wrong.pair), margin = finding->margin->lo;
-    const double value = finding->severity == Severity::contract ? beyond + std::log10(margin)
-                                                                 : std::min(value_of(margin, size), 0.0);
+    const bool by_score = !by_margin_ || proved->severity == Severity::contract;
+    const double value = by_score ? std::log10(proved->score) + (by_margin_ ? beyond : 0)
+                                  : std::min(value_of(proved->score, size_of(probe.pair)), 0.0);
     if (value > proved_) {
       proved_ = value;
-      worst_.wrong = WrongPair{wrong.pair, proved.truth.verdict, *finding};
+      worst_.worst = proved;
     }
     return value;
   }
 
-  double prove_score(const Probe& probe) {
-    const Score score = score_of(probe, true);
-    if (!(score.value > 0) || (sought_.feature && contact_feature(probe.pair) != sought_.feature) ||
-        !is_also_sought(probe.pair))
-      return nothing_wrong;
-    const double value = std::log10(score.value);
-    if (value > proved_) {
-      proved_ = value;
-      worst_.scored = ScoredPair{probe.pair, score.value, score.beyond};
-    }
-    return value;
+  std::optional<WorstPair> proved_verdict(const Probe& probe) const {
+    Trial trial(probe.pair, {&probe.answer, 1});
+    if (!trial.decided()) return {};
+    trial.distance_at(std::clamp(enclosure_part * std::abs(probe.margin), enclosure_least, enclosure_most));
+    const auto finding = compare(trial, claim_, probe.answer);
+    if (!finding || !is_refuted_verdict(finding->kind) || !finding->margin) return {};
+    return WorstPair{probe.pair, finding->kind, finding->severity, finding->margin->lo};
   }
 
-  Score score_of(const Probe& probe, bool proved) const {
-    if (probe.answer.status != Status::answered) return {};
-    if (!probe.answer.has_distance && !(probe.answer.error_bound > 0)) return {};
+  std::optional<WorstPair> proved_error(const Probe& probe) const {
+    const Enclosure error = error_of(probe, true);
+    if (!(error.hi > 0)) return {};
+    const bool outside = error.lo > 1;
+    return WorstPair{probe.pair, FindingKind::distance_outside,
+                     outside ? Severity::contract : Severity::resolution,
+                     outside ? error.lo : std::min(error.hi, 1.0)};
+  }
+
+  Enclosure error_of(const Probe& probe, bool proved) const {
+    if (!probe.answer.has_distance && !(probe.answer.error_bound > 0)) return {0, 0};
     Trial trial = proved ? Trial(probe.pair) : Trial(probe.pair, judge_verdict(probe.pair));
-    const Enclosure ratio = error_over_bound(trial, claim_, probe.answer, proved);
-    return {ratio.hi, proved && ratio.lo > 1};
+    return error_over_bound(trial, claim_, probe.answer, proved);
   }
 
   const std::unique_ptr<Method>& method_;
-  const Sought& sought_;
   const WorstOptions& options_;
   const OnWorst& on_worst_;
   const Claim claim_;
+  const bool by_margin_;
   const Clock::time_point began_ = Clock::now();
+  RandomStream stream_;
   std::optional<Asker> asker_;
   std::vector<Evaluation> candidates_;
   Evaluation best_;
@@ -360,40 +338,32 @@ class WorstSearch {
 
 }  // namespace
 
-bool Worst::beyond_claim() const {
-  return failed || (scored && scored->beyond) || (wrong && wrong->finding.severity == Severity::contract);
-}
-
-Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
+Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts,
                const WorstOptions& options, const OnWorst& on_worst) {
-  return WorstSearch(method, sought, options, on_worst).run(starts);
+  return WorstSearch(method, options, on_worst).run(starts);
 }
 
-std::vector<Pair> drawn_box_starts(const Method& method, std::uint64_t seed) {
-  constexpr std::uint64_t of_a_family = 16;
-  std::vector<Pair> starts;
-  for (std::uint64_t index = 0; index < of_a_family; ++index)
-    for (const Family& family : box_families())
-      if (const Pair pair = family.generate(seed, index); method.supports(pair)) starts.push_back(pair);
-  return starts;
-}
-
-std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
-                               Objective objective) {
+std::vector<Pair> drawn_starts(const Method& method, const WorstOptions& options) {
   constexpr std::uint64_t of_a_cell = 4, of_a_family = 4;
+  const auto wanted = [&](ContactFeature feature) { return !options.feature || feature == *options.feature; };
   std::vector<Pair> starts;
-  if (objective == Objective::error)
-    for (const CloseContact& contact : draw_close_round(seed, 0))
-      if (!feature || contact.feature == *feature || *feature == ContactFeature::containment)
+  if (options.objective == Objective::error) {
+    for (const CloseContact& contact : draw_close_round(options.seed, 0))
+      if (wanted(contact.feature) || options.feature == ContactFeature::containment)
         starts.push_back(contact.pair);
-  for (std::uint64_t index = 0; objective != Objective::error && index < of_a_cell; ++index)
-    for (int decade = first_decade; decade <= last_decade; ++decade)
-      for (const ContactFeature drawn : enum_values<ContactFeature>)
-        if (const auto pair =
-                !feature || drawn == *feature ? draw_in_stratum(drawn, decade, seed, index) : std::nullopt)
+  } else {
+    for (std::uint64_t index = 0; index < of_a_cell; ++index)
+      for (const Stratum& stratum : drawn_strata)
+        if (const auto pair = wanted(stratum.feature)
+                                  ? draw_in_stratum(stratum.feature, stratum.decade, options.seed, index)
+                                  : std::nullopt)
           starts.push_back(*pair);
+  }
   for (std::uint64_t index = 0; index < of_a_family; ++index)
-    for (const Family& family : families()) starts.push_back(family.generate(seed, index));
+    for (const std::span<const Family> all : {families(), box_families()})
+      for (const Family& family : all)
+        if (const Pair pair = family.generate(options.seed, index); method.supports(pair))
+          starts.push_back(pair);
   return starts;
 }
 

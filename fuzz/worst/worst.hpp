@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Searches for the worst pair of one method: the largest proved error beyond its claim. From given pairs it
-// walks through shapes (fuzz/worst/pair_chart.hpp). For each shape it asks about pairs on its ray. The
-// optimiser gets how far the method stays wrong. Only proved errors count.
+// walks through shapes (fuzz/worst/shapes.hpp). For each shape it asks about pairs on its ray. A walk goes on
+// from a shape on which the method is worse. Only proved errors count.
 #pragma once
 
 #include <array>
@@ -17,10 +17,9 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "fuzz/worst/pair_chart.hpp"
-#include "oracles/methods/contained.hpp"
+#include "corpus/pairs/finding.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/methods/method.hpp"
-#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 
@@ -31,74 +30,48 @@ enum class Objective : unsigned char {
 };
 constexpr auto words_of(Objective) noexcept { return std::array{"margin", "error"}; }
 
-/// The pairs that count: these features meet, the verdict is wrong in this way, and `also` is true, as far as
-/// they are given. `also` is called only for the few pairs that would be the worst so far. It may cost some
-/// milliseconds.
-struct Sought {
-  std::optional<ContactFeature> feature = {};
-  std::function<bool(const Pair&)> also = {};
-  std::optional<FindingKind> kind = {};
-};
-
 struct WorstOptions {
   Objective objective = Objective::margin;
+  std::optional<ContactFeature> feature = {};  ///< only pairs on which these features meet count
   std::uint64_t seed = 1;
   /// Shapes looked at, about a hundred questions each: the limit that gives the same result again.
   std::size_t evaluation_cap = std::numeric_limits<std::size_t>::max();
   std::chrono::milliseconds budget = std::chrono::hours(24);  ///< wall time
-  Domain domain;
 };
 
-/// A verdict that is refuted.
-struct WrongPair {
+struct WorstPair {
   Pair pair;
-  Verdict truth;
-  Finding finding;  ///< wrong_disjoint, wrong_intersecting or wrong_touching, with its margin
-};
-
-/// A crash, a hang, an exception or no number: not asked about again.
-struct FailedPair {
-  Pair pair;
-  Failure failure;
-  std::string reason;
-};
-
-/// The score is the error over its bound, at most.
-struct ScoredPair {
-  Pair pair;
-  double score;
-  bool beyond;  ///< the error is proved to be beyond its bound
+  FindingKind kind;
+  Severity severity;
+  /// The proved margin of a wrong verdict. The error of a distance over its bound: a proved one beyond the
+  /// bound, else an upper limit of it that is 1 at most. 0 of a failure.
+  double score = 0;
+  std::string reason = {};  ///< of a failure
 };
 
 struct Worst {
-  /// For Objective::margin: the pair with the largest margin beyond the claim. If there is none, the pair
-  /// nearest to the claim.
-  std::optional<WrongPair> wrong;
-  std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
-  std::optional<ScoredPair> scored;  ///< of Objective::error
+  /// The pair with the largest score beyond the claim. If there is none, the pair nearest to the claim.
+  std::optional<WorstPair> worst;
+  std::optional<WorstPair> failed;  ///< the first of the worst kind: crash, hang, others
   std::size_t evaluations = 0, questions = 0;
 
   /// Returns whether something beyond the method's claim was found: all failures are.
-  bool beyond_claim() const;
+  bool beyond_claim() const { return failed || (worst && worst->severity == Severity::contract); }
 };
 
 /// Called now and then, with what was found so far.
-using OnWorst = std::function<void(const Worst& so_far, std::chrono::milliseconds elapsed)>;
+using OnWorst = std::function<void(const Worst& so_far)>;
 
 /// A foreign `method` is asked in a contained process. Starts are examined in their order, those with the
-/// wanted features first. The walks begin at the worst of them. While the method is right on all, mutations
+/// wanted feature first. The walks begin at the worst of them. While the method is right on all, mutations
 /// of them are examined. Cost: a millisecond a shape for a fast method. With a limit on evaluations the
 /// result is a pure function of the arguments, except for hangs.
-Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
+Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
-/// Pairs to start from without earlier findings: nearly touching pairs of that stratum, or of every stratum.
+/// Pairs to start from without earlier findings: nearly touching pairs of that feature, or of every feature.
 /// For Objective::error they are close contacts of all positions and angles (corpus/pairs/close_contact.hpp),
-/// at which solvers like ours are worst. Some pairs of every family follow.
-std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed,
-                               Objective objective = Objective::margin);
-
-/// Pairs with a box that the method supports, of every family.
-std::vector<Pair> drawn_box_starts(const Method& method, std::uint64_t seed);
+/// at which solvers like ours are worst. Some pairs of every family that the method supports follow.
+std::vector<Pair> drawn_starts(const Method& method, const WorstOptions& options);
 
 }  // namespace cyl

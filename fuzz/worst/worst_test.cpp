@@ -3,24 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "fuzz/worst/shapes.hpp"
+#include "oracles/methods/adapter.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/contact.hpp"
-#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -48,27 +46,24 @@ double sharp_reach(const Pair& pair, double margin) {
   return most * std::pow(10, -off);
 }
 
-WorstOptions shapes(std::size_t evaluations) {
-  WorstOptions options;
-  options.seed = 2;
-  options.evaluation_cap = evaluations;
-  return options;
+WorstOptions shapes(std::size_t evaluations, std::optional<ContactFeature> feature = {},
+                    std::uint64_t seed = 2) {
+  return {.feature = feature, .seed = seed, .evaluation_cap = evaluations};
 }
 
-Worst search(const std::unique_ptr<Method>& method, std::optional<ContactFeature> feature,
-             const WorstOptions& options) {
-  return worst_of(method, drawn_starts(feature, options.seed), {feature, {}}, options);
+Worst search(const std::unique_ptr<Method>& method, const WorstOptions& options) {
+  return worst_of(method, drawn_starts(*method, options), options);
 }
 
 TEST(Worst, NineTenthsOfAKnownWorstAreFound) {
   const auto method = faulty(sharp_reach);
   for (const ContactFeature feature : {ContactFeature::side_side, ContactFeature::side_rim}) {
-    const Worst worst = search(method, feature, shapes(1000));
-    ASSERT_TRUE(worst.wrong) << to_string(feature);
-    EXPECT_EQ(worst.wrong->finding.kind, FindingKind::wrong_intersecting);
-    EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
-    EXPECT_LE(worst.wrong->finding.margin->lo, most);
-    EXPECT_EQ(contact_feature(worst.wrong->pair), feature);
+    const Worst worst = search(method, shapes(2000, feature));
+    ASSERT_TRUE(worst.worst) << to_string(feature);
+    EXPECT_EQ(worst.worst->kind, FindingKind::wrong_intersecting);
+    EXPECT_GE(worst.worst->score, 0.9 * most) << to_string(feature);
+    EXPECT_LE(worst.worst->score, most);
+    EXPECT_EQ(contact_feature(worst.worst->pair), feature);
   }
 }
 
@@ -80,22 +75,19 @@ TEST(Worst, CapsStayOnCapsAndWhatIsInsideInside) {
       if ((margin < 0) != inside) return 0.0;
       return most * std::pow(10, -decades_from(pair.a.radius / pair.b.radius, inside ? 500 : 2));
     });
-    const Worst worst = search(method, feature, shapes(1000));
-    ASSERT_TRUE(worst.wrong) << to_string(feature);
-    EXPECT_EQ(worst.wrong->finding.kind,
-              inside ? FindingKind::wrong_disjoint : FindingKind::wrong_intersecting);
-    EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
-    EXPECT_EQ(contact_feature(worst.wrong->pair), feature);
+    const Worst worst = search(method, shapes(1000, feature));
+    ASSERT_TRUE(worst.worst) << to_string(feature);
+    EXPECT_EQ(worst.worst->kind, inside ? FindingKind::wrong_disjoint : FindingKind::wrong_intersecting);
+    EXPECT_GE(worst.worst->score, 0.9 * most) << to_string(feature);
+    EXPECT_EQ(contact_feature(worst.worst->pair), feature);
   }
 }
 
 TEST(Worst, TheSameSeedGivesTheSamePair) {
   const auto method = faulty(sharp_reach);
   const auto pair_of = [&](std::uint64_t seed) {
-    WorstOptions options = shapes(300);
-    options.seed = seed;
-    const Worst worst = search(method, ContactFeature::side_side, options);
-    return worst.wrong ? format_pair(worst.wrong->pair) : "";
+    const Worst worst = search(method, shapes(300, ContactFeature::side_side, seed));
+    return worst.worst ? format_pair(worst.worst->pair) : "";
   };
   EXPECT_EQ(pair_of(1), pair_of(1));
   EXPECT_NE(pair_of(1), pair_of(2));
@@ -103,8 +95,8 @@ TEST(Worst, TheSameSeedGivesTheSamePair) {
 
 TEST(Worst, WhoIsRightIsNotBlamed) {
   for (const auto& method : own_methods()) {
-    const Worst worst = search(method, {}, shapes(60));
-    EXPECT_FALSE(worst.wrong) << method->name();
+    const Worst worst = search(method, shapes(60));
+    EXPECT_FALSE(worst.worst) << method->name();
     EXPECT_FALSE(worst.failed) << method->name();
     EXPECT_EQ(worst.evaluations, 60u) << "it goes on from mutations";
   }
@@ -116,22 +108,8 @@ TEST(Worst, NothingOutsideTheStratumCounts) {
                ? most
                : 0;
   });
-  EXPECT_FALSE(search(method, ContactFeature::rim_rim, shapes(200)).wrong);
-  EXPECT_TRUE(search(method, ContactFeature::side_rim, shapes(50)).wrong);
-  const Sought none{.also = [](const Pair&) { return false; }};
-  EXPECT_FALSE(worst_of(method, drawn_starts({}, 1), none, shapes(100)).wrong);
-}
-
-TEST(Worst, OfTwoWaysToBeWrongTheOneSoughtCounts) {
-  const auto method = faulty([](const Pair&, double margin) { return margin > 0 ? most : most / 10; });
-  const auto worst = [&](FindingKind kind) {
-    return worst_of(method, drawn_starts(ContactFeature::side_side, 1), {.kind = kind}, shapes(50)).wrong;
-  };
-  const auto apart = worst(FindingKind::wrong_intersecting), into = worst(FindingKind::wrong_disjoint);
-  ASSERT_TRUE(apart && into);
-  EXPECT_EQ(apart->finding.kind, FindingKind::wrong_intersecting);
-  EXPECT_EQ(into->finding.kind, FindingKind::wrong_disjoint);
-  EXPECT_LE(into->finding.margin->lo, most / 10);
+  EXPECT_FALSE(search(method, shapes(200, ContactFeature::rim_rim)).worst);
+  EXPECT_TRUE(search(method, shapes(50, ContactFeature::side_rim)).worst);
 }
 
 TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
@@ -144,13 +122,13 @@ TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
     return faulty(reach, {0, 1e-3, "planted"});
   };
   const std::unique_ptr<Method> beyond = claims_a_length(1.5e-3), within = claims_a_length(0.5e-3);
-  const Worst found = search(beyond, ContactFeature::side_side, shapes(600));
-  ASSERT_TRUE(found.wrong);
-  EXPECT_EQ(found.wrong->finding.severity, Severity::contract);
+  const Worst found = search(beyond, shapes(600, ContactFeature::side_side));
+  ASSERT_TRUE(found.worst);
+  EXPECT_EQ(found.worst->severity, Severity::contract);
   EXPECT_TRUE(found.beyond_claim());
-  const Worst not_beyond = search(within, ContactFeature::side_side, shapes(600));
-  ASSERT_TRUE(not_beyond.wrong);
-  EXPECT_EQ(not_beyond.wrong->finding.severity, Severity::resolution);
+  const Worst not_beyond = search(within, shapes(600, ContactFeature::side_side));
+  ASSERT_TRUE(not_beyond.worst);
+  EXPECT_EQ(not_beyond.worst->severity, Severity::resolution);
   EXPECT_FALSE(not_beyond.beyond_claim());
 }
 
@@ -168,24 +146,15 @@ std::unique_ptr<Method> breaking(bool abort) {
 TEST(Worst, WhatBreaksIsKeptAndNotAskedAgain) {
   for (const bool abort : {false, true}) {
     const std::unique_ptr<Method> method = breaking(abort);
-    const Worst worst = search(method, ContactFeature::cap_cap, shapes(100));
+    const Worst worst = search(method, shapes(100, ContactFeature::cap_cap));
     ASSERT_TRUE(worst.failed);
-    EXPECT_EQ(worst.failed->failure, abort ? Failure::crash : Failure::exception);
+    EXPECT_EQ(worst.failed->kind, abort ? FindingKind::crash : FindingKind::exception);
     EXPECT_EQ(worst.failed->pair.a.axis.cross(worst.failed->pair.b.axis).norm(), 0);
     EXPECT_TRUE(worst.beyond_claim());
     if (abort) {
       EXPECT_LT(worst.evaluations, 100u);
     }
   }
-}
-
-Worst climb(const std::unique_ptr<Method>& method, std::size_t evaluations) {
-  WorstOptions options;
-  options.objective = Objective::error;
-  options.evaluation_cap = evaluations;
-  options.domain.fine = true;
-  constexpr ContactFeature feature = ContactFeature::side_rim;
-  return worst_of(method, drawn_starts(feature, 1, Objective::error), {.feature = feature}, options);
 }
 
 Claim promising(double relative) {
@@ -206,84 +175,49 @@ std::unique_ptr<Method> lying(double off, double stated) {
   return fake_method("lying", ask, {.claim = promising(1), .foreign = false});
 }
 
-TEST(Score, AnErrorBeyondTheOneReportedIsFound) {
-  const Worst small = climb(lying(1e-6, 1e-7), 30);
-  ASSERT_TRUE(small.scored);
-  EXPECT_TRUE(small.scored->beyond && small.beyond_claim());
-  EXPECT_NEAR(small.scored->score, 10, 1);
-  const Worst honest = climb(lying(1e-7, 1e-6), 30);
-  ASSERT_TRUE(honest.scored);
-  EXPECT_FALSE(honest.beyond_claim());
-  EXPECT_NEAR(honest.scored->score, 0.1, 0.01);
-}
-
-TEST(PairChart, WhereItIsFineLengthsBecomeZeroAndMarginsChangeByDecades) {
-  const Pair start{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {1, 0, 1}, 0.5, 1}};
-  const Domain fine{.fine = true};
-  const PairChart chart(start, {}, fine);
-  PairChart::Point x{};
-  x[4] = chart.low()[4];
-  EXPECT_EQ(chart.pair(x).b.height, 0);
-  for (std::size_t i = 1; i < 4; ++i) x[i] = chart.low()[i];
-  EXPECT_GT(size_of(chart.pair(x)), 0);
-  x = {};
-  x[PairChart::dimensions - 3] = -3;
-  const Pair near = chart.pair(x);
-  EXPECT_NEAR(approximate_distance(near).value, 1e-3 * approximate_distance(start).value, 1e-15);
-  EXPECT_EQ(PairChart(start, {}, {}).low()[PairChart::dimensions - 3], 0);
-}
-
-TEST(PairChart, ItsOriginIsTheStartBitForBit) {
-  for (const Pair& start : drawn_starts({}, 7)) {
-    const auto pair = bring_into({}, start);
-    if (!pair) continue;
-    EXPECT_TRUE(is_in({}, *pair)) << format_pair(start);
-    const PairChart::Point x{};
-    EXPECT_EQ(format_pair(PairChart(*pair, {}, {}).pair(x)), format_pair(*pair));
+TEST(Worst, AnErrorBeyondTheOneReportedIsFound) {
+  for (const auto& [off, stated] : {std::pair(1e-6, 1e-7), std::pair(1e-7, 1e-6)}) {
+    WorstOptions options = shapes(30, ContactFeature::side_rim);
+    options.objective = Objective::error;
+    const Worst worst = search(lying(off, stated), options);
+    ASSERT_TRUE(worst.worst);
+    EXPECT_EQ(worst.beyond_claim(), off > stated);
+    EXPECT_NEAR(worst.worst->score, off / stated, 0.1 * off / stated);
   }
 }
 
-TEST(PairChart, AnAngleIsCountedInDecadesFromParallelAndFromPerpendicular) {
-  const Pair start{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {1e-3, 0, 1}, 1, 2}};
-  const PairChart chart(start, {}, {});
-  PairChart::Point x{};
-  const std::size_t angle = PairChart::dimensions - 2;
-  const auto sine = [&](double decades) {
-    x[angle] = decades;
-    const Pair p = chart.pair(x);
-    return p.a.axis.cross(p.b.axis).norm();
-  };
-  EXPECT_NEAR(sine(-3) / 1e-6, 1, 1e-6);
-  EXPECT_EQ(sine(chart.low()[angle]), 0);
-  x[angle] = chart.high()[angle];
-  EXPECT_EQ(chart.pair(x).b.axis.z(), 0);
+TEST(Shapes, StartsAreBroughtIntoTheDomain) {
+  const Pair wide{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 1}, 1, 2}};
+  EXPECT_EQ(format_pair(*bring_into_domain(wide)), format_pair(wide));
+  const Pair large = scaled(wide, 100), small = *bring_into_domain(scaled(wide, -100));
+  EXPECT_FALSE(is_in_domain(large));
+  EXPECT_TRUE(is_in_domain(small));
+  EXPECT_TRUE(is_in_domain(*bring_into_domain(large)));
 }
 
-std::vector<Pair> with_boxes() {
-  std::vector<Pair> pairs;
-  for (const Family& family : box_families())
-    for (std::uint64_t i = 0; i < 20; ++i)
-      if (const auto pair = bring_into({}, family.generate(1, i))) pairs.push_back(*pair);
-  return pairs;
-}
-
-TEST(PairChart, BoxesHaveCoordinatesForEdgesAndTurns) {
-  std::array<int, PairChart::dimensions> changed{};
-  for (const Pair& start : with_boxes()) {
-    const PairChart chart(start, {}, {});
-    PairChart::Point x{};
-    EXPECT_EQ(format_pair(chart.pair(x)), format_pair(start));
-    for (std::size_t i = 0; i < PairChart::dimensions; ++i) {
-      x = {};
-      x[i] = std::clamp(0.2, chart.low()[i], chart.high()[i]);
-      const Pair p = chart.pair(x);
-      EXPECT_TRUE(is_legal(p) && is_in({}, p)) << format_pair(start);
-      changed[i] += x[i] != 0 && format_pair(p) != format_pair(start);
-    }
+TEST(Shapes, ParallelAndPerpendicularAxesStaySo) {
+  RandomStream stream("shapes_test", 1, 0);
+  const auto sine_of = [](const Pair& p) { return unit_axis(p.a.axis).cross(unit_axis(p.b.axis)).norm(); };
+  Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, -3}, 1, 2}}, near = pair, square = pair;
+  near.b.axis = {1e-9, 0, 1};
+  square.b.axis = {1, 0, 0};
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_LT(sine_of(nudged(pair, stream)), 1e-15);
+    EXPECT_GT(sine_of(nudged(square, stream)), 1 - 1e-15);
+    EXPECT_LT(sine_of(nudged(near, stream)), 1e-2);
   }
-  for (std::size_t i = 0; i < PairChart::dimensions; ++i)
-    EXPECT_EQ(changed[i] > 40, i != PairChart::dimensions - 3)
-        << i;  // the distance, which only fine ones have
+}
+
+TEST(Shapes, BoxesAreTurned) {
+  RandomStream stream("shapes_test", 1, 0);
+  const Solid box{.shape = Shape::box, .edges = {1, 2, 3}, .quaternion = {4, 3, 2, 1}};
+  int turned = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Pair other = nudged({box, box}, stream);
+    EXPECT_TRUE(is_legal(other));
+    turned += other.a.quaternion != other.b.quaternion && other.b.quaternion != box.quaternion;
+  }
+  EXPECT_GT(turned, 10);
 }
 
 }  // namespace

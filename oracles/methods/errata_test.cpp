@@ -111,9 +111,9 @@ TEST(Errata, MethodsAreAskedWhereTheyAreNamed) {
   const auto methods = all_methods();
   for (const char* spec : {"", "-seed2017-only-kinks", "seed2017,seedbook", "seed2017-printed"})
     EXPECT_TRUE(named_errata(methods, spec).empty()) << spec;
-  const auto named = named_errata(methods, "seed2017-only-kinks,intersect,seed2017-printed-powell");
+  const auto named = named_errata(methods, "seed2017-only-kinks,intersect,seed2017-printed-octants");
   ASSERT_EQ(named.size(), 2u);
-  EXPECT_EQ(named[0]->name(), "seed2017-printed-powell");
+  EXPECT_EQ(named[0]->name(), "seed2017-printed-octants");
   EXPECT_EQ(named[1]->name(), "seed2017-only-kinks");
   EXPECT_GT(named_errata(methods, "seed2008-only").size(), 5u);
   for (const auto& method : errata_methods())

@@ -24,9 +24,7 @@ struct Setting {
 
 // Claims lie above the largest certain margins seen, relative to the size, on 6000 (polynomial) or 20000
 // pairs of each family. The literal methods must be as good as exact arithmetic would make them. The margins:
-//     polynomial-polish: 1.6e-7, lattice_dust. projection, arc0, seedbook: none, except for exact touching.
-//     arc1e-1, arc1e-2: 4.5e-3 and 5.8e-5, needle_and_disk. arc1e-8: 5e-12, close_contacts_by_angle.
-//     arc1e-3, arc1e-5: 1e-9 and 1e-12, touching_side_rim.
+//     polynomial-polish: 1.6e-7, lattice_dust. projection, seedbook: none, except for exact touching.
 constexpr Setting settings[] = {
     {"seed2008",
      "polynomial",
@@ -56,31 +54,19 @@ constexpr Setting settings[] = {
      CriticalWay::normalised,
      {{}, 4, 1e-3},
      1e-13},
-    {"seed2008", "minimise", "arc1e-1", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-1}, 2e-2},
-    {"seed2008", "minimise", "arc1e-2", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-2}, 1e-3},
-    {"seed2008", "minimise", "arc1e-3", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-3}, 1e-6},
-    {"seed2008", "minimise", "arc1e-5", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-5}, 1e-10},
-    {"seed2008", "minimise", "arc1e-8", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 1e-8}, 1e-10},
-    {"seed2008", "minimise", "arc0", CircleWay::minimise, CriticalWay::normalised, {{}, 60, 0}, 1e-13},
-    {"seedbook", "", "", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13},
+    {"seedbook", "", "", CircleWay::projection, CriticalWay::adjugate, {{}, 60, 1e-3}, 1e-13},
 };
 
 /// The meaning of the settings, and the part of them that is in no document.
-constexpr std::string_view sources[] = {
+constexpr std::string_view source =
     "solver/literature/separation_2008.hpp: the text itself names no error; the relative part is ours, above "
     "the "
-    "largest error seen. polishN: N Newton steps of a root.",
-    "solver/literature/separation_2008.hpp: the text itself names no error; the relative part is ours, above "
-    "the "
-    "largest error seen. polishN: N Newton steps of a root.",
-    "solver/literature/separation_2008.hpp: the circles are searched by a bisection of ours, which is in no "
-    "document (arcX: down to this arc), and the relative part is ours, above the largest error seen.",
-};
+    "largest error seen. polishN: N Newton steps of a root.";
 
 std::unique_ptr<Method> method_of(const Setting& s) {
   return std::make_unique<LiteratureMethod>(
       MethodName{std::string(s.library), std::string(s.algorithm), std::string(s.setting)}, "2008-03-02",
-      Claim{.relative = s.relative, .source = sources[static_cast<std::size_t>(s.circle)], .assumed = true},
+      Claim{.relative = s.relative, .source = source, .assumed = true},
       // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
       s.circle == CircleWay::polynomial ? 16 : 1, s.options.literal,
       [=](const Prepared& a, const Prepared& b) {
@@ -92,9 +78,9 @@ std::unique_ptr<Method> method_of(const Setting& s) {
 std::unique_ptr<Method> literal_method(Document document, const std::string& name,
                                        literature::Faults faults) {
   const bool book = document == Document::book;
-  const Options options{.faults = faults, .step_cap = 60, .tolerance = book ? 0 : 1e-3, .literal = true};
+  const Options options{.faults = faults, .step_cap = 60, .tolerance = 1e-3, .literal = true};
   return method_of({book ? "seedbook" : "seed2008", "", name,
-                    book ? CircleWay::minimise : CircleWay::polynomial,
+                    book ? CircleWay::projection : CircleWay::polynomial,
                     book ? CriticalWay::adjugate : CriticalWay::normalised, options, 1e-13});
 }
 

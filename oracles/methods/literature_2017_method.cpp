@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of 2017. It exists as corrected, with both of its minimisers at several caps, and literally: as
+// The text of 2017. It exists as corrected, with conjugate gradients at several caps, and literally: as
 // printed, mended, and with single faults.
 #include <string>
 #include <utility>
@@ -11,12 +11,9 @@
 namespace cyl {
 namespace {
 
-using literature::Minimiser;
-
 /// The number of steps of each search along a line, and of lines (rounds of lines) of each search in a cell.
 struct Setting {
-  std::string_view algorithm, setting;
-  Minimiser minimiser;
+  std::string_view setting;
   int cap;
   double relative;  ///< of the claim
   unsigned share;
@@ -26,24 +23,16 @@ struct Setting {
 // five times that. Claims lie above the largest margin at which a setting was wrong, in the table of
 // solver/literature/readings.md.
 constexpr Setting settings[] = {
-    {"cg", "steps-4", Minimiser::conjugate_gradients, 4, 2e-2, 1},
-    {"cg", "steps-8", Minimiser::conjugate_gradients, 8, 1e-4, 1},
-    {"cg", "steps-16", Minimiser::conjugate_gradients, 16, 1e-8, 1},
-    {"cg", "steps-32", Minimiser::conjugate_gradients, 32, 1e-12, 2},
-    {"cg", "steps-64", Minimiser::conjugate_gradients, 64, 1e-12, 8},
-    {"powell", "steps-4", Minimiser::powell, 4, 2e-2, 1},
-    {"powell", "steps-8", Minimiser::powell, 8, 1e-4, 1},
-    {"powell", "steps-16", Minimiser::powell, 16, 1e-8, 1},
-    {"powell", "steps-32", Minimiser::powell, 32, 1e-12, 2},
-    {"powell", "steps-64", Minimiser::powell, 64, 1e-12, 8},
+    {"steps-4", 4, 2e-2, 1},    {"steps-8", 8, 1e-4, 1},    {"steps-16", 16, 1e-8, 1},
+    {"steps-32", 32, 1e-12, 2}, {"steps-64", 64, 1e-12, 8},
 };
 
-std::unique_ptr<Method> method_of(std::string algorithm, std::string setting, Minimiser minimiser,
+std::unique_ptr<Method> method_of(std::string algorithm, std::string setting,
                                   const literature::Options& options, const Claim& claim, unsigned share) {
   return std::make_unique<LiteratureMethod>(
       MethodName{"seed2017", std::move(algorithm), std::move(setting)}, "2017-04-16", claim, share,
       options.literal,
-      [=](const Prepared& a, const Prepared& b) { return separated_cylinders(a, b, minimiser, options); });
+      [=](const Prepared& a, const Prepared& b) { return separated_cylinders(a, b, options); });
 }
 
 /// The text defines touching solids as apart, so that answer is not one of its faults.
@@ -55,10 +44,9 @@ constexpr Claim claim_of_text{
     .assumed = true};
 
 /// The literal document, with these faults.
-std::unique_ptr<Method> literal_method(std::string setting, Minimiser minimiser, literature::Faults faults) {
-  return method_of("", std::move(setting), minimiser,
-                   {.faults = faults, .literal = true, .touching_apart = true}, claim_of_text,
-                   faults.has(literature::Fault::one_octant) ? 1 : 8);
+std::unique_ptr<Method> literal_method(std::string setting, literature::Faults faults) {
+  return method_of("", std::move(setting), {.faults = faults, .literal = true, .touching_apart = true},
+                   claim_of_text, faults.has(literature::Fault::one_octant) ? 1 : 8);
 }
 
 }  // namespace
@@ -69,30 +57,27 @@ std::vector<std::unique_ptr<Method>> literature_2017_methods() {
     literature::Options options;
     options.step_cap = options.line_cap = s.cap;
     methods.push_back(
-        method_of(std::string(s.algorithm), std::string(s.setting), s.minimiser, options,
+        method_of("cg", std::string(s.setting), options,
                   {.relative = s.relative,
                    .source = "solver/literature/readings.md: above the largest margin at which it was wrong.",
                    .assumed = true,
                    .bitwise_stable = true},
                   s.share));
   }
-  methods.push_back(literal_method("printed", Minimiser::conjugate_gradients, literature::printed_2017));
+  methods.push_back(literal_method("printed", literature::printed_2017));
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> errata_2017_methods() {
   using literature::printed_2017;
-  constexpr auto cg = Minimiser::conjugate_gradients;
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(literal_method("printed-powell", Minimiser::powell, printed_2017));
-  methods.push_back(
-      literal_method("printed-octants", cg, printed_2017.without(literature::Fault::one_octant)));
-  methods.push_back(literal_method("mended", cg, {}));
+  methods.push_back(literal_method("printed-octants", printed_2017.without(literature::Fault::one_octant)));
+  methods.push_back(literal_method("mended", {}));
   for (const Erratum& e : errata()) {
     if (e.document() != Document::text_2017 || !e.fault) continue;
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    methods.push_back(literal_method("only-" + name, cg, *e.fault));
-    methods.push_back(literal_method("without-" + name, cg, printed_2017.without(*e.fault)));
+    methods.push_back(literal_method("only-" + name, *e.fault));
+    methods.push_back(literal_method("without-" + name, printed_2017.without(*e.fault)));
   }
   return methods;
 }

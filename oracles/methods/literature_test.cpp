@@ -43,16 +43,14 @@ TEST_P(Literature, AgreesWithDecideBeyondItsClaim) {
 INSTANTIATE_TEST_SUITE_P(Families, Literature, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
-using literature::Minimiser;
-
-/// Checks the verdicts of the corrected text of 2017 about the cases, by both minimisers.
+/// Checks the verdicts of the corrected text of 2017 about the cases.
 TEST(Errata2017, NoneIsWrongOncePutRight) {
   for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
     if (c.id.find("-2017-") == std::string::npos) continue;
-    for (Minimiser m : {Minimiser::conjugate_gradients, Minimiser::powell})
-      EXPECT_EQ(separated_cylinders(prepare(c.pair.a), prepare(c.pair.b), m, {}).verdict == Verdict::disjoint,
-                c.truth == Verdict::disjoint)
-          << c.id;
+    EXPECT_EQ(separated_cylinders(prepare(c.pair.a), prepare(c.pair.b), literature::Options{}).verdict ==
+                  Verdict::disjoint,
+              c.truth == Verdict::disjoint)
+        << c.id;
   }
 }
 
@@ -63,7 +61,7 @@ TEST(LiteraturePrinted, TestsTheAxesByTheFormulasOfTheTextOf2017) {
   for (const std::uint64_t index : {34u, 169u}) {
     const Pair pair = find_family("close_contacts_by_angle")->generate(1, index);
     EXPECT_EQ(separated_cylinders(literature::prepare_as_given(pair.a), literature::prepare_as_given(pair.b),
-                                  Minimiser::conjugate_gradients, printed)
+                                  printed)
                   .verdict,
               judge(pair).verdict);
     EXPECT_EQ(judge(pair).verdict, Verdict::disjoint);

@@ -11,6 +11,7 @@
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/root_sum.hpp"
+#include "oracles/referee/twin_interval.hpp"
 
 namespace cyl {
 namespace {
@@ -105,6 +106,53 @@ void check_overflow() {
   check_that(is_everything(far * zero) && is_everything(zero * far), "intervals: 0 times infinity");
   check_that(is_everything(I(infinity) / I(infinity)), "intervals: infinity by infinity");
   check_that(is_everything(all + far - far) && is_everything(all), "intervals: everything");
+}
+
+/// A number known to some digits, and its exact value.
+struct Known {
+  TwinInterval twin;
+  mpq_class exact;
+};
+Known draw_known(RandomStream& stream) {
+  const double x = draw_number(stream), y = draw_number(stream) * 0x1p-60;
+  return {TwinInterval(x) + TwinInterval(y), exactly(x) + exactly(y)};
+}
+
+/// `terms` is the sum of the lengths that the operation adds, or its result. The error is at most 2^-98 of
+/// it.
+void check_twins(RandomStream& stream) {
+  const Known a = draw_known(stream), b = draw_known(stream);
+  const auto expect = [&](const TwinInterval& x, const mpq_class& exact, const mpq_class& terms,
+                          const char* what) {
+    const Twin& m = x.middle;
+    check_that(abs(exactly(m.hi) + exactly(m.lo) - exact) <= exactly(x.error) &&
+                   exactly(x.error) <= terms * exactly(0x1p-98) + exactly(0x1p-500) &&
+                   std::fabs(m.lo) <= 0x1p-53 * std::fabs(m.hi),
+               what, a.twin.middle.hi, b.twin.middle.hi);
+  };
+  const mpq_class lengths = abs(a.exact) + abs(b.exact), exact_product = a.exact * b.exact;
+  const TwinInterval sum = a.twin + b.twin, product = a.twin * b.twin;
+  expect(sum, a.exact + b.exact, lengths, "twins: sum");
+  expect(a.twin - b.twin, a.exact - b.exact, lengths, "twins: difference");
+  expect(product, exact_product, abs(exact_product), "twins: product");
+  // Of operands with errors.
+  expect(product - sum, exact_product - a.exact - b.exact, abs(exact_product) + lengths, "twins: both");
+  expect(product * sum, exact_product * (a.exact + b.exact), abs(exact_product) * lengths, "twins: three");
+  if (b.exact == 0)
+    check_that(std::isinf((a.twin / b.twin).error), "twins: quotient by 0");
+  else
+    expect(product / b.twin, a.exact, abs(a.exact), "twins: quotient");
+  expect(sqrt(product * product), abs(exact_product), abs(exact_product), "twins: root");
+  expect(abs(a.twin), abs(a.exact), abs(a.exact), "twins: magnitude");
+  check_that(surely_less(a.twin, b.twin) == (a.exact < b.exact) ||
+                 abs(a.exact - b.exact) <= lengths * exactly(0x1p-98),
+             "twins: less", a.twin.middle.hi, b.twin.middle.hi);
+  check_that(!surely_less(a.twin, a.twin) && surely_at_most(TwinInterval(1.0), TwinInterval(1.0)),
+             "twins: equal");
+  const TwinInterval huge = 0x1p1000, zero = 0.0;
+  check_that(!surely_less(huge * huge, zero) && !surely_less(zero, huge * huge) &&
+                 !surely_at_most(zero, huge * huge - huge) && sqrt(zero).error < 0x1p-500,
+             "twins: overflow");
 }
 
 /// Returns whether x is the nearest number of `bits`, within half a unit of the last place.
@@ -211,6 +259,7 @@ TEST(RefereeArithmetic, HoldsTheExactResult) {
   for (std::uint64_t i = 0; i < interval_count; ++i) {
     RandomStream stream("intervals", drawing_seed, i);
     check_intervals(stream);
+    check_twins(stream);
   }
   for (std::uint64_t i = 0; i < number_count; ++i) {
     RandomStream stream("numbers", drawing_seed, i);

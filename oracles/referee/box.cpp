@@ -139,6 +139,29 @@ std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& fil
   return {};
 }
 
+std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& filter) {
+  // Makes the cores smaller by more than rounding carries a point out of them. Half of a tiny core is left.
+  const auto smaller = [](const TwinInterval& length) {
+    constexpr double by = 0x1p-90;
+    return length.middle > Twin(2 * by) ? length.middle - Twin(by) : Twin(0.5) * length.middle;
+  };
+  const auto in_twins = [&](const Terms<TwinInterval>& s) {
+    Terms<Twin> t{middle(s.axis), smaller(s.radius), smaller(s.half), s.rounding.middle, s.rounded, s.box};
+    for (std::size_t i = 0; i < 3; ++i) {
+      t.edges[i] = middle(s.edges[i]);
+      t.halves[i] = smaller(s.halves[i]);
+    }
+    return t;
+  };
+  const TermsPair<Twin> p{in_twins(filter.a()), in_twins(filter.b()), middle(filter.delta())};
+  const Simplex<Twin> found = search_box(p, twin_bits, true);
+  if (filter.separates(intervals(found.nearest))) return Verdict::disjoint;
+  const bool meet = is_rounded(pair)
+                        ? filter.come_near(intervals(found.on_a()), intervals(found.on_b() - p.delta))
+                        : filter.overlap_at(intervals(found.on_a()));
+  return meet ? std::optional(Verdict::intersecting) : std::nullopt;
+}
+
 Truth judge_box_exactly(const Pair& pair, int bits_cap) {
   if (!has_box_relation(pair)) return judge_rounded_box(pair, bits_cap);
   const BoxRelation r = box_relation(pair, near_bits);

@@ -14,6 +14,8 @@ namespace cyl {
 std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter);
 /// Without a certificate. Cost: 2 us.
 std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& filter);
+/// The same in two doubles. Cost: 20 us.
+std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& filter);
 
 /// The verdict with its certificate, in rationals. Its kinds are those of other pairs. `undecided` only for a
 /// box and a rounded cylinder, at the cap on bits.

@@ -176,7 +176,7 @@ std::optional<Truth> prove_tie(const Pair& pair, const Rational3& on_a, const Ra
     simple.emplace_back(simplest_near(pair, on_a, guessed), simplest_near(pair, on_b, guessed));
     directions.push_back(simple.back().second - simple.back().first);
   }
-  const Filter filter(pair);
+  const TwinFilter filter(pair);
   const auto touching = [&](const Rational3& direction) {
     for (const auto& [x, y] : simple)
       if (Truth t = touching_at(pair, x, y, {}); t.certificate.kind == CertificateKind::points) return t;
@@ -188,7 +188,7 @@ std::optional<Truth> prove_tie(const Pair& pair, const Rational3& on_a, const Ra
   for (Rational3 d : directions) {
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
-    if (filter.support_gap(enclosed(d)).lo > 0) continue;
+    if (surely_less(0.0, filter.support_gap(enclosed<TwinInterval>(d)))) continue;
     const int sign = support_gap_sign(pair, d);
     if (sign < 0) {
       const auto t = prove_disjoint(pair, d, bits);

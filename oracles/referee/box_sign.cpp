@@ -114,21 +114,30 @@ class Polytopes {
   int facet_sign(Rational3& direction) const {
     std::vector<Bar> bars = of_a_;
     bars.insert(bars.end(), of_b_.begin(), of_b_.end());
-    const Filter filter(pair_);
+    const TwinFilter filter(pair_);
     int least = 1;
     for (const Rational3& raw : facet_directions(bars, delta_)) {
       // Two points in one place touch in any direction.
       const Rational3 d = is_zero(raw)           ? Rational3{1, 0, 0}
                           : dot(raw, delta_) < 0 ? mpq_class(-1) * raw
                                                  : raw;
-      if (filter.support_gap(enclosed(d)).lo > 0) continue;
-      const int sign = support_gap_sign(pair_, d);
+      const TwinInterval gap = filter.support_gap(enclosed<TwinInterval>(d));
+      if (surely_less(0.0, gap)) continue;
+      const int sign = surely_less(gap, 0.0) ? -1 : exact_gap(lift(d)).sign();
       if (sign >= least) continue;
       direction = d;
       least = sign;
       if (sign < 0) break;
     }
     return least;
+  }
+
+  /// f(d) of the cores, times unit().
+  Surd exact_gap(const Surd3& d) const {
+    Surd f = -abs(dot(d, unit() * lift(delta_)));
+    for (const auto* bars : {&of_a_, &of_b_})
+      for (const Bar& bar : *bars) f = f + abs(dot(d, bar.half));
+    return f;
   }
 
   /// The points of the cores that are nearest to each other, from a's centre. Or points that are nearer than

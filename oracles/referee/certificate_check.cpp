@@ -2,6 +2,9 @@
 #include "oracles/referee/certificate_check.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
@@ -19,11 +22,24 @@ Vec3<R> lift(const Vec3<T>& v) {
 
 }  // namespace
 
-// GMP rounds to double towards 0, and to infinity if the number is too large.
-Vec3<Interval> enclosed(const Rational3& v) {
-  const auto c = [](const mpq_class& x) { return Interval::outward(x.get_d(), x.get_d()); };
+// GMP rounds to double towards 0, and to infinity if the number is too large. So the second of two doubles
+// leaves out less than 2^-104 of the number, or of the least double.
+template <class I>
+Vec3<I> enclosed(const Rational3& v) {
+  const auto c = [](const mpq_class& x) {
+    const double head = x.get_d();
+    if constexpr (std::is_same_v<I, Interval>) {
+      return I::outward(head, head);
+    } else {
+      if (!std::isfinite(head)) return I::everything();
+      const double tail = mpq_class(x - head).get_d();
+      return I(head) + I(tail) + I(0.0, 0x1p-104 * std::fabs(head) + std::numeric_limits<double>::min());
+    }
+  };
   return {c(v.x), c(v.y), c(v.z)};
 }
+template Vec3<Interval> enclosed(const Rational3& v);
+template Vec3<TwinInterval> enclosed(const Rational3& v);
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 

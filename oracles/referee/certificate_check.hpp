@@ -11,6 +11,7 @@
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/support.hpp"
 #include "oracles/referee/interval.hpp"
+#include "oracles/referee/twin_interval.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl {
@@ -21,58 +22,70 @@ using Rational3 = Vec3<mpq_class>;
 /// is always required too: the plane of a disk, the line of a segment, or the point. A box
 /// requires the hull of its edges that are not 0, and no other.
 using Hulls = std::array<Hull, 2>;
+// A Hull is a set of coordinates that are 0 in it: bit 1 along the axis, bit 2 across it.
+static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2 &&
+              static_cast<int>(Hull::center) == 3);
+inline bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
+inline bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
+inline Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
 
-/// The filter, in intervals of doubles. It scales the pair by a power of two, so that its largest length is
-/// about 1. If scaling is inexact (the lengths differ by a factor of about 2^1000), the filter is not usable
-/// and proves nothing. Cost: about 0.1 us to set up, 0.1 us a check.
-class Filter {
+/// The filter, in intervals of doubles or of two doubles. It scales the pair by a power of two, so that its
+/// largest length is about 1. If scaling is inexact (the lengths differ by a factor of about 2^1000), the
+/// filter is not usable and proves nothing. Cost in doubles: about 0.1 us to set up, 0.1 us a check. In two
+/// doubles: ten times that.
+template <class I>
+class BasicFilter {
  public:
-  explicit Filter(const Pair& pair);
+  explicit BasicFilter(const Pair& pair);
+  struct Lifted : Terms<I> {  ///< in the filter's unit; the axis of a half-space is its normal
+    Vec3<double> center;
+    Hull hull;
+    bool plane;  ///< is a half-space
+    /// The hull and the one that an answer names.
+    Hull within(Hull named) const { return this->box ? hull : both(hull, named); }
+    /// Whether the point, relative to the centre, is certainly in the core. It lies in the hull.
+    bool holds(Hull of, const Vec3<I>& at, bool strictly = false) const;
+    Vec3<I> moved(Hull into, const Vec3<I>& from) const;
+  };
+  bool usable() const { return usable_; }
+  const Lifted& a() const { return a_; }
+  const Lifted& b() const { return b_; }
   /// One unit of the filter is 2^exponent units of the scene.
   int exponent() const { return exponent_; }
-  /// Unit axes, and b's centre relative to a's in the filter's unit.
-  const Vec3<Interval>& axis_of_a() const { return a_.axis; }
-  const Vec3<Interval>& axis_of_b() const { return b_.axis; }
-  const Vec3<Interval>& delta() const { return delta_; }
+  /// b's centre relative to a's, in the filter's unit.
+  const Vec3<I>& delta() const { return delta_; }
   /// Encloses f(direction) of the solids in the filter's unit. Returns everything if the filter is not
-  /// usable.
-  Interval support_gap(const Vec3<Interval>& direction) const;
+  /// usable or a solid is a half-space.
+  I support_gap(const Vec3<I>& direction) const;
   /// Returns true if f(direction) < 0 is certain.
   bool separates(const double direction[3]) const;
-  bool separates(const Vec3<double>& direction) const;
+  bool separates(const Vec3<I>& direction) const;
   /// Returns true if it is certain that head + tail, exactly, is in both cores.
   bool in_both(const double head[3], const double tail[3]) const;
-  /// Returns whether the solids certainly overlap at the point of the hulls nearest to the guess. The guess
-  /// is relative to a's centre, in the filter's unit. They overlap if the point is strictly inside a solid
-  /// that is not flat, or if two flat ones cross strictly inside both.
-  bool overlap_at(const Vec3<double>& guess, const Hulls& hulls = {}) const;
-  /// Like overlap_at() above, but the guess is head + tail, in the scene's frame and unit.
+  /// Returns whether the solids certainly overlap at the point of the hulls nearest to head + tail. They
+  /// overlap if the point is strictly inside a solid that is not flat, or if two flat ones cross strictly
+  /// inside both.
   bool overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const;
+  /// The same near a point that is relative to a's centre, in the filter's unit.
+  bool overlap_at(Vec3<I> guess, const Hulls& hulls = {}) const;
   /// Returns true if three facts are certain.
   /// 1. The point of a's hull nearest to the first vector is in a's core.
   /// 2. The point of b's hull nearest to the second vector is in b's core.
   /// 3. Their distance is at most the sum of both roundings.
   bool come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const;
-  /// Like come_near() above, but each vector is relative to the centre of its own solid, in the filter's
-  /// unit.
-  bool come_near(const Vec3<double>& on_a, const Vec3<double>& on_b) const;
+  /// The same, but each vector is relative to the centre of its own solid, in the filter's unit.
+  bool come_near(const Vec3<I>& on_a, const Vec3<I>& on_b, const Hulls& hulls = {}) const;
 
  private:
-  struct Lifted : Terms<Interval> {  // in the filter's unit
-    Vec3<double> center;
-    Hull hull;
-    Hull within(Hull named) const;  ///< the hull and the one that an answer names
-  };
-  bool close_at(const Vec3<Interval>& from_a, const Vec3<Interval>& from_b, const Hulls& hulls) const;
-  bool overlap_near(Vec3<Interval> guess, const Hulls& hulls) const;
-  static bool is_in(const Lifted& s, Hull hull, const Vec3<Interval>& at);
-  static bool is_strictly_in(const Lifted& s, Hull hull, const Vec3<Interval>& at);
-  static Vec3<Interval> moved(const Lifted& s, Hull hull, const Vec3<Interval>& from);
+  /// Returns nothing if the filter's unit makes a number inexact.
+  std::optional<Vec3<I>> from_center(const Lifted& s, const double head[3], const double tail[3]) const;
   bool usable_ = false;
   int exponent_ = 0;
   Lifted a_, b_;
-  Vec3<Interval> delta_;
+  Vec3<I> delta_;
 };
+using Filter = BasicFilter<Interval>;
+using TwinFilter = BasicFilter<TwinInterval>;
 
 /// Returns the sign of f(direction) in MPFI at the given precision, for a direction other than 0. Returns 0
 /// if the interval contains 0.
@@ -106,8 +119,9 @@ bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_
 mpq_class contact_distance_of(const Pair& pair);
 
 Rational3 exact(const Vector3& v);
-/// Encloses each coordinate between two doubles that are neighbours, or nearly so.
-Vec3<Interval> enclosed(const Rational3& v);
+/// Encloses each coordinate as narrowly as the kind of interval allows.
+template <class I>
+Vec3<I> enclosed(const Rational3& v);
 Rational3 exact(const ExactVector& v);
 
 }  // namespace cyl

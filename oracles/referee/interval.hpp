@@ -39,6 +39,10 @@ struct Interval {
     return {interval_detail::next_down(l), interval_detail::next_up(h)};
   }
 
+  /// The comparisons hold for all numbers of both intervals.
+  friend bool surely_less(const Interval& a, const Interval& b) { return a.hi < b.lo; }
+  friend bool surely_at_most(const Interval& a, const Interval& b) { return a.hi <= b.lo; }
+
   friend Interval operator-(const Interval& a) { return {-a.hi, -a.lo}; }
   friend Interval operator+(const Interval& a, const Interval& b) {
     return outward(a.lo + b.lo, a.hi + b.hi);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
@@ -46,13 +47,15 @@ bool is_usable(const MethodAnswer& answer) {
          finite(answer.other_head) && finite(answer.other_tail);
 }
 
-std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, const MethodAnswer& answer,
-                                     Certificates certificates) {
+template <class I>
+std::optional<Truth> check_by_filter(const Pair& pair, const BasicFilter<I>& filter,
+                                     const MethodAnswer& answer, Certificates certificates) {
   if (!is_usable(answer)) return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
-  if (answer.witness == CertificateKind::points && certificates == Certificates::written)
-    return check_points_by_filter(filter, answer);
+  if constexpr (std::is_same_v<I, Interval>)
+    if (answer.witness == CertificateKind::points && certificates == Certificates::written)
+      return check_points_by_filter(filter, answer);
   if (answer.witness == CertificateKind::points) {
     const Certificate said = answer.certificate();
     if (!filter.come_near(said.vector, said.second, said.hulls)) return std::nullopt;
@@ -170,6 +173,31 @@ std::optional<Truth> prove_by_filter(const Pair& pair, const Filter& filter,
       return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
   }
   return std::nullopt;
+}
+
+// Twice the digits of double decide most pairs that it leaves open.
+std::optional<Verdict> verdict_in_twins(const Pair& pair, const TwinFilter& filter,
+                                        std::span<const MethodAnswer> offered, const Guess& guess) {
+  for (const MethodAnswer& answer : offered)
+    if (auto t = check_by_filter(pair, filter, answer, Certificates::left_out)) return t->verdict;
+  if (has_box(pair)) return box_verdict_in_twins(pair, filter);
+  const auto &a = filter.a(), &b = filter.b();
+  const SearchPair<Twin> p{middle(a.axis), middle(b.axis),  middle(filter.delta()), a.radius.middle,
+                           a.half.middle,  b.radius.middle, b.half.middle};
+  const Found<Twin> found = search(p, twin_bits);
+  if (found.has_direction && filter.separates(intervals(found.direction))) return Verdict::disjoint;
+  if (found.has_point && filter.overlap_at(intervals(found.point))) return Verdict::intersecting;
+  if (!is_rounded(pair)) return {};
+  const auto guessed = [&](const Vec3<double>& v) {
+    const Vec3<double> x = shifted(v, guess.exponent - filter.exponent());
+    return Vec3<Twin>{x.x, x.y, x.z};
+  };
+  const Nearest<Twin> nearest = refine_nearest(p, twin_bits, guessed(guess.on_a), guessed(guess.on_b));
+  if (filter.separates(intervals(nearest.on_b - nearest.on_a))) return Verdict::disjoint;
+  const Twin inward = Twin(1.0) - Twin(0x1p-80);  // farther than rounding carries a point out
+  const bool meet =
+      filter.come_near(intervals(inward * nearest.on_a), intervals(inward * (nearest.on_b - p.delta)));
+  return meet ? std::optional(Verdict::intersecting) : std::nullopt;
 }
 
 // The first convergent of the continued fraction of x that differs from x by at most the tolerance, in
@@ -299,19 +327,26 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_by_filter(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
+  if (guess.found.has_point) {
+    const Vec3<double> x = shifted(guess.found.point, guess.exponent - filter.exponent());
+    if (filter.overlap_at(Vec3<Interval>{x.x, x.y, x.z})) return verdict_alone(Verdict::intersecting);
+  }
+  const TwinFilter twins(pair);
+  if (const auto verdict = verdict_in_twins(pair, twins, offered, guess)) {
+    Truth t = verdict_alone(*verdict);
+    t.bits = twin_bits;
+    return t;
+  }
   if (has_box(pair)) return box_verdict_exactly(pair);
-  if (guess.found.has_point &&
-      filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
-    return verdict_alone(Verdict::intersecting);
-  if (auto t = check_offers(pair, offered)) return std::move(*t);
+  if (!twins.usable())
+    if (auto t = check_offers(pair, offered)) return std::move(*t);
   if (auto t = prove_near(pair, guess)) return std::move(*t);
-  return prove_exactly(pair);
+  return prove_exactly(pair, offered);
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;  // not covered: a family's pairs are valid
-  if (!has_half_space(pair))
-    if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
+  if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (!is_usable(answer)) return Verdict::undecided;
   // For a gap that is too small for those bits.

@@ -9,13 +9,6 @@
 
 namespace cyl {
 
-// A Hull is a set of coordinates that are 0 in it: bit 1 along the axis, bit 2 across it.
-static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2 &&
-              static_cast<int>(Hull::center) == 3);
-inline bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
-inline bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
-inline Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
-
 /// A flat box has the hull of a disk, segment or point.
 Hull own_hull(const Solid& c);
 

@@ -246,13 +246,20 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
   const Guess<mpq_class> guess{
       exact(pair.a.axis), exact(pair.b.axis), delta, near_point - c0, near_other - exact(pair.b.center),
       near_direction};
-  // Most candidates are far from f(D) = 0, and intervals of doubles show it cheaply.
+  // Most candidates are far from f(D) = 0, and intervals show it cheaply.
   const Filter filter(pair);
-  const Guess<Interval> roughly{filter.axis_of_a(), filter.axis_of_b(), filter.delta(),
-                                enclosed(guess.x0), enclosed(guess.x1), enclosed(near_direction)};
+  const TwinFilter twins(pair);
+  const auto enclosed_guess = [&]<class I>(const BasicFilter<I>& in) {
+    return Guess<I>{in.a().axis,           in.b().axis,           in.delta(),
+                    enclosed<I>(guess.x0), enclosed<I>(guess.x1), enclosed<I>(guess.near_direction)};
+  };
+  const Guess<Interval> roughly = enclosed_guess(filter);
+  const Guess<TwinInterval> nearly = enclosed_guess(twins);
   std::vector<Rational3> seen;  // f > 0 there
   for (int i = 0; i < candidate_count; ++i) {
-    if (filter.support_gap(roughly.candidate(i)).lo > 0) continue;
+    if (surely_less(0.0, filter.support_gap(roughly.candidate(i)))) continue;
+    const TwinInterval gap = twins.support_gap(nearly.candidate(i));
+    if (surely_less(0.0, gap)) continue;
     Rational3 d = guess.candidate(i);
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
@@ -260,7 +267,7 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
       return d.x * o.y == d.y * o.x && d.y * o.z == d.z * o.y && d.z * o.x == d.x * o.z;
     };
     if (std::any_of(seen.begin(), seen.end(), parallel)) continue;
-    const int sign = support_gap_sign(pair, d);
+    const int sign = surely_less(gap, 0.0) ? -1 : support_gap_sign(pair, d);
     if (sign > 0) {
       seen.push_back(d);
       continue;

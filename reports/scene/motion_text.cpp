@@ -63,8 +63,9 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
       return fmt::format("at least {} over all configurations, {:.3g} seen", rounded_down(proof.bound),
                          proof.least);
     case MotionVerdict::refuted:
-      return fmt::format("{}distance {:.3g}{}", proof.always ? "in every configuration, " : "", proof.least,
-                         joints_text(scene, proof));
+      return fmt::format("{}distance {}{:.3g}{}", proof.always ? "in every configuration, " : "",
+                         scene.bodies[proof.a].box || scene.bodies[proof.b].box ? "at most " : "",
+                         proof.least, joints_text(scene, proof));
     case MotionVerdict::within:
       return fmt::format(
           "comes within the clearance: distance {:.3g}{}{}", proof.least, joints_text(scene, proof),

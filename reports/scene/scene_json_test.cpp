@@ -31,7 +31,7 @@ TEST(SceneJson, KeepsToItsSchema) {
   EXPECT_TRUE(keeps_to("scene.json", document)) << document;
   EXPECT_TRUE(keeps_to("scene.json", written(read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/hand.xml"),
                                              question("hand.xml"))));
-  EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));
+  EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.jsonl"))));
   SceneOptions proving = question("crane.urdf");
   proving.prove = true;
   const std::string proofs = written(crane(), proving);

@@ -89,10 +89,10 @@ TEST(SrdfText, LinksThatOverlapForEverAreDisabled) {
     return "<joint name='to_" + to + "' type='" + type + "'><parent link='base'/><child link='" + to +
            "'/><axis xyz='1 0 0'/></joint>";
   };
-  const Scene scene = read_text(".urdf", "<robot name='r'><link name='base'/>" + link("a", "0") +
-                                             link("b", "0.9") + link("c", "1.5") + link("spun", "0.2") +
-                                             joint("fixed", "a") + joint("fixed", "b") + joint("fixed", "c") +
-                                             joint("continuous", "spun") + "</robot>");
+  Scene scene = read_text(".urdf", "<robot name='r'><link name='base'/>" + link("a", "0") + link("b", "0.9") +
+                                       link("c", "1.5") + link("spun", "0.2") + joint("fixed", "a") +
+                                       joint("fixed", "b") + joint("fixed", "c") +
+                                       joint("continuous", "spun") + "</robot>");
   const std::string text = text_of(scene);
   const auto reasons = read_back(scene, text);
   EXPECT_EQ(reasons.at({"a", "b"}), "Default");
@@ -106,6 +106,13 @@ TEST(SrdfText, LinksThatOverlapForEverAreDisabled) {
        {"<!-- proved: of one rigid body, in every configuration, distance -0.1 as it stands -->",
         "<!-- proved: in every configuration, distance -0."})
     EXPECT_NE(text.find(why), text.npos) << text;
+  // Read again, only "Never" is a claim.
+  for (const bool is_claim : {false, true}) {
+    scene.exemptions = {{1, 2, is_claim ? "Never" : "Default"}, {1, 3, "Never"}};
+    const std::vector<ExemptionProof> proofs = study_scene(scene, question()).motions->exemptions;
+    EXPECT_EQ(proofs.size(), is_claim ? 2u : 1u);
+    EXPECT_EQ(proofs.front().verdict, is_claim ? MotionVerdict::refuted : MotionVerdict::never);
+  }
 }
 
 // A free joint may take a body out of what it overlaps at first. Only what is welded stays in a plane.

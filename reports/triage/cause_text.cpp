@@ -33,7 +33,7 @@ std::string format_cause(const Cause& b) {
   if (b.margin && !is_failure(b.kind))
     text += fmt::format("; margins from {:.1e} up to {:.1e} or more", b.margin->lo, b.margin->hi);
   return text + fmt::format("\n    {}, {}: {}\n", some_of(b.methods), shown_in_words(b),
-                            pair_to_json(b.simplest.pair).dump());
+                            pair_json(b.simplest.pair).dump());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ ShownCase shown_case(const ShownPair& shown, const FindingRecord* finding,
                      std::span<const std::unique_ptr<Method>> methods, const std::string& replayed) {
   const Trial& trial = shown.trial;
   nlohmann::ordered_json c;
-  c["pair"] = pair_to_json(trial.pair);
+  c["pair"] = pair_json(trial.pair);
   c["truth"] = truth_to_json(trial.truth);
   c["margin"] = nullptr;
   std::optional<Enclosure> margin;

@@ -164,7 +164,7 @@ TEST(Causes, TheMarginIsOfFindingsOfTheKind) {
   EXPECT_EQ(causes[0].methods.size(), 2u);
   EXPECT_EQ(causes[0].methods_of_kind, (std::set<std::string>{verdict ? "intersect" : "decide"}));
   EXPECT_EQ(causes[0].margin->hi, verdict ? 0.1 : 0.41);
-  EXPECT_EQ(parse_json(causes[0].worst->page)["pair"], pair_to_json(huge(verdict ? 1 : 2)));
+  EXPECT_EQ(parse_json(causes[0].worst->page)["pair"], pair_json(huge(verdict ? 1 : 2)));
 }
 
 TEST(Causes, ShowAPairWithoutRoundingsAndOfOrdinarySize) {

@@ -98,7 +98,7 @@ void write_pairs(const std::string& run_folder, const std::vector<Cause>& causes
   fs::create_directories(folder);
   for (const Cause& b : causes) {
     if (b.status == Recurrence::gone) continue;
-    Json line = pair_to_json(b.simplest.pair);
+    Json line = pair_json(b.simplest.pair);
     line["id"] = b.key;
     line["note"] = b.description;
     replace_file(folder / (file_name_of(b.key) + ".jsonl"), line.dump() + '\n');

@@ -133,6 +133,45 @@ Solid along_the_best_axis(Points points) {
   return best;
 }
 
+/// The ball that is found has at least this part of the best radius. The smallest half edge of a square.
+constexpr double wanted_part = 0.9, least_half = 0x1p-10;
+
+/// Returns the radius of a ball in the hull of points, or 0. The hull holds it if no unit direction n has
+/// less than this as the maximum h(n) of n.(p - center). Two unit directions differ by at most as much as
+/// points on a cube around them, and h by at most `reach` times that. So h in the middle of a square of the
+/// cube bounds h all over it. A square whose bound is too low is cut in four.
+double ball_in_hull(Points points, const Vector3& center) {
+  struct Square {
+    int face;
+    double u, v, half;
+  };
+  std::vector<Square> left;
+  for (int face = 0; face < 6; ++face) left.push_back({face, 0, 0, 1});
+  double most = INFINITY, least = INFINITY;
+  const double reach = (farthest(points, center) - center).norm();
+  while (!left.empty()) {
+    const auto [face, u, v, half] = left.back();
+    left.pop_back();
+    Vector3 n;
+    n[face % 3] = face < 3 ? 1 : -1;
+    n[(face + 1) % 3] = u;
+    n[(face + 2) % 3] = v;
+    n.normalize();
+    double h = -INFINITY;
+    for (const Vector3& p : points) h = std::max(h, n.dot(p - center));
+    most = std::min(most, h);
+    const double bound = h - std::numbers::sqrt2 * half * reach;
+    if (bound >= wanted_part * most) {
+      least = std::min(least, bound);
+      continue;
+    }
+    if (!(most > 0) || half <= least_half) return 0;
+    for (const double du : {-half / 2, half / 2})
+      for (const double dv : {-half / 2, half / 2}) left.push_back({face, u + du, v + dv, half / 2});
+  }
+  return std::max(0.0, least);
+}
+
 /// If there are more points, only those that are farthest out in some direction serve to find an axis.
 constexpr std::size_t shell_cap = 400;
 
@@ -211,6 +250,37 @@ Bound bound_of(Points points) {
   return bound;
 }
 
+// A hull holds two balls with the capsule around them. That of fewer points is smaller.
+std::optional<Solid> capsule_in_hull(Points points, const Bound& bound) {
+  const std::vector<Vector3> shell = shell_of(points);
+  std::optional<Solid> best;
+  for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+    Solid inner = bound.solid;
+    inner.height *= part;
+    const Vector3 end = inner.height / 2 * inner.axis;
+    inner.radius = 0;
+    inner.rounding = ball_in_hull(shell, inner.center - end);
+    if (part > 0) inner.rounding = std::min(inner.rounding, ball_in_hull(shell, inner.center + end));
+    if (inner.rounding > 0 && (!best || volume_of(inner) > volume_of(*best))) best = inner;
+  }
+  return best;
+}
+
+// An ellipsoid with half axes a >= b >= c is in the capsule of radius b and length 2a. Its point (a cos t,
+// b sin t) is within b of the segment if (b - a) (1 - cos t) <= 0. It holds the ellipsoid with half axes a, c
+// and c. If d <= (a^2 - c^2) / a, the largest ball in this that is d from the middle on the long axis has the
+// radius c sqrt(1 - d^2 / (a^2 - c^2)).
+void bound_ellipsoid(Body& body, const Vector3& half, const Pose& pose) {
+  int longest = 0;
+  const double a = half.maxCoeff(&longest), c = half.minCoeff(), b = half.sum() - a - c,
+               beyond = a * a - c * c, d = std::min(std::sqrt(beyond / 2), beyond / a);
+  body.solid = {pose.translation(), pose.linear().col(longest), 0, 2 * (a - b), b + bound_error * a};
+  body.box = BoxShape{"ellipsoid", pose, 2 * half};
+  body.inner = body.solid;
+  body.inner->height = 2 * d;
+  body.inner->rounding = std::max(0.0, c * std::sqrt(beyond > 0 ? 1 - d * d / beyond : 1) - bound_error * a);
+}
+
 // The solid grows by how far points are computed to be outside, and by the errors of moving and computing.
 Solid moved(const Bound& bound, const Pose& pose) {
   Solid solid = bound.solid;
@@ -227,6 +297,13 @@ Body bounded_body(std::string name, std::size_t link, std::string shape, const B
                   const Pose& pose) {
   Body body{std::move(name), link, moved(bound, pose), 1, 1, std::nullopt};
   const Vector3 size = bound.high - bound.low;
+  if (bound.inner) {
+    body.inner = body.solid;
+    body.inner->radius = 0;
+    body.inner->height = bound.inner->height;
+    body.inner->rounding = bound.inner->rounding - bound_error * (pose.translation().norm() + bound.reach);
+    if (!(body.inner->rounding > 0)) body.inner.reset();
+  }
   body.box = BoxShape{std::move(shape), pose * Eigen::Translation3d(bound.low + size / 2), size};
   return body;
 }

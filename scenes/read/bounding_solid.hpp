@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A rounded solid around points, the outer model of a mesh. If a solid is clear of it, it is clear
-// of them. If a solid is near it, nothing is known.
+// A rounded solid around points, the outer model of a mesh, and one in their hull, the inner model. A solid
+// that is clear of the outer model is clear of the points. A solid that meets the inner model meets the hull.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Bound {
   Solid solid;                    ///< around them, up to rounding errors
   double outside = 0, reach = 0;  ///< how far one lies outside of it, and from the origin, at most
   Vector3 low{0, 0, 0}, high{0, 0, 0};
+  std::optional<Solid> inner = std::nullopt;  ///< in the shape
 };
 /// Finds the smallest in volume of a ball, a capsule and a cylinder around points. The search for axes begins
 /// with the 13 of a cube, so it may miss a better one. Throws std::runtime_error if there are no points.
@@ -36,6 +38,12 @@ std::array<Vector3, 8> corners_of(const Vector3& size);
 
 /// Returns the volume of a ball, capsule or cylinder.
 double volume_of(const Solid& solid) noexcept;
+
+/// Returns a capsule or ball in the convex hull of points, along the axis of their bound; nothing if the
+/// middle of the bound is not inside the hull.
+std::optional<Solid> capsule_in_hull(std::span<const Vector3> points, const Bound& bound);
+/// Bounds an ellipsoid with these half axes by a capsule, with a capsule in it.
+void bound_ellipsoid(Body& body, const Vector3& half, const Pose& pose);
 
 /// Returns a body that stands in for such points, with their box.
 Body bounded_body(std::string name, std::size_t link, std::string shape, const Bound& bound,

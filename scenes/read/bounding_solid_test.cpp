@@ -102,6 +102,43 @@ TEST(BoundingSolid, IsHardlyMoreThanWhatItHolds) {
   EXPECT_NEAR(relative(cylinder, std::numbers::pi * 0.25 * 2), 1, 0.02);
 }
 
+/// How far a capsule stays inside a shape with this support, at least, in many directions.
+template <class Support>
+double least_room(const Solid& inner, const Support& support) {
+  RandomStream stream("room", 1, 1);
+  double least = INFINITY;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3 n = stream.unit_vector();
+    least = std::min(least, support(n) - n.dot(inner.center) -
+                                inner.height / 2 * std::fabs(n.dot(inner.axis)) - inner.rounding);
+  }
+  return least;
+}
+
+TEST(InnerSolid, IsInTheShapeAndNotMuchSmaller) {
+  for (std::uint64_t k = 0; k < 30; ++k) {
+    RandomStream stream("inner", 1, k);
+    const Vector3 half(stream.between(0.1, 1), stream.between(0.1, 1),
+                       k % 3 == 0 ? 0.1 : stream.between(0.1, 1));
+    Body body;
+    bound_ellipsoid(body, half, Pose::Identity());
+    const double room =
+        least_room(*body.inner, [&](const Vector3& n) { return half.cwiseProduct(n).norm(); });
+    EXPECT_GE(room, 0) << half.transpose();
+    EXPECT_LT(room, 0.05 * half.minCoeff()) << half.transpose();
+    std::vector<Vector3> points;
+    for (const Vector3& corner : corners_of(2 * half)) points.push_back(corner + Vector3(5, 0, 0));
+    const auto inner = capsule_in_hull(points, bound_of(points));
+    ASSERT_TRUE(inner);
+    const double left =
+        least_room(*inner, [&](const Vector3& n) { return half.dot(n.cwiseAbs()) + 5 * n.x(); });
+    EXPECT_GE(left, 0) << half.transpose();
+    EXPECT_LT(left, 0.25 * half.minCoeff()) << half.transpose();
+  }
+  const std::vector<Vector3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_FALSE(capsule_in_hull(flat, bound_of(flat)));
+}
+
 TEST(BoundingSolid, OfFewPoints) {
   const Solid point = moved(bound_of(std::vector<Vector3>{{1, 2, 3}}), Pose::Identity());
   EXPECT_LT(point.radius + point.rounding + point.height, 1e-12);

@@ -260,8 +260,9 @@ class MjcfBuilder {
       size = sizes(geom, shape == "sphere" ? 1 : round ? 2 : 3);
     }
     size.resize(round ? 2 : shape == "sphere" ? 1 : 3);
-    if (shape == "ellipsoid") return ellipsoid_of(size, pose, std::move(body));
-    if (shape == "box") {
+    if (shape == "ellipsoid") {
+      bound_ellipsoid(body, {size[0], size[1], size[2]}, pose);
+    } else if (shape == "box") {
       body.solid = box_at(pose, 2 * Vector3(size[0], size[1], size[2]));
     } else {
       body.solid = {pose.translation(), pose.linear().col(2), 0, round ? 2 * size[1] : 0, 0};
@@ -272,23 +273,17 @@ class MjcfBuilder {
     return body;
   }
 
-  /// An ellipsoid with half axes a >= b >= c is in the capsule of radius b and length 2a. Its point (a cos
-  /// t, b sin t) is within b of the segment if (b - a) (1 - cos t) <= 0.
-  static Body ellipsoid_of(const std::vector<double>& half, const Pose& pose, Body body) {
-    const auto longest = std::ranges::max_element(half) - half.begin();
-    std::vector<double> sorted = half;
-    std::ranges::sort(sorted);
-    body.solid = {pose.translation(), pose.linear().col(longest), 0, 2 * (sorted[2] - sorted[1]),
-                  sorted[1] + bound_error * sorted[2]};
-    body.box = BoxShape{"ellipsoid", pose, 2 * Vector3(half[0], half[1], half[2])};
-    return body;
-  }
-
   std::optional<Body> mesh_of(const MjcfElement& geom, const Pose& pose, const Body& body) {
     const std::string name = geom.text("mesh");
     try {
       auto bound = bounds_.find(name);
-      if (bound == bounds_.end()) bound = bounds_.emplace(name, bound_of(mesh_points(name))).first;
+      if (bound == bounds_.end()) {
+        const std::vector<Vector3> points = mesh_points(name);
+        bound = bounds_.emplace(name, bound_of(points)).first;
+        // MuJoCo takes the hull of a mesh, or a smaller one with so many vertices.
+        if (meshes_.at(name).text("maxhullvert").empty())
+          bound->second.inner = capsule_in_hull(points, bound->second);
+      }
       Body held = bounded_body(body.name, body.link, "mesh", bound->second, pose);
       held.type = body.type;
       held.affinity = body.affinity;

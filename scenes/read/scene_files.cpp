@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
@@ -20,10 +17,6 @@ namespace cyl {
 namespace {
 
 using Named = std::pair<std::string, Solid>;
-
-/// The last column may be missing.
-constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
-                                                  "az", "radius", "height", "rounding"};
 
 /// Throws std::runtime_error if a number is not 0 but smaller than any double.
 struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
@@ -53,87 +46,26 @@ Named parse_json_line(const std::string& text) {
   throw std::runtime_error(read.error.substr(place + (read.error.compare(place, 2, "a.") == 0 ? 2 : 0)));
 }
 
-std::vector<std::string> fields_of(const std::string& text) {
-  std::vector<std::string> fields(1);
-  for (const char c : text) {
-    if (c == ',')
-      fields.emplace_back();
-    else if (c != '\r')
-      fields.back() += c;
-  }
-  for (std::string& field : fields) {
-    field.erase(0, field.find_first_not_of(" \t"));
-    field.erase(field.find_last_not_of(" \t") + 1);
-  }
-  return fields;
-}
-
-class CsvLines {
- public:
-  Named operator()(const std::string& text) {
-    const std::vector<std::string> fields = fields_of(text);
-    if (fields.size() != width_)
-      throw std::runtime_error(std::to_string(fields.size()) + " fields, not " + std::to_string(width_));
-    std::array<double, columns.size()> x{};
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (at_[i] == width_) continue;
-      const std::string& field = fields[at_[i]];
-      const char* end = field.data() + field.size();
-      const auto [rest, error] = std::from_chars(field.data(), end, x[i]);
-      if (error != std::errc() || rest != end)
-        throw std::runtime_error(std::string(columns[i]) + " is '" + field + "', no number");
-    }
-    return {name_ < width_ ? fields[name_] : "", {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], x[8]}};
-  }
-  void head(const std::string& text) {
-    const std::vector<std::string> fields = fields_of(text);
-    width_ = fields.size();
-    const auto find = [&](std::string_view name) {
-      return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
-    };
-    name_ = find("name");
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if ((at_[i] = find(columns[i])) == width_ && i + 1 < columns.size())
-        throw std::runtime_error("no column '" + std::string(columns[i]) + "'");
-  }
-
- private:
-  std::array<std::size_t, columns.size()> at_{};
-  std::size_t name_ = 0, width_ = 0;
-};
-
-Scene read_lines(const std::string& file, bool csv) {
+Scene read_lines(const std::string& file) {
   check_given_file(file, list_cap);
   std::ifstream in(file);
   if (!in) throw std::runtime_error("it cannot be opened");
-  std::vector<Named> cylinders;
-  CsvLines lines;
-  std::string text;
-  bool headed = !csv;
-  std::size_t number = 1, bytes = 0;
-  for (std::string room(line_cap, '\0'); in.getline(room.data(), line_cap); ++number) {
-    const auto got = static_cast<std::size_t>(in.gcount());
-    text.assign(room, 0, in.eof() ? got : got - 1);
-    if ((bytes += got) > list_cap)
+  std::vector<Named> solids;
+  LineReader lines(in);
+  for (std::size_t bytes = 0; lines.next();) {
+    const std::string text(lines.text());
+    if ((bytes += text.size()) > list_cap)
       throw std::runtime_error(fmt::format("it is larger than {} MiB", list_cap >> 20));
-    if (text.find_first_not_of(" \t\r") == text.npos) continue;
+    if (text.size() > line_cap)
+      throw std::runtime_error(fmt::format("line {} is longer than {} MiB", lines.line(), line_cap >> 20));
     try {
-      if (!headed) {
-        lines.head(text);
-        headed = true;
-        continue;
-      }
-      cylinders.push_back(csv ? lines(text) : parse_json_line(text));
-      if (const Defect defect = find_defect(cylinders.back().second); defect != Defect::none)
-        throw std::runtime_error(to_string(defect));
+      solids.push_back(parse_json_line(text));
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
+      throw std::runtime_error(fmt::format("line {}: {}", lines.line(), error.what()));
     }
   }
   if (in.bad()) throw std::runtime_error("it cannot be read");
-  if (!in.eof())
-    throw std::runtime_error(fmt::format("line {} is longer than {} MiB", number, line_cap >> 20));
-  return still_scene(std::move(cylinders));
+  return still_scene(std::move(solids));
 }
 
 /// Returns the greatest value that the joint of a link takes, without its sign.
@@ -201,8 +133,7 @@ Scene read_scene(const std::string& file, const std::string& srdf, const std::ve
     }
   };
   Scene scene = naming(file, [&] {
-    if (ending == ".jsonl") return read_lines(file, false);
-    if (ending == ".csv") return read_lines(file, true);
+    if (ending == ".jsonl") return read_lines(file);
 #ifdef DAYLIGHT_WITH_URDFDOM
     if (ending == ".urdf" || ending == ".xacro") return read_urdf(files);
 #else
@@ -210,7 +141,7 @@ Scene read_scene(const std::string& file, const std::string& srdf, const std::ve
       throw std::runtime_error("this build reads no URDF, for urdfdom was not there (liburdfdom-dev)");
 #endif
     if (ending == ".xml") return read_mjcf(files);
-    throw std::runtime_error("not a scene: expected .jsonl, .csv, .urdf or .xml");
+    throw std::runtime_error("not a scene: expected .jsonl, .urdf or .xml");
   });
   naming(file, [&] { refuse_far_joints(scene); });
   const std::string beside = std::filesystem::path(path).replace_extension(".srdf").string();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes from files. The ending of the name determines the format. A .jsonl file has one solid a line,
 // {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, with optional rounding
-// and name. The first line of a .csv file names its columns x y z ax ay az radius height, in any order, and
-// optionally rounding and name. A .urdf file has a robot. An .srdf file names the link pairs that are not
+// and name. A .urdf file has a robot. An .srdf file names the link pairs that are not
 // checked. An .xml file is MuJoCo's MJCF. Its bodies, joints, geoms and their defaults are read, and ignored
 // parts are named.
 #pragma once

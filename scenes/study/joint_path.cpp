@@ -19,8 +19,10 @@
 // The last factors put x at its place in the middle of the box. There let the i-th joint turn about the unit
 // axis w by at most d. Let y be x seen from the axis, square to it. Then (R(d) - I) y = 2 sin(d/2) w x
 // R(d/2) y, which is no longer than min(d, 2) |y|. Along a direction n it is 2 sin(d/2) (n x w).R(d/2) y.
-// This is at most min(d, 2) (|(n x w).y| + d/2 |y|). The joints further in, which have turned by f together,
-// add f |y| in the outer brackets. A joint that slides by d adds d min(1, |n.w| + f).
+// This is at most min(d, 2) |n x w| |y|, and at most min(d, 2) (|(n x w).y| + d/2 |n x w| |y|). The joints
+// nearer to s tilt n. If they move it by f, then f |y| is added in the outer brackets, and f to the first
+// |n x w|. The joint itself moves n by another min(d, 2) (|n x w| + f). So if n is along parallel axes,
+// nothing moves along it. A joint that slides by d adds d min(1, |n.w| + f).
 //
 // A solid is the segment of its axis, grown by a disk square to it and by a ball. Its support along n is
 // that of the foremost end of the segment, plus those of disk and ball. That of the ball never changes. That
@@ -44,7 +46,8 @@
 // 448 k u L, and twice as much counts for how far an end lies behind. Reach and moment of each of m joints
 // add as much twice, times min(d, 2) and 2: 1024 k m u L. Their own rounding is less than 64 u of sums of at
 // most 2 m L. The gap proved in the middle was added to a rounding, which costs u L. Together this is less
-// than 2048 (k + 1) (m + 1) u L.
+// than 2048 (k + 1) (m + 1) u L. The error of |n x w|, below 64 (k + 1) u, grows from joint to joint, so it
+// is added to |n x w|.
 
 namespace cyl {
 namespace {
@@ -92,6 +95,7 @@ JointPath::JointPath(const Scene& scene, std::size_t a, std::size_t b) : scene_(
     length += std::fabs(value.middle) + value.half;
   }
   const auto count = [](std::size_t n) { return static_cast<double>(n + 1); };
+  axis_error_ = motion_error * count(own_.links.size());
   slack_ = motion_error * count(own_.links.size()) * count(moves_.size()) * length;
   values_.assign(own_.links.size(), 0);
 }
@@ -198,20 +202,22 @@ JointPath::Seen JointPath::see(const Move& move, const Side& side) {
 }
 
 JointPath::Step JointPath::step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n,
-                                   double turned) {
+                                   double tilted) const {
   Step step;
   if (!move.turns) {
-    step.ends.fill(move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned));
+    step.ends.fill(move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + tilted));
     return step;
   }
   const Vector3 v = n.cross(move.axis);
-  const double chord = std::min(move.half, 2.0), bend = move.half / 2 + turned, r = side.radius;
+  const double chord = std::min(move.half, 2.0), across = v.norm() + axis_error_, r = side.radius,
+               most = std::min(1.0, across + tilted), bend = across * move.half / 2 + tilted;
+  step.tilt = chord * most;
   for (std::size_t i = 0; i < side.count; ++i) {
     const double moment = std::fabs(v.dot(side.ends[i] - move.at));
-    step.ends[i] = chord * std::min(seen.reach[i], moment + bend * seen.reach[i]);
+    step.ends[i] = chord * std::min(most * seen.reach[i], moment + bend * seen.reach[i]);
   }
   const double beside = (v - v.dot(side.unit) * side.unit).norm();
-  step.disk = chord * std::min({seen.tilt, r, r * (beside + bend)});
+  step.disk = chord * std::min({seen.tilt, most * r, r * (beside + bend)});
   return step;
 }
 
@@ -222,14 +228,14 @@ double JointPath::advance(bool of_b, std::size_t s, const Vector3& n, std::vecto
   const auto own = std::span(sums).first(side.count);
   const double foremost = std::ranges::max(own);
   for (double& sum : own) sum -= foremost;
-  double disks = 0, turned = 0;
+  double disks = 0, tilted = 0;
   const std::size_t count = of_b ? moves_.size() - s : s;
   for (std::size_t k = 0; k < count; ++k) {
     const Move& move = moves_[of_b ? s + k : s - 1 - k];
-    steps_[k] = step_of(move, side, of_b ? move.b : move.a, n, turned);
+    steps_[k] = step_of(move, side, of_b ? move.b : move.a, n, tilted);
     for (std::size_t i = 0; i < side.count; ++i) sums[i] += steps_[k].ends[i];
     disks += steps_[k].disk;
-    if (move.turns) turned += move.half;
+    tilted += steps_[k].tilt;
   }
   const auto most = static_cast<std::size_t>(std::ranges::max_element(own) - own.begin());
   for (std::size_t k = 0; k < count; ++k)
@@ -253,6 +259,19 @@ Travel JointPath::travel(const Vector3& direction) {
   for (std::size_t i = 0; i < count; ++i)
     if (!free_.empty()) travel.shares[moves_[i].variable] += best[i];
   return travel;
+}
+
+std::pair<double, Vector3> JointPath::gap_along_axes() const {
+  std::pair<double, Vector3> best{0, {0, 0, 0}};
+  if (has_half_space(placed_)) return best;
+  const auto a = terms_of<double>(placed_.a), b = terms_of<double>(placed_.b);
+  const Vector3 delta = placed_.b.center - placed_.a.center;
+  for (const Move& move : moves_) {
+    const Vector3 axis = (delta.dot(move.axis) < 0 ? -1 : 1) * move.axis.normalized();
+    const double gap = move.turns ? -support_gap(a, b, lifted<double>(delta), lifted<double>(axis)) : 0;
+    if (gap > best.first) best = {gap, axis};
+  }
+  return best;
 }
 
 // The joints move to their values one after the other, from the one body to the other. Each then turns a

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "scenes/scene.hpp"
@@ -48,6 +49,9 @@ class JointPath {
   /// Returns how much less than there the bodies' gap along a unit direction from a to b can be anywhere in
   /// the box, all rounding included.
   Travel travel(const Vector3& direction);
+  /// Returns the greatest gap there along the axis of a joint that turns, and this direction from a to b. It
+  /// is not above 0 if no axis separates the bodies. Along parallel axes, no turn changes a gap.
+  std::pair<double, Vector3> gap_along_axes() const;
   /// Returns how far a point of b, or of a, can be anywhere in the box from its place there in the other
   /// body, all rounding included.
   Travel travel_of(const Vector3& point) const;
@@ -72,6 +76,7 @@ class JointPath {
   struct Step {
     std::array<double, ends_cap> ends{};
     double disk = 0;
+    double tilt = 0;  ///< of a direction, by the joint itself
   };
   /// A joint that moves, as it stands in the middle of the box.
   struct Move {
@@ -88,7 +93,7 @@ class JointPath {
   };
   static Side side_of(const Solid& solid);
   static Seen see(const Move& move, const Side& side);
-  static Step step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n, double turned);
+  Step step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n, double tilted) const;
   /// How much farther a body may reach along n, towards the other; of a the joints before s, of b the others.
   double advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts);
   void add_chain(const std::vector<std::size_t>& links);
@@ -100,7 +105,7 @@ class JointPath {
   std::vector<std::size_t> free_;  ///< the scene's links
   std::vector<Move> moves_;        ///< from a to b
   bool held_ = false;
-  double slack_ = 0;  ///< all rounding
+  double slack_ = 0, axis_error_ = 0;  ///< all rounding, and that of the direction of an axis
   std::vector<double> values_;
   std::vector<Solid> solids_;
   Pair placed_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 #include "oracles/referee/referee.hpp"
 #include "scenes/study/joint_path.hpp"
@@ -147,9 +148,9 @@ class Prover {
     }
   }
 
-  // Bounds a cell. The referee proves that the direction of the distance in the middle separates the bodies,
-  // even if one grows by that distance. The part that no travel uses up is left everywhere. Returns true if
-  // the bodies come within the clearance.
+  // Bounds a cell. The referee proves that the direction of the distance in the middle, or an axis, separates
+  // the bodies, even if one grows by the gap along it. The part that no travel uses up is left everywhere.
+  // Returns true if the bodies come within the clearance.
   bool examine(Cell& cell) {
     ++proof_.boxes;
     cell.number = proof_.boxes;
@@ -157,13 +158,20 @@ class Prover {
     const Distance d = distance(placed.a, placed.b);
     refuted_ = look(d, cell.box);
     if (proof_.verdict <= MotionVerdict::within) return true;
-    const Travel travel = path_.travel(d.direction);
+    Vector3 direction = d.direction;
+    double gap = d.value - 2 * d.error;
+    Travel travel = path_.travel(direction);
+    const auto [along, axis] = path_.gap_along_axes();
+    if (const double least = along - 2 * d.error; least > q_.clearance) {
+      Travel far = path_.travel(axis);
+      if (least - far.length > std::max(gap - travel.length, q_.clearance))
+        std::tie(direction, gap, travel) = std::tuple(axis, least, std::move(far));
+    }
     cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
-    const double gap = d.value - 2 * d.error,
-                 excess = scene_.bodies[proof_.a].excess + scene_.bodies[proof_.b].excess,
-                 bound = gap - travel.length - excess;
+    const double bound =
+        gap - travel.length - scene_.bodies[proof_.a].excess - scene_.bodies[proof_.b].excess;
     if (!(bound > cell.bound) || !(bound > q_.clearance)) return false;
-    if (separates(d.direction, placed, gap)) cell.bound = bound;
+    if (separates(direction, placed, gap)) cell.bound = bound;
     return false;
   }
 
@@ -246,6 +254,17 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
   if (proof.bounded) {
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
+  }
+  // What inner solids meet, the shapes meet. They prove nothing else.
+  const auto is_known = [](const Body& body) { return !body.box || body.inner; };
+  if (proof.bounded && holds && is_known(scene.bodies[a]) && is_known(scene.bodies[b])) {
+    Scene inner = scene;
+    for (Body* body : {&inner.bodies[a], &inner.bodies[b]})
+      if (body->box) std::tie(body->solid, body->box) = std::pair(*body->inner, std::nullopt);
+    MotionQuestion meet = question;
+    meet.box_cap = 0;
+    MotionProof found = prove_motion(inner, a, b, meet);
+    if (!found.bounded && found.verdict <= MotionVerdict::within) return found;
   }
   proof.always = proof.verdict == MotionVerdict::refuted && overlap_always(scene, a, b);
   return proof;

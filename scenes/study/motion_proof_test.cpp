@@ -9,6 +9,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/support.hpp"
+#include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/joint_path.hpp"
 #include "scenes/study/scene_study.hpp"
@@ -167,6 +168,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
       const Pair middle = path.place_middle(box);
       Vector3 n = distance(middle.a, middle.b).direction;
       if (stream.coin() && !has_half_space(middle)) n = stream.unit_vector();
+      if (const auto [gap, axis] = path.gap_along_axes(); gap > 0 && stream.coin()) n = axis;
       const double travel = path.travel(n).length, before = gap_along(middle, n);
       for (int i = 0; i < 10; ++i) {
         JointBox other = box;
@@ -207,6 +209,10 @@ TEST(MotionProof, NoConfigurationContradictsIt) {
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
       const std::vector<Solid> placed = place(scene, joints_in(scene, proof));
+      if (proof.verdict <= MotionVerdict::within && (scene.bodies[a].box || scene.bodies[b].box)) {
+        EXPECT_LE(distance(placed[a], placed[b]).value, proof.least) << "of inner solids";
+        continue;
+      }
       EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-11);
       EXPECT_EQ(proof.verdict <= MotionVerdict::within || proof.bounded,
                 referee_within({placed[a], placed[b]}, q.clearance) == true);
@@ -245,6 +251,18 @@ TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   EXPECT_EQ(denied.exemptions[0].verdict, MotionVerdict::open);
   EXPECT_TRUE(denied.pairs[0].contradicted);
   EXPECT_EQ(denied.contradicted, 2u);
+}
+
+// An ellipsoid reaches 0.2 towards the arm, its bound 0.3, and its inner solid more than 0.1.
+TEST(MotionProof, AnInnerSolidRefutes) {
+  for (const auto& [gap, verdict] :
+       {std::pair(0.31, MotionVerdict::never), {0.205, MotionVerdict::open}, {0.1, MotionVerdict::refuted}}) {
+    Scene scene = sweeper(-1, 1);
+    bound_ellipsoid(scene.bodies[0], {0.2, 0.3, 1}, Pose(Eigen::Translation3d(1.1 + gap, 0, 0)));
+    const MotionProof proof = prove_motion(scene, 0, 1, {});
+    EXPECT_EQ(proof.verdict, verdict) << gap;
+    EXPECT_EQ(proof.bounded, verdict == MotionVerdict::open) << gap;
+  }
 }
 
 // Only the bound around a mesh comes near, which refutes nothing.

@@ -16,26 +16,48 @@
 namespace cyl {
 namespace {
 
-/// Boxes looked at for one pair, and points of the line between the middles of the bodies.
-constexpr std::size_t overlap_box_cap = 1000, points_cap = 9;
+/// Boxes looked at for one pair, points of the line between the middles of the bodies, and rounds of a
+/// search.
+constexpr std::size_t overlap_box_cap = 1000, points_cap = 9, rounds_cap = 20;
 
 /// Whether the bodies overlap all over the box in whose middle they are placed; nothing if they may be apart.
 std::optional<bool> overlap(const Pair& placed, const JointPath& path, std::size_t& widest) {
+  const Distance d = distance(placed.a, placed.b);
+  if (d.value > 0) return std::nullopt;
   double best = -INFINITY;
   Travel travel;
   Pair deep;  // a solid and the point that is deep in it; the other has the point too
   const Solid* other = nullptr;
-  for (std::size_t k = 0; k < points_cap; ++k) {
-    const double part = static_cast<double>(k) / (points_cap - 1);
-    const Solid point{.center = placed.a.center + part * (placed.b.center - placed.a.center)};
+  // Returns how deep the point is in both bodies, less its travel. This is concave.
+  const auto look = [&](const Vector3& at) {
+    const Solid point{.center = at};
     const double of_a = distance(placed.a, point).value, of_b = distance(placed.b, point).value;
-    const Travel far = path.travel_of(point.center);
-    const double left = -std::min(of_a, of_b) - far.length;
-    if (std::max(of_a, of_b) > 0 || left <= best) continue;
-    best = left;
-    travel = far;
-    deep = {of_a < of_b ? placed.a : placed.b, point};
-    other = of_a < of_b ? &placed.b : &placed.a;
+    const Travel far = path.travel_of(at);
+    const double left = -std::min(of_a, of_b) - far.length, of_both = std::max(of_a, of_b);
+    if (of_both <= 0 && left > best) {
+      best = left;
+      travel = far;
+      deep = {of_a < of_b ? placed.a : placed.b, point};
+      other = of_a < of_b ? &placed.b : &placed.a;
+    }
+    return -of_both - far.length;
+  };
+  Vector3 top = (placed.a.center + d.on_a + placed.b.center + d.on_b) / 2;
+  double most = look(top);
+  const auto climb = [&](const Vector3& at) {
+    const double found = look(at);
+    if (!(found > most)) return false;
+    most = found;
+    top = at;
+    return true;
+  };
+  for (std::size_t k = 0; k < points_cap; ++k)
+    climb(placed.a.center + static_cast<double>(k) / (points_cap - 1) * (placed.b.center - placed.a.center));
+  double step = -d.value;
+  for (std::size_t round = 0; round < rounds_cap && best <= 0; ++round) {
+    bool better = false;
+    for (int k = 0; k < 27; ++k) better |= climb(top + step * Vector3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+    if (!better) step /= 2;
   }
   if (!other) return std::nullopt;
   widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());

@@ -56,7 +56,7 @@ class CellSearch {
         cell_(cell),
         options_(options) {}
 
-  Direction run(Minimiser minimiser) noexcept {
+  Direction run() noexcept {
     const Point middle = cell_.middle();
     best_ = middle;
     step_to(middle);
@@ -64,11 +64,7 @@ class CellSearch {
       stay_ = options_.faults.has(Fault::stays_on_the_boundary);
       if (!stay_) search_sides();
       if (!stay_) leave_axes();
-      if (found_ || ended_) return found_;
-      if (minimiser == Minimiser::conjugate_gradients)
-        conjugate_gradients();
-      else
-        powell();
+      if (!found_ && !ended_) conjugate_gradients();
     }
     return found_;
   }
@@ -158,33 +154,6 @@ class CellSearch {
     }
   }
 
-  /// Powell's direction set, made new every other round: its directions tend to become one.
-  void powell() noexcept {
-    Point set[2];
-    for (int round = 0; round < options_.line_cap; ++round) {
-      if (round % 2 == 0) {
-        set[0] = {1, 0};
-        set[1] = {0, 1};
-      }
-      const Point before = best_;
-      bool lower = false;
-      for (const Point& d : set) {
-        lower |= descend(d);
-        if (found_ || ended_) return;
-      }
-      if (cannot_improve(best_)) return;
-      if (!lower) {
-        if (round % 2 == 0) return;
-        continue;
-      }
-      const Point whole = best_ - before;
-      if (descend(whole) && cannot_improve(best_)) return;
-      if (found_ || ended_) return;
-      set[0] = set[1];
-      set[1] = whole;
-    }
-  }
-
   const Couple<double>& p_;
   const Base& base_;
   const double sign_u_, sign_v_;
@@ -199,8 +168,7 @@ class CellSearch {
 
 }  // namespace
 
-Direction separated_by_other_directions(const Couple<double>& p, Minimiser minimiser,
-                                        const Options& options) noexcept {
+Direction separated_by_other_directions(const Couple<double>& p, const Options& options) noexcept {
   const Faults faults = options.faults;
   const Base base(p, options.literal || faults.has(Fault::one_octant));
   const Vector3 w0(p.w0x, p.w0y, p.w0z), w1(p.w1x, p.w1y, p.w1z);
@@ -216,7 +184,7 @@ Direction separated_by_other_directions(const Couple<double>& p, Minimiser minim
                         faults.has(Fault::cancelling_root),
                         faults.has(Fault::division_by_vanished_root)};
     const auto search = [&](const Cell& cell) {
-      return CellSearch(p, base, sign_u, sign_v, octant, cell, options).run(minimiser);
+      return CellSearch(p, base, sign_u, sign_v, octant, cell, options).run();
     };
     if (faults.has(Fault::kinks_taken_for_smooth)) {
       if (const Direction d = search(Cell())) return d;

@@ -100,11 +100,6 @@ double Quarter::printed_slope(double t) const noexcept {
          r1 * ((1 + c1_square) * t - 1) / std::sqrt(u * u + c1_square * t * t) + h1b1 - (b2 - a2) * sign(t);
 }
 
-double Quarter::bend(double t) const noexcept {
-  const double u = 1 - t, square0 = u * u + t * t, square1 = u * u + c1_square * t * t;
-  return r0 / (square0 * std::sqrt(square0)) + r1 * c1_square / (square1 * std::sqrt(square1));
-}
-
 Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Options& options) noexcept {
   Circle circle(p, options);
   Circle::End end = circle.search();

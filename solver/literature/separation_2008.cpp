@@ -61,9 +61,4 @@ Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circl
   return {Verdict::intersecting, {0, 0, 0}};
 }
 
-Separation separation_2008(const Solid& a, const Solid& b, CircleWay circle, CriticalWay critical,
-                           const Options& options) noexcept {
-  return separation_2008(prepare(a), prepare(b), circle, critical, options);
-}
-
 }  // namespace cyl::literature

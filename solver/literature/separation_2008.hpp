@@ -11,8 +11,7 @@ namespace cyl::literature {
 /// The ways in which section 8 looks at the directions perpendicular to an axis.
 enum class CircleWay : unsigned char {
   polynomial,  ///< along the tangent line, roots of a polynomial of degree 8
-  projection,  ///< distance of a point to the other solid's projection, by a polynomial of degree 4
-  minimise     ///< ours, not in a document: bisection of the half circle with D.Delta > 0, F's one valley
+  projection   ///< distance of a point to the other solid's projection, by a polynomial of degree 4
 };
 
 /// How section 11 solves for the critical points.
@@ -32,11 +31,9 @@ inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::e
 /// `disjoint` with a direction of negative f, `intersecting` if none was found, `invalid`. Without faults
 /// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths), and `intersecting` as sure as the
 /// options allow. The square-root-free tests of section 7 are not checked, so with the fault
-/// radius_not_squared the direction may be wrong. Cost: a circle 0.5 us (projection), 1 to 2 us (minimise) or
-/// 20 us (polynomial), critical points 3 us. Most pairs end in section 7.
+/// radius_not_squared the direction may be wrong. Cost: a circle 0.5 us (projection) or 20 us
+/// (polynomial), critical points 3 us. Most pairs end in section 7.
 Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
-                           const Options& options) noexcept;
-Separation separation_2008(const Solid& a, const Solid& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept;
 
 }  // namespace cyl::literature

@@ -64,31 +64,46 @@ bool separated_by_roots(const Circle& q, const Options& options, Finder& finder)
   return false;
 }
 
+/// The vector from the projection of solid 1 to that of the centre of solid 0, onto the plane of the circle.
+/// It is (0, 0) if the centre is inside.
+struct PlaneVector {
+  double x = 0, y = 0;
+};
+
+PlaneVector from_rectangle(const Circle& q) noexcept {
+  return {std::copysign(larger(std::fabs(q.a2) - q.side, 0), q.a2),
+          std::copysign(larger(std::fabs(q.b2) - q.r1, 0), q.b2)};
+}
+
+// From the elliptical cap on the centre's side, with the length 1. In the unit r1 the ellipse about (side, 0)
+// has half axes c and 1. The point of it nearest to an outer (u, v) is (c^2 u/(t + c^2), v/(t + 1)) with the
+// one t > 0 that puts it there, the largest root.
+PlaneVector from_ellipse(const Circle& q, const Options& options) noexcept {
+  if (!(q.r1 > 0) || !(q.c > 0)) return {};
+  const double u = (std::fabs(q.a2) - q.side) / q.r1, v = std::fabs(q.b2) / q.r1;
+  if (!(u > 0)) return {};  // the rectangle is nearer
+  const double c2 = q.c * q.c, u2 = c2 * u * u, v2 = v * v;
+  const auto roots =
+      real_roots(std::array<double, 5>{u2 + c2 * c2 * (v2 - 1), 2 * u2 + 2 * c2 * (v2 - 1 - c2),
+                                       u2 + v2 - 1 - c2 * (4 + c2), -2 - 2 * c2, -1},
+                 options.tolerance);
+  double t = 0;
+  for (int i = 0; i < roots.count; ++i) t = larger(t, roots.x[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < options.step_cap; ++i) {
+    const double m = 1 / (t + c2), n = 1 / (t + 1);
+    const double step = (u2 * m * m + v2 * n * n - 1) / (2 * (u2 * m * m * m + v2 * n * n * n));
+    const double next = larger(t + step, 0);
+    if (!(std::fabs(next - t) > 0x1p-53 * t)) break;
+    t = next;
+  }
+  const double x = u / (t + c2), y = v / (t + 1), size = std::hypot(x, y);
+  return {std::copysign(x / size, q.a2), std::copysign(y / size, q.b2)};
+}
+
 // (b) A disk about the origin against what is left of the other solid about (a2, b2).
 bool separated_in_projection(const Circle& q, const Options& options, Finder& finder) noexcept {
   for (const PlaneVector v : {from_rectangle(q), from_ellipse(q, options)})
     if (finder.separates(q.direction(v.x, v.y))) return true;
-  return false;
-}
-
-// (c) On the line D = e + t e', e along Delta's projection, the last term is constant and F convex.
-bool separated_in_valley(const Circle& q, const Options& options, Finder& finder) noexcept {
-  const double reach = std::hypot(q.a2, q.b2);
-  if (!(reach > 0)) return false;
-  const Eigen::Vector2d e(q.a2 / reach, q.b2 / reach);
-  Eigen::Vector2d low(e.y(), -e.x()), high = -low, d = e;
-  for (int i = 0; i < options.step_cap; ++i) {
-    if (finder.separates(q.direction(d.x(), d.y()))) return true;
-    if ((high - low).cwiseAbs().maxCoeff() <= options.tolerance) break;
-    // The gradient of the first three terms; of a term that vanishes, the subgradient 0.
-    const double length0 = std::hypot(d.x(), d.y()), length1 = std::hypot(q.c * d.x(), d.y());
-    const double share1 = length1 > 0 ? q.r1 / length1 : 0;
-    const double sign = d.x() > 0 ? 1 : d.x() < 0 ? -1 : 0;
-    const double gx = d.x() * (q.r0 / length0 + q.c * q.c * share1) + sign * q.side - q.a2;
-    const double gy = d.y() * (q.r0 / length0 + share1) - q.b2;
-    (gy * e.x() - gx * e.y() > 0 ? high : low) = d;
-    d = (low + high).normalized();
-  }
   return false;
 }
 
@@ -135,47 +150,11 @@ std::array<double, 9> TangentLine::critical_polynomial(double k) const noexcept 
   return c;
 }
 
-PlaneVector from_rectangle(const Circle& q) noexcept {
-  return {std::copysign(larger(std::fabs(q.a2) - q.side, 0), q.a2),
-          std::copysign(larger(std::fabs(q.b2) - q.r1, 0), q.b2)};
-}
-
-// In the unit r1 the ellipse about (side, 0) has half axes c and 1. The point of it nearest to an outer (u,
-// v) is (c^2 u/(t + c^2), v/(t + 1)) with the one t > 0 that puts it there, the largest root.
-PlaneVector from_ellipse(const Circle& q, const Options& options) noexcept {
-  if (!(q.r1 > 0) || !(q.c > 0)) return {};
-  const double u = (std::fabs(q.a2) - q.side) / q.r1, v = std::fabs(q.b2) / q.r1;
-  if (!(u > 0)) return {};  // the rectangle is nearer
-  const double c2 = q.c * q.c, u2 = c2 * u * u, v2 = v * v;
-  const auto roots =
-      real_roots(std::array<double, 5>{u2 + c2 * c2 * (v2 - 1), 2 * u2 + 2 * c2 * (v2 - 1 - c2),
-                                       u2 + v2 - 1 - c2 * (4 + c2), -2 - 2 * c2, -1},
-                 options.tolerance);
-  double t = 0;
-  for (int i = 0; i < roots.count; ++i) t = larger(t, roots.x[static_cast<std::size_t>(i)]);
-  for (int i = 0; i < options.step_cap; ++i) {
-    const double m = 1 / (t + c2), n = 1 / (t + 1);
-    const double step = (u2 * m * m + v2 * n * n - 1) / (2 * (u2 * m * m * m + v2 * n * n * n));
-    const double next = larger(t + step, 0);
-    if (!(std::fabs(next - t) > 0x1p-53 * t)) break;
-    t = next;
-  }
-  const double x = u / (t + c2), y = v / (t + 1), size = std::hypot(x, y);
-  return {std::copysign(x / size, q.a2), std::copysign(y / size, q.b2)};
-}
-
 bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Options& options,
                          Finder& finder) noexcept {
   const Circle circle(solids, i);
-  switch (way) {
-    case CircleWay::polynomial:
-      return separated_by_roots(circle, options, finder);
-    case CircleWay::projection:
-      return separated_in_projection(circle, options, finder);
-    case CircleWay::minimise:
-      return separated_in_valley(circle, options, finder);
-  }
-  return false;
+  return way == CircleWay::polynomial ? separated_by_roots(circle, options, finder)
+                                      : separated_in_projection(circle, options, finder);
 }
 
 }  // namespace cyl::literature

@@ -39,24 +39,14 @@ struct TangentLine {
   double rise(double x) const noexcept;
   /// G''(x).
   double bend(double x) const noexcept;
-  /// G'(x) - rise(x) = -k for signs sigma1, sigma2.
-  double k(double sigma1, double sigma2) const noexcept { return sigma2 * a2 - sigma1 * side * a1; }
-  /// G'(x) = 0, squared twice: coefficients of 1, x, .., x^8. k counts by its square.
+  /// G'(x) = 0, squared twice: coefficients of 1, x, .., x^8. With the signs sigma_i of the last two terms,
+  /// G'(x) - rise(x) is -k, k = sigma2 a2 - sigma1 side a1. k counts by its square.
   std::array<double, 9> critical_polynomial(double k) const noexcept;
   Vector3 direction(double x) const noexcept { return x * u + v; }
 
   double r0, r1, side, q2, q1, q0, a1, b1, a2, b2;
   Vector3 u, v;
 };
-
-/// The vector from the projection of solid 1 to that of the centre of solid 0, onto the plane of the circle.
-/// It is (0, 0) if the centre is inside. `of` is the part of the projection.
-struct PlaneVector {
-  double x = 0, y = 0;
-};
-PlaneVector from_rectangle(const Circle& circle) noexcept;
-/// From the elliptical cap on the centre's side; its direction alone, the length is 1.
-PlaneVector from_ellipse(const Circle& circle, const Options& options) noexcept;
 
 /// Whether a direction perpendicular to W_i separates.
 bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Options& options,

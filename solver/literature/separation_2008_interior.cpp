@@ -9,6 +9,12 @@ namespace {
 
 Matrix2 outer(const Vector2& a) noexcept { return a * a.transpose(); }
 
+/// Section 13: whether a + b < c of three lengths, from their squares and without a root.
+bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept {
+  const double rho = c_squared - a_squared - b_squared;
+  return rho > 0 && 4 * a_squared * b_squared < rho * rho;
+}
+
 bool negative_by_squares(const SmoothGap& g, const Vector3& d) noexcept {
   const Solids& p = g.solids;
   const Vector3 x0 = p.r[0] * d.cross(p.w[0]), x1 = p.r[1] * d.cross(p.w[1]);
@@ -128,11 +134,6 @@ CriticalPairs solve_normalised(const CriticalSystem& s, Faults faults) noexcept 
     pairs.add(-m * eta1, eta1);
   }
   return pairs;
-}
-
-bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept {
-  const double rho = c_squared - a_squared - b_squared;
-  return rho > 0 && 4 * a_squared * b_squared < rho * rho;
 }
 
 bool separated_inside(const Solids& p, CriticalWay way, const Options& options, Finder& finder) noexcept {

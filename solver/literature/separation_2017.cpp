@@ -22,32 +22,7 @@ bool touching_by_axes(const Options& options) noexcept {
   return options.touching_apart && !options.faults.has(Fault::mixed_strictness);
 }
 
-Direction search(const Couple<double>& p, Minimiser minimiser, const Options& options) noexcept {
-  const Vector3 w0 = axis0(p), w1 = axis1(p);
-  if (options.faults.has(Fault::cancelling_sine) ? w0.cross(w1) == Vector3::Zero() : Axes(w0, w1).parallel())
-    return separated_in_parallel(p, options);
-  if (const Direction d = separated_by_axes(p, options)) return d;
-  if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
-  if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
-  // If the solids share a centre, the least f(D) is 0. Two in one plane only touch, as sections 5 and 6
-  // state.
-  if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
-  return separated_by_other_directions(p, minimiser, options);
-}
-
-Separation from_a_to_b(const Direction& d, const Couple<double>& p) noexcept {
-  if (!d) return {Verdict::intersecting};
-  return {Verdict::disjoint, dot(d.vector, delta_of(p)) < 0 ? Vector3(-d.vector) : d.vector};
-}
-
-}  // namespace
-
-double f(const Couple<double>& p, const Vector3& d) noexcept {
-  const Vector3 w0 = axis0(p), w1 = axis1(p);
-  return p.r0 * length(d.cross(w0)) + p.r1 * length(d.cross(w1)) + p.h0 * std::fabs(dot(d, w0)) +
-         p.h1 * std::fabs(dot(d, w1)) - std::fabs(dot(d, delta_of(p)));
-}
-
+/// Sections 5 and 8: W0, W1 and W0 x W1.
 Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
   const Axes axes(w0, w1);
@@ -64,6 +39,7 @@ Direction separated_by_axes(const Couple<double>& p, const Options& options) noe
   return {};
 }
 
+/// Sections 5 and 8: axes exactly parallel, or nearly (a sine below 2^-49).
 Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept {
   const double heights = p.h0 + p.h1, radii = p.r0 + p.r1;
   const Parallel axes(delta_of(p), heights, radii, Axes(axis0(p), axis1(p)).sum);
@@ -74,13 +50,38 @@ Direction separated_in_parallel(const Couple<double>& p, const Options& options)
   return {};
 }
 
-Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
-                               const Options& options) noexcept {
+Direction search(const Couple<double>& p, const Options& options) noexcept {
+  const Vector3 w0 = axis0(p), w1 = axis1(p);
+  if (options.faults.has(Fault::cancelling_sine) ? w0.cross(w1) == Vector3::Zero() : Axes(w0, w1).parallel())
+    return separated_in_parallel(p, options);
+  if (const Direction d = separated_by_axes(p, options)) return d;
+  if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
+  if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
+  // If the solids share a centre, the least f(D) is 0. Two in one plane only touch, as sections 5 and 6
+  // state.
+  if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
+  return separated_by_other_directions(p, options);
+}
+
+Separation from_a_to_b(const Direction& d, const Couple<double>& p) noexcept {
+  if (!d) return {Verdict::intersecting};
+  return {Verdict::disjoint, dot(d.vector, delta_of(p)) < 0 ? Vector3(-d.vector) : d.vector};
+}
+
+}  // namespace
+
+double f(const Couple<double>& p, const Vector3& d) noexcept {
+  const Vector3 w0 = axis0(p), w1 = axis1(p);
+  return p.r0 * length(d.cross(w0)) + p.r1 * length(d.cross(w1)) + p.h0 * std::fabs(dot(d, w0)) +
+         p.h1 * std::fabs(dot(d, w1)) - std::fabs(dot(d, delta_of(p)));
+}
+
+Separation separated_cylinders(const Prepared& a, const Prepared& b, const Options& options) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
   // A fixed order of the roles, so that swapping them changes nothing but the direction's sign.
   const bool swapped = !options.literal && out_of_order(a, b);
   const Couple<double> p = swapped ? scale(b, a).couple() : scale(a, b).couple();
-  Separation found = from_a_to_b(search(p, minimiser, options), p);
+  Separation found = from_a_to_b(search(p, options), p);
   if (swapped) found.direction = -found.direction;
   return found;
 }

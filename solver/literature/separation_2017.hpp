@@ -16,15 +16,11 @@ inline constexpr Faults printed_2017 =
     Fault::one_octant | Fault::cancelling_sine | Fault::coincident_centers | Fault::mixed_strictness |
     Fault::stays_on_the_boundary | Fault::cancelling_root | Fault::kinks_taken_for_smooth;
 
-/// The two minimisers of two dimensions that the text names.
-enum class Minimiser : unsigned char { conjugate_gradients, powell };
-
 /// The whole test (section 8). `disjoint` with D, f(D) < 0 as computed and D.Delta >= 0; else `intersecting`,
 /// or `invalid`. Without faults and not literal: the same bits for swapped roles, reversed axes and lengths
 /// times 2^k, and wrong only below the margins of readings.md. Cost: 0.1 us if a closed form separates, and
 /// some 20 us at the default caps if nothing does.
-Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
-                               const Options& options) noexcept;
+Separation separated_cylinders(const Prepared& a, const Prepared& b, const Options& options) noexcept;
 
 // The parts. A Couple has unit axes and half heights; Delta points from the first centre to the second.
 
@@ -41,15 +37,10 @@ struct Direction {
   bool found = false;
 };
 
-/// Sections 5 and 8: W0, W1 and W0 x W1.
-Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept;
-/// Sections 5 and 8: axes exactly parallel, or nearly (a sine below 2^-49).
-Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept;
 /// Section 6: D perpendicular to W0. The axes are not parallel.
 Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Options& options) noexcept;
 /// Section 7, for any D. Delta must not be 0. Call it after the others, which handle the kinks of f.
-Direction separated_by_other_directions(const Couple<double>& p, Minimiser minimiser,
-                                        const Options& options) noexcept;
+Direction separated_by_other_directions(const Couple<double>& p, const Options& options) noexcept;
 
 /// F of Equation (8): f on the quarter circle (1-t) U0 + t V0, 0 <= t <= 1.
 struct Quarter {
@@ -65,8 +56,6 @@ struct Quarter {
   double slope(double t) const noexcept;
   /// To the letter: 0/0 there.
   double printed_slope(double t) const noexcept;
-  /// F'' between kinks; Equation (10) with 1 for its 3.
-  double bend(double t) const noexcept;
 };
 
 }  // namespace cyl::literature
