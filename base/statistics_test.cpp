@@ -28,16 +28,6 @@ TEST(RateBounds, AreThoseOfTables) {
   EXPECT_NEAR(rate_bounds(10, 3).upper, 0.65245, 5e-6);
 }
 
-TEST(RateBounds, HoldTheShareAndAreMirrored) {
-  for (std::uint64_t k = 0; k <= 400; k += 7) {
-    const RateBounds bounds = rate_bounds(400, k), mirrored = rate_bounds(400, 400 - k);
-    const double share = static_cast<double>(k) / 400;
-    EXPECT_LE(bounds.lower, share);
-    EXPECT_GE(bounds.upper, share);
-    EXPECT_NEAR(bounds.lower, 1 - mirrored.upper, 1e-10);
-  }
-}
-
 TEST(RateBounds, NothingIsKnownWithoutTrials) {
   EXPECT_EQ(rate_bounds(0, 0).lower, 0);
   EXPECT_EQ(rate_bounds(0, 0).upper, 1);

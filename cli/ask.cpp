@@ -32,7 +32,6 @@ int write_questions(const AskOptions& options) {
   const std::vector<Case> cases = cases_in(folder, of_cylinders);
   const std::vector<Family> families = families_named(options.families, of_cylinders);
   const Workload workload{{}, families, cases, {}};
-  const Schedule schedule = schedule_of(workload);
   const auto closed = [](std::FILE* file) {
     if (file != stdout) std::fclose(file);
   };
@@ -40,7 +39,7 @@ int write_questions(const AskOptions& options) {
       options.out == "-" ? stdout : std::fopen(options.out.c_str(), "w"), closed);
   if (!file) throw std::runtime_error(options.out + ": cannot be written");
   for (std::uint64_t i = 0; i < options.pairs; ++i)
-    fmt::print(file.get(), "{}\n", format_case(question_at(workload, schedule, options.seed, i)));
+    fmt::print(file.get(), "{}\n", format_case(question_at(workload, options.seed, i)));
   if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
     throw std::runtime_error(options.out + ": could not be written");
   return exit_pass;

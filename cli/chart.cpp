@@ -11,7 +11,9 @@
 #include "base/process/child.hpp"
 #include "base/source_tree.hpp"
 #include "bench/curves.hpp"
+#include "bench/paths.hpp"
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "reports/run/charts.hpp"
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct ChartArguments {
   std::string run, bench, out;
+  bool stability = false;
 };
 
 /// Draws the charts as SVG files in `out`, which it makes, by Node.js. Returns their names.
@@ -51,6 +54,9 @@ void chart(const ChartArguments& arguments) {
   RunData run = read_run(arguments.run);
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
+  if (arguments.stability)
+    set_charts(run,
+               {{"paths", paths_json(path_stability(methods_for_targets({}, {arguments.run}).methods))}});
   write_page(run);
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
@@ -71,11 +77,13 @@ void add_chart(Program& program) {
       .option("--bench FILE", arguments->bench,
               "results of daylight bench --curves --json; without it, earlier curves stay")
       .existing_file();
+  command.flag("--stability", arguments->stability,
+               "also measure how steady the answers are along paths of pairs");
   command.section("Output");
   command.option("--out DIR", arguments->out, "folder for SVG files; requires Node.js");
   command.examples(
       "  daylight bench --curves --json bench.json\n"
-      "  daylight chart runs/latest --bench bench.json --out charts",
+      "  daylight chart runs/latest --bench bench.json --stability --out charts",
       "The exit codes 2 and 3 do not occur for chart.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);

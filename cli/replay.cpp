@@ -63,11 +63,18 @@ class Replayer {
     for (const int law : laws_)
       if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& l) { return l.number == law; }))
         throw UsageError("no law has the number " + std::to_string(law));
-    for (const std::string& name : arguments.targets) {
-      for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
-    }
     methods_ = methods_for_targets(arguments.guests, arguments.targets, arguments.methods).methods;
     if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
+    const auto is_of_another = [&](const Target& target) {
+      return target.finding && std::ranges::none_of(methods_, [&](const auto& method) {
+               return method->name() == target.finding->method;
+             });
+    };
+    for (const std::string& name : arguments.targets) {
+      std::vector<Target> named = targets_of(name);
+      if (!arguments.methods.empty() && named.size() > 1) std::erase_if(named, is_of_another);
+      std::ranges::move(named, std::back_inserter(targets_));
+    }
   }
 
   int run() {
@@ -187,7 +194,8 @@ void add_replay(Program& program) {
   auto arguments = std::make_shared<ReplayArguments>();
   command
       .option("TARGET", arguments->targets,
-              "RUN (all its findings), RUN:ID, FILE (cases), FILE:LINE, or '-' for standard input")
+              "RUN (all its findings of these methods), RUN:ID, FILE (cases), FILE:LINE, or '-' for standard "
+              "input")
       .required();
   command.section("Methods");
   add_methods_option(command, arguments->methods);

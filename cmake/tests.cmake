@@ -102,14 +102,10 @@ daylight_script(planted_faults props 600 planted_faults)
 daylight_script(naive_boxes_test props 600 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program})
 daylight_script(naive_boxes_whole_test "props;deep" 2400 ${PROJECT_SOURCE_DIR}/props/gate/naive_boxes_test.sh ${program} all)
 
-# The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some
-# of them: that must be found, and must end nothing.
-set(records ${CMAKE_BINARY_DIR}/fuzz_seeds)
-daylight_script(fuzz_seeds fuzz 2400 make_records ${PROJECT_SOURCE_DIR}/corpus/cases ${records})
-set_tests_properties(fuzz_seeds PROPERTIES FIXTURES_SETUP fuzz_seeds)
+# The cases and the first pairs of every family, through every fuzz target. Methods as printed and foreign libraries are
+# wrong on some of them: that must be found, and must end nothing.
 foreach(target ${fuzz_targets})
-  daylight_script(fuzz_${target}_seeds fuzz 2400 fuzz_${target} ${records})
-  set_tests_properties(fuzz_${target}_seeds PROPERTIES FIXTURES_REQUIRED fuzz_seeds)
+  daylight_script(fuzz_${target}_seeds fuzz 2400 fuzz_${target} --cases ${PROJECT_SOURCE_DIR}/corpus/cases)
 endforeach()
 set_tests_properties(fuzz_xcheck_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
                      PASS_REGULAR_EXPRESSION "fcl-distance-libccd/crash/.*[0-9]+ inputs")

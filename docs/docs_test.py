@@ -242,8 +242,10 @@ def moved(solid, angle, by):
     """The solid turned about the x axis, and then moved."""
     c, s = math.cos(angle), math.sin(angle)
     of = lambda v: [v[0], c * v[1] - s * v[2], s * v[1] + c * v[2]]
-    turn = {'axis': of(solid['axis'])} if 'axis' in solid else {'quaternion': [math.cos(angle / 2), math.sin(angle / 2), 0, 0]}
-    return {**solid, 'center': [x + d for x, d in zip(of(solid['center']), by)], **turn}
+    center = [x + d for x, d in zip(of(solid['center']), by)]
+    if solid['shape'] == 'box':
+        return {**solid, 'center': center, 'quaternion': [math.cos(angle / 2), math.sin(angle / 2), 0, 0]}
+    return {**solid, 'center': center, 'axis': of(solid['axis'])}
 
 
 def check_first_pair(folder):

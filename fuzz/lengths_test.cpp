@@ -86,12 +86,15 @@ double support_of(const Pair& pair) {
   return sum;
 }
 
-/// Returns text that must differ if a length differs.
-struct Reader {
+/// The result of a place in the code for a pair.
+template <class Result>
+struct Place {
   const char* name;
-  std::function<std::string(const Pair&)> text;
+  std::function<Result(const Pair&)> of;
 };
-const Reader readers[] = {
+
+/// Text that must differ if a length differs.
+const Place<std::string> readers[] = {
     {"size_of", [](const Pair& p) { return format_double(size_of(p)); }},
     {"digest_of", [](const Pair& p) { return std::to_string(digest_of(p, 0)); }},
     {"format_pair", [](const Pair& p) { return format_pair(p); }},
@@ -118,17 +121,13 @@ const Reader readers[] = {
 
 TEST(Lengths, EveryReaderSeesEachLength) {
   for (const Length& length : all_lengths())
-    for (const Reader& reader : readers)
-      EXPECT_NE(reader.text(length.pair), reader.text(length.changed([](double x) { return 1.25 * x; })))
+    for (const auto& reader : readers)
+      EXPECT_NE(reader.of(length.pair), reader.of(length.changed([](double x) { return 1.25 * x; })))
           << reader.name << ": " << where(length);
 }
 
-/// Returns whether a pair is out of the ordinary; a length of a thousandth or a million is.
-struct Judge {
-  const char* name;
-  std::function<bool(const Pair&)> odd;
-};
-const Judge judges[] = {
+/// Whether a pair is out of the ordinary; a length of a thousandth or a million is.
+const Place<bool> judges[] = {
     {"is_ordinary", [](const Pair& p) { return !is_ordinary(p); }},
     {"SizeRange::holds", [](const Pair& p) { return !SizeRange{.least = 0.1, .greatest = 10}.holds(p); }},
     {"is_legal", [](const Pair& p) { return !is_legal(p); }},
@@ -139,25 +138,19 @@ const Judge judges[] = {
     {"coordinate_of", [](const Pair& p) { return coordinate_of(p, 0.1) != Coordinate::plain; }},
 };
 
-bool is_aspect(const Judge& judge) { return std::string_view(judge.name) == "cells"; }
-
 TEST(Lengths, EveryJudgeSeesEachLength) {
   for (const Length& length : all_lengths())
-    for (const Judge& judge : judges) {
-      EXPECT_FALSE(judge.odd(length.pair)) << judge.name << ": " << where(length);
+    for (const auto& judge : judges) {
+      EXPECT_FALSE(judge.of(length.pair)) << judge.name << ": " << where(length);
       // With a half-space there is nothing to compare the size with, and a ball has an aspect of 1.
-      if (has_half_space(length.pair) && length.place == 8 && is_aspect(judge)) continue;
+      if (has_half_space(length.pair) && length.place == 8 && judge.name == std::string_view("cells"))
+        continue;
       const double much = std::string_view(judge.name) == "is_legal" ? -1 : 1e6;
-      EXPECT_TRUE(judge.odd(length.changed([=](double) { return much; })))
+      EXPECT_TRUE(judge.of(length.changed([=](double) { return much; })))
           << judge.name << ": " << where(length);
     }
 }
 
-/// Returns similar pairs, with all lengths and centres times one factor.
-struct Scaler {
-  const char* name;
-  std::function<std::vector<Pair>(const Pair&)> similar;
-};
 std::vector<Pair> asked_by(int law, const Pair& pair) {
   const auto method = fake_method("any", [](const Pair&) { return answered(Verdict::intersecting); });
   std::vector<Pair> pairs;
@@ -165,7 +158,8 @@ std::vector<Pair> asked_by(int law, const Pair& pair) {
     pairs.push_back(query.pair);
   return pairs;
 }
-const Scaler scalers[] = {
+/// Similar pairs, with all lengths and centres times one factor.
+const Place<std::vector<Pair>> scalers[] = {
     {"scaled", [](const Pair& p) { return std::vector{scaled(p, 3)}; }},
     {"scaled_exactly", [](const Pair& p) { return std::vector{*scaled_exactly(p, -3)}; }},
     {"fitted", [](const Pair& p) { return std::vector{fitted(p, {.greatest = 0.25}).value_or(p)}; }},
@@ -180,10 +174,10 @@ const Scaler scalers[] = {
 
 TEST(Lengths, EveryScalerScalesEachLength) {
   for (const Length& length : all_lengths())
-    for (const Scaler& scaler : scalers) {
+    for (const auto& scaler : scalers) {
       Pair before = length.pair;
       int scaled_pairs = 0;
-      for (Pair after : scaler.similar(before)) {
+      for (Pair after : scaler.of(before)) {
         const double factor = size_of(after) / size_of(before);
         scaled_pairs += factor != 1;
         EXPECT_NEAR(length.of(after), factor * length.of(before), 1e-12 * factor)
@@ -193,12 +187,8 @@ TEST(Lengths, EveryScalerScalesEachLength) {
     }
 }
 
-/// Returns pairs. In one of them this length is larger than before, or otherwise changed.
-struct Changer {
-  const char* name;
-  std::function<std::vector<Pair>(const Pair&)> changed;
-};
-const Changer changers[] = {
+/// Pairs. In one of them each length is larger than before, or otherwise changed.
+const Place<std::vector<Pair>> changers[] = {
     {"law 10 or 25",
      [](const Pair& p) {
        std::vector<Pair> all = asked_by(10, p);
@@ -235,9 +225,9 @@ const Changer changers[] = {
 
 TEST(Lengths, EveryChangerChangesEachLength) {
   for (const Length& length : all_lengths())
-    for (const Changer& changer : changers) {
+    for (const auto& changer : changers) {
       Pair before = length.pair;
-      const auto all = changer.changed(before);
+      const std::vector<Pair> all = changer.of(before);
       EXPECT_TRUE(std::ranges::any_of(all, [&](Pair after) { return length.of(after) != length.of(before); }))
           << changer.name << ": " << where(length);
     }

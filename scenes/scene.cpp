@@ -232,6 +232,14 @@ std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints)
   return poses;
 }
 
+Solid inner_at(const Body& body, const Solid& placed) {
+  if (!body.inner) return placed;
+  Solid inner = *body.inner;
+  inner.center = placed.center;
+  inner.axis = placed.axis;
+  return inner;
+}
+
 void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed) {
   placed.resize(scene.bodies.size());
   for (std::size_t i = 0; i < placed.size(); ++i)

@@ -61,8 +61,9 @@ struct Body {
   /// The shape that the solid bounds. A body that is clear of the solid is clear of it; if near, nothing is
   /// known.
   std::optional<BoxShape> box = std::nullopt;
-  std::optional<Solid> inner =
-      std::nullopt;   ///< a solid in that shape, if one is known: what meets it meets the shape
+  /// A capsule in that shape, with the centre and axis of the solid, if one is known. A solid that meets it
+  /// meets the shape.
+  std::optional<Solid> inner = std::nullopt;
   double excess = 0;  ///< how far the solid may reach beyond the shapes that it stands for
   /// Bodies that the file asks to check against it, regardless of other rules.
   std::vector<std::string> paired = {};
@@ -142,6 +143,8 @@ Solid box_at(const Pose& pose, const Vector3& edges);
 
 /// Forward kinematics: the pose of every link, and the bodies in the root's frame.
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);
+/// Returns the inner solid of a body that has one, or its solid, if the solid is placed so.
+Solid inner_at(const Body& body, const Solid& placed);
 void place(const Scene& scene, std::span<const Pose> poses, std::vector<Solid>& placed);
 std::vector<Solid> place(const Scene& scene, std::span<const double> joints);
 /// Returns two of these bodies, the same doubles.

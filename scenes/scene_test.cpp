@@ -21,14 +21,6 @@ const Body& body(const Scene& scene, const std::string& name) {
   return *found;
 }
 
-TEST(Urdf, ShapesHaveTheirNamesAndSizes) {
-  const Scene crane = read_scene(folder + "crane.urdf");
-  EXPECT_EQ(crane.links.size(), 7u);
-  EXPECT_EQ(body(crane, "ground/1").solid.edges, (std::array{4.0, 4.0, 0.1}));
-  EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
-  EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
-}
-
 TEST(Joints, StayWithinLimitsAndMimic) {
   const Scene scene = read_scene(folder + "crane.urdf");
   const auto of = [&](const std::vector<double>& joints, const char* name) {
@@ -78,25 +70,6 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   // The hook is fixed to the trolley, so they are one body. But only the trolley is next to the boom.
   EXPECT_EQ(why("trolley", "hook"), Reason::same_body);
   EXPECT_EQ(why("boom/beam", "hook"), Reason::checked);
-  const Scene mjcf = read_scene(folder + "crane.xml");
-  const PairRule mujoco(mjcf);
-  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
-  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
-  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
-  EXPECT_TRUE(mjcf.left_out.empty());
-}
-
-// A link that is welded to the world is the world. A link that floats on it is not a part.
-TEST(Pairs, OfWeldedAndFloatingBodies) {
-  const Scene scene = read_scene(folder + "walker.xml");
-  const PairRule rule(scene);
-  using Reason = PairRule::Reason;
-  const auto why = [&](const char* a, const char* b) { return rule.reason(body(scene, a), body(scene, b)); };
-  EXPECT_EQ(why("shin/tibia", "foot/sole"), Reason::same_body);
-  EXPECT_EQ(why("thigh/femur", "foot/sole"), Reason::adjacent);
-  EXPECT_EQ(why("trunk/chest", "foot/sole"), Reason::checked);
-  EXPECT_EQ(why("rail/bar", "trunk/chest"), Reason::floating);
-  EXPECT_EQ(why("rail/bar", "thigh/femur"), Reason::floating);
 }
 
 TEST(Files, JsonLinesHaveAllSolids) {
@@ -156,9 +129,6 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_EQ(error_of(".urdf", slides("1e10", "<mimic joint='jb' multiplier='1e308'/>")),
             ": joint jc" + overflow);
   EXPECT_EQ(error_of(".urdf", slides("1e307", "")), "none");
-  EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
-                .find("sizes must be positive"),
-            std::string::npos);
   EXPECT_NE(error_of(".obj", "").find("not a scene"), std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "solver/detail/frame.hpp"
 #include "solver/detail/intersect_batch_job.hpp"
 #include "solver/intersect_batch.hpp"
 
@@ -82,7 +83,7 @@ void count_left(const Batch& batch, Instructions wanted) {
   std::vector<Verdict> verdicts(count + 1);
   unsigned rest[batch_chunk], odd = 0;
   for (const IndexPair& pair : std::span(batch.pairs).first(count))
-    odd += !(batch.a[pair.a].ordinary && batch.b[pair.b].ordinary);
+    odd += !both_are(Prepared::ordinary, batch.a[pair.a], batch.b[pair.b]);
   const BatchJob job{reinterpret_cast<const unsigned char*>(batch.a.data()),
                      reinterpret_cast<const unsigned char*>(batch.b.data()),
                      reinterpret_cast<const unsigned*>(batch.pairs.data()), count,

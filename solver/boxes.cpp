@@ -21,63 +21,20 @@ double product_gap(const BoxView& v, int k, int j) noexcept {
          v.half1[first] * along(v.e[first]) - v.half1[second] * along(v.e[second]);
 }
 
-int separating_box_axis(const BoxView& v) noexcept {
-  for (int i = 0; i < 3; ++i)
-    if (std::fabs(v.d[i]) > v.half[i] + v.half1[0] * std::fabs(v.e[0][i]) +
-                                v.half1[1] * std::fabs(v.e[1][i]) + v.half1[2] * std::fabs(v.e[2][i]))
-      return i;
-  for (int j = 0; j < 3; ++j)
-    if (std::fabs(dot(v.d, v.e[j])) > v.half1[j] + v.half[0] * std::fabs(v.e[j][0]) +
-                                          v.half[1] * std::fabs(v.e[j][1]) + v.half[2] * std::fabs(v.e[j][2]))
-      return 3 + j;
-  // A common point is a frequent case.
-  const Vector3 near = clamped(v.d, v.half) - v.d;
-  if ((std::fabs(dot(near, v.e[0])) <= v.half1[0]) & (std::fabs(dot(near, v.e[1])) <= v.half1[1]) &
-      (std::fabs(dot(near, v.e[2])) <= v.half1[2]))
-    return -1;
-  for (int k = 0; k < 3; ++k)
-    for (int j = 0; j < 3; ++j)
-      if (product_gap(v, k, j) > 0) return 6 + 3 * k + j;
-  return -1;
+// The support of a cylinder's disk along e_i.
+double share_of(const BoxView& v, int i) noexcept {
+  const double w1 = v.e[0][next_of[i]], w2 = v.e[0][last_of[i]];
+  return v.r == 0 ? 0 : v.r * std::sqrt(w1 * w1 + w2 * w2);
 }
 
-int separating_cylinder_axis(const BoxView& v) noexcept {
-  const Vector3 &w = v.e[0], &d = v.d;
-  double shares[3];
-  for (int i = 0; i < 3; ++i) {
-    const double w1 = w[next_of[i]], w2 = w[last_of[i]];
-    shares[i] = v.r == 0 ? 0 : v.r * std::sqrt(w1 * w1 + w2 * w2);
-    if (std::fabs(d[i]) > v.half[i] + v.h * std::fabs(w[i]) + shares[i]) return i;
-  }
-  if (std::fabs(dot(d, w)) >
-      v.h + v.half[0] * std::fabs(w[0]) + v.half[1] * std::fabs(w[1]) + v.half[2] * std::fabs(w[2]))
-    return 3;
-  for (int i = 0; i < 3; ++i) {
-    const int l = next_of[i], m = last_of[i];
-    if (std::fabs(w[l] * d[m] - w[m] * d[l]) >
-        v.half[l] * std::fabs(w[m]) + v.half[m] * std::fabs(w[l]) + shares[i])
-      return 4 + i;
-  }
-  return v.gap(d - clamped(d, v.half)) > 0 ? 7 : -1;
-}
-
-// Whether the point of the box that is nearest to the centre of the cylinder is in it.
-bool holds_nearest(const BoxView& v) noexcept {
-  const Vector3 x = clamped(v.d, v.half) - v.d;
-  const double along = dot(x, v.e[0]);
-  const Vector3 across = x - along * v.e[0];
-  return (std::fabs(along) <= v.h) & (dot(across, across) <= v.r * v.r);
-}
+}  // namespace
 
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept {
-  if (b.radius + b.height == 0 && b.shape == Shape::cylinder) {
-    const Vector3 x = Edges(a).seen(b.center - a.center), way = x - clamped(x, 0.5 * a.edges);
-    return verdict_of(dot(way, way) <= contact * contact);
-  }
+  if (b.radius == 0 && b.shape == Shape::cylinder && (contact > 0 || b.height == 0))
+    return intersect_thin_and_box(a, b, contact);
   const BoxView v(a, b);
-  if (!v.box && v.r == 0 && contact > 0) return verdict_of(nearest_on_segment(v, contact).near);
   if (contact == 0 || v.box) {
-    if (!v.box && v.r > 0 && holds_nearest(v)) return Verdict::intersecting;
+    if (!v.box && v.r > 0 && holds(v, clamped(v.d, v.half), 0)) return Verdict::intersecting;
     const int axis = separating_axis(v);
     const bool meets = axis < 0 && (v.box || v.r == 0 || clip(v).meets);
     if (meets | (contact == 0)) return verdict_of(meets);
@@ -87,8 +44,6 @@ Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noex
   if (found.apart || v.box) return Verdict::disjoint;
   return verdict_of(separating_axis(v) < 0 && clip(v).meets);
 }
-
-}  // namespace
 
 BoxView::BoxView(const Prepared& a, const Prepared& b) noexcept
     : edges(a),
@@ -115,11 +70,11 @@ double BoxView::gap(const Vector3& x) const noexcept {
          support(x);
 }
 
-Vector3 BoxView::nearest_to(const Vector3& x) const noexcept {
+Vector3 BoxView::nearest_to(const Vector3& x, double less) const noexcept {
   const Vector3 y = x - d;
-  if (!box) return d + nearest(y, e[0], r, h);
-  return d + (clamped(dot(y, e[0]), half1[0]) * e[0] + clamped(dot(y, e[1]), half1[1]) * e[1] +
-              clamped(dot(y, e[2]), half1[2]) * e[2]);
+  if (!box) return d + nearest(y, e[0], r - less, h - less);
+  return d + (clamped(dot(y, e[0]), half1[0] - less) * e[0] + clamped(dot(y, e[1]), half1[1] - less) * e[1] +
+              clamped(dot(y, e[2]), half1[2] - less) * e[2]);
 }
 
 double BoxView::bend(const Vector3& x, const Vector3& g) const noexcept {
@@ -139,8 +94,54 @@ double BoxView::bend(const Vector3& x, const Vector3& g) const noexcept {
   return sum + radial + positive(dot(g_across, g_across) - radial) * (1 - r / away);
 }
 
+int separating_normal(const BoxView& v, double slack) noexcept {
+  const Vector3 &d = v.d, *e = v.e;
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(d[i]) >
+        slack + (v.half[i] + (v.box ? v.half1[0] * std::fabs(e[0][i]) + v.half1[1] * std::fabs(e[1][i]) +
+                                          v.half1[2] * std::fabs(e[2][i])
+                                    : v.h * std::fabs(e[0][i]) + share_of(v, i))))
+      return i;
+  for (int j = 0; j < (v.box ? 3 : 1); ++j)
+    if (std::fabs(dot(d, e[j])) > slack + ((v.box ? v.half1[j] : v.h) + v.half[0] * std::fabs(e[j][0]) +
+                                           v.half[1] * std::fabs(e[j][1]) + v.half[2] * std::fabs(e[j][2])))
+      return 3 + j;
+  return -1;
+}
+
+bool holds(const BoxView& v, const Vector3& at, double slack) noexcept {
+  const Vector3 x = at - v.d;
+  const double along = dot(x, v.e[0]);
+  if (v.box)
+    return (std::fabs(along) <= v.half1[0] - slack) & (std::fabs(dot(x, v.e[1])) <= v.half1[1] - slack) &
+           (std::fabs(dot(x, v.e[2])) <= v.half1[2] - slack);
+  const Vector3 across = x - along * v.e[0];
+  const double room = v.r - slack;
+  return (room >= 0) & (std::fabs(along) <= v.h - slack) & (dot(across, across) <= room * room);
+}
+
+int separating_product(const BoxView& v) noexcept {
+  if (v.box) {
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        if (product_gap(v, k, j) > 0) return 6 + 3 * k + j;
+    return -1;
+  }
+  const Vector3 &w = v.e[0], &d = v.d;
+  for (int i = 0; i < 3; ++i) {
+    const int l = next_of[i], m = last_of[i];
+    if (std::fabs(w[l] * d[m] - w[m] * d[l]) >
+        v.half[l] * std::fabs(w[m]) + v.half[m] * std::fabs(w[l]) + share_of(v, i))
+      return 4 + i;
+  }
+  return v.gap(d - clamped(d, v.half)) > 0 ? 7 : -1;
+}
+
 int separating_axis(const BoxView& v) noexcept {
-  return v.box ? separating_box_axis(v) : separating_cylinder_axis(v);
+  const int normal = separating_normal(v, 0);
+  // A common point of boxes is a frequent case.
+  if (normal >= 0 || (v.box && holds(v, clamped(v.d, v.half), 0))) return normal;
+  return separating_product(v);
 }
 
 Vector3 axis_of(const BoxView& v, int index) noexcept {
@@ -264,52 +265,7 @@ ClippedBox clip(const BoxView& v) noexcept {
   return best;
 }
 
-// Newton's method on the derivative of the square, which is piecewise linear and rises.
-SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept {
-  constexpr int step_cap = 100;
-  const Vector3& w = v.e[0];
-  double lo = -v.h, hi = v.h, t = clamped(-dot(v.d, w), v.h);
-  bool saw_lo = false, saw_hi = false;
-  SegmentPoint best{t, {0, 0, 0}, false};
-  double least = 0x1p1000;
-  for (int i = 0; i < step_cap; ++i) {
-    const Vector3 x = v.d + t * w, e = x - clamped(x, v.half);
-    const double square = dot(e, e), slope = dot(e, w);
-    if (square < least) {
-      least = square;
-      best.t = t;
-      best.way = e;
-    }
-    if (contact >= 0 && square <= contact * contact) {
-      best.near = true;
-      return best;
-    }
-    const double gap = square - t * slope - v.h * std::fabs(slope);  // -f(e)
-    if (slope == 0 || (contact >= 0 && gap > 0 && gap * gap > contact * contact * square)) return best;
-    if (slope > 0)
-      hi = t, saw_hi = true;
-    else
-      lo = t, saw_lo = true;
-    const double bend =
-        (e[0] != 0 ? w[0] * w[0] : 0) + (e[1] != 0 ? w[1] * w[1] : 0) + (e[2] != 0 ? w[2] * w[2] : 0);
-    double next = t - slope / bend;  // one of them is not 0 if the slope is not
-    if (!(next > lo && next < hi)) {
-      if (slope > 0 ? saw_lo : saw_hi)
-        next = 0.5 * (lo + hi);
-      else
-        next = slope > 0 ? lo : hi;
-    }
-    if (next == t) break;
-    t = next;
-  }
-  return best;
-}
-
-bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
-  const auto rank = [](const Prepared& c) {
-    return c.shape == Shape::half_space ? 0 : c.shape == Shape::box ? 1 : 2;
-  };
-  if (rank(a) != rank(b)) return rank(a) > rank(b);
+bool boxes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
   const Vector3* const numbers[][2] = {{&a.edges, &b.edges},
                                        {&a.unit_axis, &b.unit_axis},
                                        {&a.second_axis, &b.second_axis},
@@ -320,7 +276,7 @@ bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
   return a.rounding > b.rounding;
 }
 
-ShapePair in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept {
+PairInUnit in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const auto longest = [](const Prepared& c) {
     return larger(larger(c.radius, c.height), larger(c.rounding, max_abs(c.edges)));
   };
@@ -340,29 +296,18 @@ ShapePair in_unit(const Prepared& a, const Prepared& b, double clearance) noexce
   most = larger(widest * before, plane ? farthest * before : max_abs(delta));
   const int exponent = most > 0 ? exponent_of(most) : 0;
   const double unit = power_of_two(-exponent);
-  ShapePair p{a, b, 0, exponent - shift};
+  PairInUnit p{a, b, 0, exponent - shift};
   for (Prepared* const c : {&p.a, &p.b}) {
     c->radius = c->radius * before * unit;
     c->height = c->height * before * unit;
     c->rounding = c->rounding * before * unit;
     c->edges = c->edges * before * unit;
     c->center = plane ? Vector3(c->center * before * unit) : Vector3(0, 0, 0);
-    c->moderate = true;
+    c->traits |= Prepared::moderate;
   }
   if (!plane) p.b.center = delta * unit;
   p.contact = contact_distance_of(p.a, p.b, clearance * before * unit);
   return p;
-}
-
-Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  if (a.shape == Shape::half_space && b.shape == Shape::half_space) return Verdict::invalid;
-  const bool swapped = shapes_out_of_order(a, b);
-  const Prepared &first = swapped ? b : a, &second = swapped ? a : b;
-  const double contact = contact_distance_of(a, b, clearance);
-  const auto ask = first.shape == Shape::half_space ? intersect_half_space : intersect_box;
-  if (is_in_range(first, second, contact)) return ask(first, second, contact);
-  const ShapePair p = in_unit(first, second, clearance);
-  return ask(p.a, p.b, p.contact);
 }
 
 }  // namespace cyl

@@ -116,7 +116,7 @@ class BoxDistance {
 };
 
 Distance distance_from_plane(const ShapePair& p) noexcept {
-  const AbovePlane above(p.a, p.b, 0);
+  const AbovePlane above = above_plane(p.a, p.b, 0);
   const Vector3 delta = p.b.center - p.a.center;
   Distance out;
   out.value = above.gap;
@@ -132,12 +132,12 @@ Distance distance_from_plane(const ShapePair& p) noexcept {
 
 Distance distance_of_shapes(const Prepared& a, const Prepared& b) noexcept {
   const bool swapped = shapes_out_of_order(a, b);
-  const Prepared &first = swapped ? b : a, &second = swapped ? a : b;
-  const ShapePair p =
-      is_in_range(first, second, 0) ? ShapePair{first, second, 0, 0} : in_unit(first, second, 0);
-  Distance out = first.shape == Shape::half_space ? distance_from_plane(p) : BoxDistance(p).run();
-  out.verdict = out.value > 0 ? Verdict::disjoint : Verdict::intersecting;
-  if (p.exponent != 0) bring_to_scene(out, p.exponent);
+  Distance out = ask_in_order(a, b, 0, swapped, [](const ShapePair& p) {
+    Distance found = p.a.shape == Shape::half_space ? distance_from_plane(p) : BoxDistance(p).run();
+    found.verdict = found.value > 0 ? Verdict::disjoint : Verdict::intersecting;
+    if (p.exponent != 0) bring_to_scene(found, p.exponent);
+    return found;
+  });
   if (swapped) {
     out.direction = -out.direction;
     std::swap(out.on_a, out.on_b);

@@ -121,12 +121,11 @@ class Nearest {
 
 // The part of the segment from + t g, |t| <= 1, in |x.e_i - c_i| <= half_i. Here x.e_i is given for both.
 bool middle_of_part(const Vector3& from, const Vector3& g, const Vector3& half, double& t) noexcept {
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(from[i]) > half[i] + std::fabs(g[i])) return false;  // most, without a division
   double lo = -1, hi = 1;
   for (int i = 0; i < 3; ++i) {
-    if (g[i] == 0) {
-      if (std::fabs(from[i]) > half[i]) return false;
-      continue;
-    }
+    if (g[i] == 0) continue;
     const double t0 = (-half[i] - from[i]) / g[i], t1 = (half[i] - from[i]) / g[i];
     lo = larger(lo, smaller(t0, t1));
     hi = smaller(hi, larger(t0, t1));

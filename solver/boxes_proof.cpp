@@ -16,16 +16,55 @@ bool is_in_box(const Edges& edges, const Vector3& half, const Vector3& x, double
          (std::fabs(at[2]) + error < half[2]);
 }
 
+double reach_of(const ShapePair& p) noexcept {
+  return core_size(p.a) + core_size(p.b) + length(p.b.center - p.a.center) + p.contact;
+}
+
+// Projections from box to solid and back in search of a common point. Most that have one need one or two.
+constexpr int quick_steps = 4;
+
+// Most pairs, in the unit of the scene. The directions and points are those of intersect(). They have to
+// serve by `quick_error`, which also bounds the rounding of what is seen from the first box (boxes.md,
+// section 6).
+bool prove_quickly(const ShapePair& p, const BoxView& v, double error, const Vector3& head,
+                   Answer& answer) noexcept {
+  const int normal = separating_normal(v, p.contact + error);
+  if (normal >= 0) {
+    const Vector3 n = normal < 3 ? v.edges.e[normal] : v.box ? Edges(p.b).e[normal - 3] : p.b.unit_axis;
+    hand_out(std::copysign(1.0, dot(n, p.b.center - p.a.center)) * n, answer);
+    return true;
+  }
+  const Vector3 inner = v.half - Vector3(error, error, error);
+  if (!(smaller(smaller(inner[0], inner[1]), inner[2]) > 0)) return false;
+  Vector3 at = clamped(v.d, inner);
+  for (int i = 0; i < quick_steps; ++i) {
+    if (holds(v, at, error)) {
+      hand_out(Proof::point, head, v.edges.world(at), Hull::space, Hull::space, answer);
+      return true;
+    }
+    if (p.contact > 0) return false;
+    if (const int axis = i == 0 ? separating_product(v) : -1; axis >= 0) {
+      const Vector3 found = axis_of(v, axis), way = std::copysign(1.0, dot(found, v.d)) * found;
+      const double gap = v.gap(way);
+      if (!((gap > 0) & (gap * gap > error * error * dot(way, way)))) return false;
+      hand_out(v.edges.world(way * power_of_two(-exponent_of(max_abs(way)))), answer);
+      return true;
+    }
+    at = clamped(v.nearest_to(at, error), inner);
+  }
+  return false;
+}
+
 class BoxProof {
  public:
-  BoxProof(const ShapePair& p, const Vector3& head, Answer& answer) noexcept
+  BoxProof(const ShapePair& p, const BoxView& view, const Vector3& head, Answer& answer) noexcept
       : p_(p),
         answer_(answer),
         head_(head),
         delta_(p.b.center - p.a.center),
-        view_(p.a, p.b),
+        view_(view),
         shrunk_(view_),
-        reach_(core_size(p.a) + core_size(p.b) + length(delta_) + p.contact),
+        reach_(reach_of(p)),
         error_(box_error * reach_ + underflow_error) {
     const double by = box_slack_tol * reach_;
     hull_ = view_.box ? Hull::space : hull_of(view_.r, view_.h, reach_);
@@ -48,7 +87,7 @@ class BoxProof {
     if (axis >= 0) {
       if (try_direction(axis_of(view_, axis))) return true;
     } else {
-      if (try_common_point()) return true;
+      if (separating_axis(shrunk_) < 0 && try_common_point()) return true;
       if (view_.box || view_.r == 0 || clip(view_).meets) return false;  // no direction separates
     }
     const NearestPoints found = nearest_points(view_, -1);
@@ -59,7 +98,7 @@ class BoxProof {
     if (!view_.box && view_.r == 0) {
       const SegmentPoint found = nearest_on_segment(view_, p_.contact);
       if (!found.near && try_direction(found.way)) return true;
-      if (is_hopeless(found.way)) return false;
+      if ((found.near && flat_) || is_hopeless(found.way)) return false;
       const Vector3 on1 = view_.d + found.t * view_.e[0];
       if (try_points(on1, on1)) return true;
       const SegmentPoint again = nearest_on_segment(shrunk_, -1);
@@ -68,7 +107,7 @@ class BoxProof {
     }
     const NearestPoints found = nearest_points(view_, p_.contact);
     if (found.apart ? try_direction(found.on1 - found.on0) : try_points(found.on0, found.on1)) return true;
-    if (is_hopeless(found.on1 - found.on0)) return false;
+    if ((flat_ && found.square <= square(p_.contact)) || is_hopeless(found.on1 - found.on0)) return false;
     if (separating_axis(shrunk_) < 0 && try_common_point()) return true;
     const NearestPoints all = nearest_points(view_, -1);
     return try_points(all.on0, all.on1) || try_directions(all.on1, all.on1 - all.on0);
@@ -144,11 +183,18 @@ class BoxProof {
   const ShapePair& p_;
   Answer& answer_;
   const Vector3 &head_, delta_;
-  BoxView view_, shrunk_;
+  const BoxView& view_;
+  BoxView shrunk_;
   double reach_, error_;
   Hull hull_ = Hull::space;
   bool flat_ = false;  ///< the box or the other one, which then has no point beyond rounding
 };
+
+// Not inlined, to keep the common path small.
+[[gnu::noinline]] void prove_in_full(const ShapePair& p, const BoxView& view, const Vector3& head,
+                                     Answer& answer) noexcept {
+  BoxProof(p, view, head, answer).run();
+}
 
 }  // namespace
 
@@ -159,16 +205,19 @@ Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noe
     return answer;
   }
   const bool swapped = shapes_out_of_order(a, b);
-  const Prepared &first = swapped ? b : a, &second = swapped ? a : b;
-  const double contact = contact_distance_of(a, b, clearance);
-  const ShapePair p = is_in_range(first, second, contact) ? ShapePair{first, second, contact, 0}
-                                                          : in_unit(first, second, clearance);
-  if (first.shape == Shape::half_space) {
-    decide_half_space(p, first.second_axis, answer);
-    if (answer.proof == Proof::point) answer.point_head = second.center;
-  } else {
-    BoxProof(p, first.center, answer).run();
-  }
+  const Prepared& first = swapped ? b : a;
+  ask_in_order(a, b, clearance, swapped, [&](const ShapePair& p) {
+    if (p.a.shape == Shape::half_space) {
+      decide_half_space(p, first.second_axis, (swapped ? a : b).center, answer);
+    } else {
+      const double error = quick_error * reach_of(p) + underflow_error;
+      const bool quick = p.exponent == 0, thin = p.b.shape == Shape::cylinder && p.b.radius == 0;
+      if (quick && thin && prove_thin_and_box(p, error, answer)) return;
+      const BoxView view(p.a, p.b);
+      if (!(quick && !thin && prove_quickly(p, view, error, first.center, answer)))
+        prove_in_full(p, view, first.center, answer);
+    }
+  });
   if (swapped) {
     if (answer.proof == Proof::direction) answer.direction = -answer.direction;
     if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);

@@ -201,9 +201,10 @@ void expect_shown(const Pair& p, const Answer& answer) {
     const auto to_size_1 = [](const Vector3& v) { return Vector3(v / v.cwiseAbs().maxCoeff()); };
     EXPECT_EQ(to_size_1(answer.direction), to_size_1(is_half_space(p.a) ? of.axis : Vector3(-of.axis)));
   }
-  if (answer.proof == Proof::points && !plane) {
+  if (answer.proof == Proof::points) {
     const Long3 x = lifted<Long>(answer.point_head), y = lifted<Long>(answer.point_tail);
     EXPECT_LE(norm(delta + y - x), static_cast<Long>(p.a.rounding) + p.b.rounding + rounding);
+    if (plane) return;
     if (answer.hull_a == Hull::space) {
       EXPECT_LE(std::max(beyond(s, x).caps, beyond(s, x).wall), rounding);
     }
@@ -338,6 +339,18 @@ TEST(Boxes, TinyOnesBesideLongOnes) {
   const Distance d = distance(tiny, wide);
   near.center += (d.value - 8e-13) * d.direction;
   EXPECT_EQ(decide(near, wide).verdict, Verdict::disjoint);
+  // A capsule along a facet. The last vector that the search saw shows the gap, and not the shortest.
+  const Pair beside{{{-1.923439513084186, 0.4978203846106596, 0.2873952844642019},
+                     {0, -1, 0},
+                     0,
+                     0.6923188245293892,
+                     1.014615831853391},
+                    box({0, 0.8642404946519557, 0}, 1.1747473430856847, 1.387606787738569, 0.5753659348632671,
+                        {0, 3.325980842020992, -1.4972557585774386, 0})};
+  expect_shown(beside, decide(beside.a, beside.b));
+  // A rounding below that of numbers.
+  const Pair deep{rounded(upright(0, 0, 0, 2, 1), 1e-16), half_space({0, 1, 0}, {0, 1, 1})};
+  expect_shown(deep, decide(deep.a, deep.b));
   // A capsule nearly along a facet, deepest at one end.
   const Solid along = rounded(upright(5, 0, 0, 0, 4), 3);
   EXPECT_EQ(decide(box({1.5 + 1e-14, 0, 0}, 1, 6, 6, {1, 0, 1e-10, 0}), along).verdict,

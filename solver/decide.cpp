@@ -264,7 +264,7 @@ bool prove_steep(const Prepared& a, const Prepared& b, Unresolved& open, Answer&
   const Base base{first.center, p.exponent};
   // Does the same as decide() for ordinary solids, so that the answer does not depend on the scene's unit.
   // The exception is a unit so small that a point may lose bits on the way back into it.
-  if (!(first.ordinary & second.ordinary) && p.exponent > coarse_exponent) {
+  if (!both_are(Prepared::ordinary, first, second) && p.exponent > coarse_exponent) {
     Prepared a = first, b = second;
     a.center = {0, 0, 0}, b.center = p.delta;
     a.radius = p.r0, a.height = 2 * p.h0, b.radius = p.r1, b.height = 2 * p.h1;
@@ -332,7 +332,7 @@ template <bool ordinary>
 }  // namespace
 
 Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  return (a.ordinary & b.ordinary) ? decide_cores<true>(a, b) : decide_other(a, b);
+  return both_are(Prepared::ordinary, a, b) ? decide_cores<true>(a, b) : decide_other(a, b);
 }
 
 Answer decide(const Solid& a, const Solid& b) noexcept { return decide(prepare(a), prepare(b)); }

@@ -16,11 +16,15 @@ struct Prepared {
   double radius;      ///< as given
   double height;      ///< as given
   Defect defect;      ///< if not `none`, every call returns `invalid`
-  bool ordinary;      ///< `moderate` and not rounded
-  bool moderate;  ///< each number is 0 or close enough to 1 that no product in a decision over- or underflows
-  bool thin;      ///< `moderate`, and a segment, a point, a capsule or a sphere
-  bool ball;      ///< `moderate`, and a point or a sphere
-  Shape shape;    ///< if not a cylinder, none of `ordinary`, `thin` and `ball` is true
+  /// Bits, because compilers make two branches of a test of two bools.
+  enum Trait : unsigned char {
+    ordinary = 1,  ///< `moderate` and not rounded
+    moderate = 2,  ///< each number is 0 or so close to 1 that no product in a decision over- or underflows
+    thin = 4,      ///< `moderate`, and a segment, a point, a capsule or a sphere
+    ball = 8       ///< `moderate`, and a point or a sphere
+  };
+  unsigned char traits;
+  Shape shape;                   ///< if not a cylinder, it has no trait but `moderate`
   double rounding;               ///< as given
   Vector3 second_axis{0, 0, 0};  ///< the second edge of a box, or a positive multiple of the normal, exactly
   Vector3 edges{0, 0, 0};        ///< of a box: as given

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
 #include "solver/solver_test.hpp"
 
@@ -151,11 +152,16 @@ TEST(Decide, ProvesGapsBesideTips) {
   }
 }
 
-// Cubes of a lattice whose axes are at right angles but for a rounding, 0.04 to 0.18 apart.
+// Cubes of a lattice whose axes are at right angles but for a rounding, 0.02 to 0.18 apart. The end of one is
+// in line with the rim of the other. A campaign of a billion pairs found them.
 TEST(Decide, ProvesGapsAtAxesSquareButForARounding) {
   const Pair pairs[] = {
       {{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2},
        {Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2}},
+      {{Vector3(1, -3, 0), Vector3(-1.5259030389609006e-16, -1.0000000000000002, 2), 1, 2},
+       {Vector3(-1, -3, -2), Vector3(-1, 0, 0), 1, 2}},
+      {{Vector3(-1, 2, 1), Vector3(5.122876111306861e-17, 1, 8.588139516111827e-17), 1, 2},
+       {Vector3(-1, 0, 3), Vector3(-1, 0, 2), 1, 2}},
       {{Vector3(-2, -1, -1), Vector3(1, 5.407808132487433e-16, -8.411635465365984e-16), 1, 2},
        {Vector3(0, 0, 1), Vector3(0, 0, -1), 1, 2}},
       {{Vector3(0, 1, 1), Vector3(4.876598504893711e-16, -8.730337165428862e-16, -1), 1, 2},
@@ -163,6 +169,12 @@ TEST(Decide, ProvesGapsAtAxesSquareButForARounding) {
   for (const Pair& p : pairs) {
     EXPECT_EQ(decide(p.a, p.b).verdict, Verdict::disjoint);
     EXPECT_EQ(decide(p.b, p.a).verdict, Verdict::disjoint);
+    EXPECT_EQ(intersect(p.a, p.b), Verdict::disjoint);
+    const IndexPair indices[16] = {};  // in every lane
+    Verdict verdicts[16];
+    const Prepared a = prepare(p.a), b = prepare(p.b);
+    intersect_batch({&a, 1}, {&b, 1}, indices, verdicts);
+    for (const Verdict said : verdicts) EXPECT_EQ(said, Verdict::disjoint);
   }
 }
 
@@ -324,10 +336,11 @@ TEST(Decide, NothingIsAllocated) {
   for (const Pair& p : pairs) {
     met += intersect(p.a, p.b) == Verdict::intersecting;
     met += decide(p.a, p.b).verdict == Verdict::intersecting;
+    met += distance(p.a, p.b).verdict == Verdict::intersecting;
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(met, 10);
-  EXPECT_LT(met, 118);
+  EXPECT_LT(met, 182);
 }
 
 }  // namespace

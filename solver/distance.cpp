@@ -273,10 +273,8 @@ class Search : BestDirection {
       if (low_ < before && come_to_plane()) return;
     }
     const Vector3 moved = p_.delta + low_ * direction_;
-    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false,
-               Shape::cylinder,  0},
-        b = a;
-    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, Shape::cylinder, 0};
+    const Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, 0, Shape::cylinder, 0};
+    Prepared b{moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, 0, Shape::cylinder, 0};
     for (const double overlap : touch_tols) {
       b.center = moved - overlap * reach_ * direction_;
       const Answer answer = decide(a, b);

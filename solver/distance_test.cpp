@@ -237,19 +237,6 @@ TEST(Distance, BadInputIsInvalid) {
   }
 }
 
-TEST(Distance, AllocatesNothing) {
-  Stream random(11);
-  Pair pairs[64];
-  for (int i = 0; i < 64; ++i) pairs[i] = random.pair(i);
-  const long before = allocations;
-  int met = 0;
-  for (const Pair& p : pairs) met += distance(p.a, p.b).verdict == Verdict::intersecting;
-  EXPECT_EQ(allocations, before);
-  EXPECT_GT(met, 5);
-  EXPECT_LT(met, 59);
-}
-
-// Coaxial but for a rounding: any direction square to the axis will do, but square it must be.
 // Half of the least double between two disks.
 TEST(Distance, AGapBelowAllDoublesIsNotZero) {
   const Solid disk{{0, 0, 0}, {3, -4, 12}, 0.9, 0};
@@ -259,6 +246,7 @@ TEST(Distance, AGapBelowAllDoublesIsNotZero) {
   EXPECT_LE(std::fabs(d.value), d.error);
 }
 
+// Coaxial but for a rounding: any direction square to the axis will do, but square it must be.
 TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
   const Vector3 w(1, 1, 2);
   for (const double radius : {0.0, 0.25}) {

@@ -73,8 +73,10 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
 }  // namespace
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  if (!(a.ordinary & b.ordinary))
-    return (a.thin & b.thin) ? intersect_thin_pair(a, b) : intersect_other(a, b);
+  if (!both_are(Prepared::ordinary, a, b)) {
+    if (both_are(Prepared::moderate, a, b) && has_other_shape(a, b)) return intersect_shapes(a, b, 0);
+    return both_are(Prepared::thin, a, b) ? intersect_thin_pair(a, b) : intersect_other(a, b);
+  }
   const double cosine = cosine_of(a, b);
   return magnitude(cosine) <= steep_cosine ? intersect_steep(a, b, cosine)
                                            : intersect_shallow(as_it_is(a, b).couple());

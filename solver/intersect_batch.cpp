@@ -13,7 +13,7 @@ namespace {
 static_assert(std::is_standard_layout_v<Prepared> && sizeof(Prepared) == record_bytes);
 static_assert(offsetof(Prepared, center) == 0 && offsetof(Prepared, unit_axis) == 24);
 static_assert(offsetof(Prepared, radius) == 48 && offsetof(Prepared, height) == 56);
-static_assert(offsetof(Prepared, ordinary) == record_ordinary);  // what is rounded is left to the rest
+static_assert(offsetof(Prepared, traits) == record_traits && Prepared::ordinary == 1);
 static_assert(sizeof(IndexPair) == 2 * sizeof(unsigned) && sizeof(Verdict) == 1);
 static_assert(static_cast<unsigned>(Verdict::undecided) == batch_undecided);
 

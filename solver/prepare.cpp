@@ -18,14 +18,13 @@ void prepare_box(const Solid& c, Prepared& p) noexcept {
   p.unit_axis = {((ww + xx) - (yy + zz)) * n, 2 * (x * y + w * z) * n, 2 * (x * z - w * y) * n};
   p.second_axis = {2 * (x * y - w * z) * n, ((ww + yy) - (xx + zz)) * n, 2 * (y * z + w * x) * n};
   p.edges = {c.edges[0], c.edges[1], c.edges[2]};
-  mark_moderate(p);
+  mark_traits(p);
 }
 
 }  // namespace
 
 Prepared prepare(const Solid& c) noexcept {
-  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false,
-             false,    false,     false,    c.shape,  c.rounding};
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), 0, c.shape, c.rounding};
   if (p.defect != Defect::none) return p;
   if (c.shape == Shape::box) {
     prepare_box(c, p);
@@ -47,28 +46,28 @@ Prepared prepare(const Solid& c) noexcept {
   for (int i = 0; i < 3; ++i)
     if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;  // never -0
 
-  mark_moderate(p);
+  mark_traits(p);
   return p;
 }
 
-void mark_moderate(Prepared& p) noexcept {
+void mark_traits(Prepared& p) noexcept {
+  p.traits = 0;
   constexpr double coordinate_limit = power_of_two(moderate_exponent + center_exponent);
   constexpr double length_limit = power_of_two(moderate_exponent);
   auto within = [](double x, double limit) {
     const double size = std::fabs(x);
     return (size == 0) | ((size >= 1 / limit) & (size <= limit));
   };
-  p.moderate = within(p.center.x(), coordinate_limit) & within(p.center.y(), coordinate_limit) &
-               within(p.center.z(), coordinate_limit) & within(p.radius, length_limit) &
-               within(p.height, length_limit) & within(p.rounding, length_limit);
-  if (p.shape != Shape::cylinder) {
-    p.moderate = p.moderate & within(p.edges.x(), length_limit) & within(p.edges.y(), length_limit) &
-                 within(p.edges.z(), length_limit);
+  if (!(within(p.center.x(), coordinate_limit) & within(p.center.y(), coordinate_limit) &
+        within(p.center.z(), coordinate_limit) & within(p.radius, length_limit) &
+        within(p.height, length_limit) & within(p.rounding, length_limit) &
+        within(p.edges.x(), length_limit) & within(p.edges.y(), length_limit) &
+        within(p.edges.z(), length_limit)))
     return;
-  }
-  p.ordinary = p.moderate & (p.rounding == 0);
-  p.thin = p.moderate & (p.radius == 0);
-  p.ball = p.thin & (p.height == 0);
+  p.traits = Prepared::moderate;
+  if (p.shape != Shape::cylinder) return;
+  if (p.rounding == 0) p.traits |= Prepared::ordinary;
+  if (p.radius == 0) p.traits |= p.height == 0 ? Prepared::thin | Prepared::ball : Prepared::thin;
 }
 
 }  // namespace cyl

@@ -97,7 +97,7 @@ void measure(const Pair& pair, Work& work) {
 /// Takes the steps of intersect() one by one, because intersect() does not report them.
 void count_steps(const Pair& pair, Work& work) {
   const Prepared a = prepare(pair.a), b = prepare(pair.b);
-  if (!(a.ordinary & b.ordinary)) return;
+  if (!both_are(Prepared::ordinary, a, b)) return;
   const Couple<double> couple = as_it_is(a, b).couple();
   const Sections<double> f = shallow_sections(couple);
   if (f.s2 < parallel_square) return;

@@ -77,7 +77,7 @@ QuickVerdict alternate_projections(const Scaled& p, double contact_distance, Vec
 // For solids in their order (frame.hpp).
 QuickVerdict classify_by_projection(const Prepared& a, const Prepared& b, double contact_distance) noexcept {
   const Scaled p = as_it_is(a, b);
-  if (a.thin & b.thin) return classify_segments(p, contact_distance);
+  if (both_are(Prepared::thin, a, b)) return classify_segments(p, contact_distance);
   Vector3 on0 = nearest(p.delta, p.w0, p.r0, p.h0);
   const QuickVerdict seen = alternate_projections(p, contact_distance, on0, first_steps);
   if (seen != QuickVerdict::neither) return seen;
@@ -99,11 +99,11 @@ Prepared rescaled(Prepared c, int exponent) noexcept {
   const Prepared before = c;
   c.center = times_power(c.center, exponent);
   c.radius = moved(c.radius), c.height = moved(c.height), c.rounding = moved(c.rounding);
-  mark_moderate(c);
-  const auto kept = [](double x, double y) { return (x == 0) == (y == 0); };
-  c.moderate &=
-      kept(c.radius, before.radius) & kept(c.height, before.height) & kept(c.rounding, before.rounding);
-  for (int i = 0; i < 3; ++i) c.moderate &= kept(c.center[i], before.center[i]);
+  mark_traits(c);
+  const auto lost = [](double x, double y) { return x == 0 && y != 0; };
+  if (lost(c.radius, before.radius) || lost(c.height, before.height) || lost(c.rounding, before.rounding) ||
+      (c.center.array() == 0 && before.center.array() != 0).any())
+    c.traits = 0;
   return c;
 }
 
@@ -122,22 +122,21 @@ bool intersect_at_moderate_scale(const Prepared& a, const Prepared& b, double cl
   const int exponent = moderate_exponent - largest;
   const Prepared first = rescaled(a, exponent), second = rescaled(b, exponent);
   const double moved = std::ldexp(clearance, exponent);
-  if (!(first.moderate & second.moderate) || std::ldexp(moved, -exponent) != clearance) return false;
+  if (!both_are(Prepared::moderate, first, second) || std::ldexp(moved, -exponent) != clearance) return false;
   verdict = within(first, second, moved);
   return true;
 }
 
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
-  if (a.moderate & b.moderate & (clearance <= moderate_length)) {
-    if (a.thin & b.thin) {
+  if (both_are(Prepared::moderate, a, b) & (clearance <= moderate_length)) {
+    if (both_are(Prepared::thin, a, b)) {
       if (Verdict there = Verdict::undecided; intersect_thin(a, b, contact_distance, there)) return there;
-    } else if (a.ball | b.ball) {
-      const Prepared* const solids[] = {&a, &b};
-      return meets_point(*solids[a.ball], b.center - a.center, contact_distance);
+    } else if (one_is_ball(a, b)) {
+      return meets_point(not_ball(a, b), b.center - a.center, contact_distance);
     }
-    QuickVerdict seen =
-        (a.thin & b.thin) ? QuickVerdict::neither : classify_by_filter(as_it_is(a, b), contact_distance);
+    QuickVerdict seen = both_are(Prepared::thin, a, b) ? QuickVerdict::neither
+                                                       : classify_by_filter(as_it_is(a, b), contact_distance);
     if (seen == QuickVerdict::neither)
       seen = out_of_order(a, b) ? classify_by_projection(b, a, contact_distance)
                                 : classify_by_projection(a, b, contact_distance);

@@ -91,7 +91,7 @@ bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noe
   return -support_gap(p, e) > below * length(e);
 }
 
-// Two cores, each a segment or a point. Their nearest points are known in closed form (rounded.md, section
+// Two segments. Their nearest points are known in closed form (rounded.md, section
 // 3). They serve as certificate, or by the vector between them.
 bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   const NearestParameters nearest = nearest_of_segments(p);
@@ -115,42 +115,46 @@ bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) no
   return true;
 }
 
-// Does the same for a point, and a core that is neither flat nor thin (rounded.md, section 2).
+// Does the same for a point and another core (rounded.md, section 2). The lengths of the point are 0. Tables,
+// because branches on the order would be unpredictable.
 bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexcept {
-  const bool second = p.r1 + p.h1 == 0;  // the ball
-  const Vector3 &w = second ? p.w0 : p.w1, to = second ? p.delta : Vector3(-p.delta);
-  const double r = second ? p.r0 : p.r1, h = second ? p.h0 : p.h1,
-               reach = r + h + length(to) + contact_distance;
-  if (hull_of(r, h, reach) != Hull::space) return false;
+  const bool second = p.r1 + p.h1 == 0;  // the point
+  constexpr double turns[] = {-1, 1};
+  const Vector3* const axes[] = {&p.w1, &p.w0};
+  const Vector3 &w = *axes[second], to = turns[second] * p.delta;
+  const double r = p.r0 + p.r1, h = p.h0 + p.h1, reach = r + h + length(to) + contact_distance;
   const double error = 4 * membership_error * reach + underflow_error;
-  const double along = dot(to, w), kept = clamped(along, h - 2 * error), most = r - 2 * error;
+  const Hull hull = hull_of(r, h, reach);
+  const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
+  const bool on_line = (hull == Hull::line) | (hull == Hull::center);
+  const double along = dot(to, w), kept = in_plane ? 0 : clamped(along, h - 2 * error), most = r - 2 * error;
   const Vector3 across = to - along * w;
-  const double square_across = dot(across, across);
-  const double part = square_across > most * most ? most / std::sqrt(square_across) : 1;
+  const double part = on_line ? 0 : most / larger(most, std::sqrt(dot(across, across)));
+  const Vector3 on = kept * w + part * across;
   // From the point just inside: nearest enough for the direction, too.
-  const Vector3 on = kept * w + part * across, e = to - on;
+  const Vector3 e = to - on;
   const double square_of_way = dot(e, e), within = contact_distance - 5 * error;
   if ((within > 0) & (square_of_way <= within * within)) {
-    const Vector3 center(0, 0, 0), point = times_power(on, p.exponent);
-    if (second)
-      hand_out(Proof::points, point, center, Hull::space, Hull::center, answer);
-    else
-      hand_out(Proof::points, center, point, Hull::center, Hull::space, answer);
+    hand_out(Proof::points, answer.point_head, answer.point_tail, Hull::center, Hull::center, answer);
+    Vector3* const points[] = {&answer.point_tail, &answer.point_head};
+    Hull* const hulls[] = {&answer.hull_b, &answer.hull_a};
+    *points[second] = times_power(on, p.exponent);
+    *hulls[second] = hull;
     return true;
   }
-  const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
+  const double least = dot(e, to) - h * std::fabs(dot(e, w)) - (r == 0 ? 0 : r * length(e.cross(w)));
   if (!is_beyond(least, square_of_way, contact_distance, reach))
     return is_hopeless(p, p.delta + nearest(-p.delta, p.w1, p.r1, p.h1) - nearest(p.delta, p.w0, p.r0, p.h0),
                        contact_distance);
-  hand_out(power_of_two(-exponent_of(max_abs(e))) * (second ? e : Vector3(-e)), answer);
+  hand_out(power_of_two(-exponent_of(max_abs(e))) * turns[second] * e, answer);
   return true;
 }
 
 // True if there is a proof, or can be none.
 bool prove_in_closed_form(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   if (p.exponent <= coarse_exponent) return false;  // points may lose bits on their way back
-  if (p.r0 + p.r1 == 0) return prove_segments(p, contact_distance, answer);
-  return (p.r0 + p.h0 == 0 || p.r1 + p.h1 == 0) && prove_ball(p, contact_distance, answer);
+  if ((p.r0 + p.h0 == 0) | (p.r1 + p.h1 == 0)) return prove_ball(p, contact_distance, answer);
+  return p.r0 + p.r1 == 0 && prove_segments(p, contact_distance, answer);
 }
 
 // By the points and directions of alternate_projections(), most pairs.
@@ -201,7 +205,7 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
 Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   Answer answer;
   // An exchange of the solids changes no digit in closed form.
-  if (!(a.moderate & b.moderate & (clearance <= power_of_two(moderate_exponent))) ||
+  if (!(both_are(Prepared::moderate, a, b) & (clearance <= power_of_two(moderate_exponent))) ||
       !prove_in_closed_form(as_it_is(a, b), contact_distance_of(a, b, clearance), answer))
     answer = out_of_order(a, b) ? turned(prove_in_full(b, a, clearance)) : prove_in_full(a, b, clearance);
   return answer;

@@ -7,13 +7,11 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "solver/distance.hpp"
-#include "solver/intersect_batch.hpp"
 #include "solver/solver_test.hpp"
 
 namespace cyl {
@@ -264,19 +262,6 @@ TEST_P(RoundedFamilies, AllWaysSayTheSameAwayFromTouching) {
   EXPECT_GT(stated, count * 8 / 10);
 }
 
-TEST_P(RoundedFamilies, AnswersDoNotSeeTheSolidsOrder) {
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const Pair p = pair(i);
-    const Answer answer = decide(p.a, p.b), back = decide(p.b, p.a);
-    const bool points = answer.proof == Proof::points;
-    ASSERT_EQ(intersect(p.a, p.b), intersect(p.b, p.a)) << format_pair(p);
-    ASSERT_EQ(distance(p.a, p.b).value, distance(p.b, p.a).value) << format_pair(p);
-    ASSERT_EQ(answer.verdict, back.verdict) << format_pair(p);
-    ASSERT_EQ(answer.direction, -back.direction) << format_pair(p);
-    ASSERT_EQ(answer.point_head, points ? back.point_tail : back.point_head) << format_pair(p);
-  }
-}
-
 TEST_P(RoundedFamilies, TheVerdictDoesNotDependOnTheScale) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const Pair p = pair(i);
@@ -290,20 +275,6 @@ TEST_P(RoundedFamilies, TheVerdictDoesNotDependOnTheScale) {
           << k << ' ' << format_pair(p);
     }
   }
-}
-
-TEST_P(RoundedFamilies, BatchesSayWhatSinglePairsDo) {
-  std::vector<Prepared> a, b;
-  std::vector<IndexPair> pairs;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    a.push_back(prepare(pair(i).a));
-    b.push_back(prepare(pair(i).b));
-    pairs.push_back({i, i});
-  }
-  std::vector<Verdict> verdicts(count);
-  intersect_batch(a, b, pairs, verdicts.data());
-  for (std::uint32_t i = 0; i < count; ++i)
-    ASSERT_EQ(verdicts[i], intersect(a[i], b[i])) << format_pair(pair(i));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, RoundedFamilies, testing::Range<std::size_t>(0, rounded_families().size()),

@@ -64,7 +64,6 @@ try_program() { # prefix
   "$daylight" campaign --methods decide --pairs 1000 --seed 1 --table --out "$1/run" >printed || fail "the installed program: $(cat printed)"
   grep -qE "^corpus +$(cat "$source"/corpus/cases/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
   "$source/reports/web/page_data.py" "$1/run/report.html" >page.json
-  grep -q '"command":"daylight campaign ' page.json || fail "the page tells to run something else"
   "$daylight" scene "$1/share/daylight/corpus/scenes/twenty.urdf" >printed || fail "$(cat printed)"
   ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"
   grep -q 'no part of an installation' err || fail "$(cat err)"

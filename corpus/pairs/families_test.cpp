@@ -31,13 +31,6 @@ Wide support(const Solid& c, const Wide3& m) {
   return c.radius * m.cross(w).norm() + Wide(c.height) / 2 * std::abs(m.dot(w));
 }
 
-/// How far x is outside the solid, along its axis or radially.
-Wide excess(const Solid& c, const Wide3& x) {
-  const Wide3 w = unit_axis(c), d = x - wide(c.center);
-  const Wide along = d.dot(w);
-  return std::max<Wide>(std::abs(along) - Wide(c.height) / 2, (d - along * w).norm() - c.radius);
-}
-
 Wide sine(const Pair& p) { return unit_axis(p.a).cross(unit_axis(p.b)).norm(); }
 Wide cosine(const Pair& p) { return unit_axis(p.a).dot(unit_axis(p.b)); }
 
@@ -157,68 +150,6 @@ TEST(Families, HaveThePosesTheyName) {
   }
   EXPECT_GT(a_inside, 200);
   EXPECT_LT(a_inside, 400);
-}
-
-TEST(Families, HaveTheScalesTheyName) {
-  double least = INFINITY, greatest = 0, shortest = INFINITY, longest = 0;
-  for (std::uint64_t i = 0; i < 600; ++i) {
-    Pair p = draw("far", i);
-    const double offset = p.a.center.norm(), wanted = std::pow(10.0, 3 + static_cast<double>(i % 10));
-    ASSERT_NEAR(offset / wanted, 1, 0.01) << i;
-    ASSERT_LT((p.a.center - p.b.center).norm(), 30);
-
-    p = draw("tiny_and_huge", i);
-    least = std::min(least, p.a.radius);
-    greatest = std::max(greatest, p.a.radius);
-    for (double length : {p.b.radius, p.a.height, p.b.height})
-      ASSERT_TRUE(length > p.a.radius / 101 && length < p.a.radius * 101) << i;
-
-    p = draw("mixed_scale", i);
-    const bool a_small = p.a.radius < p.b.radius;
-    const Solid &small = a_small ? p.a : p.b, &big = a_small ? p.b : p.a;
-    const double factor = big.radius / small.radius,
-                 exponent = std::pow(10.0, 3 + static_cast<double>(i % 10));
-    ASSERT_TRUE(factor > exponent / 100 && factor < exponent * 100) << i;
-    ASSERT_TRUE(small.height > small.radius / 101 && small.height < small.radius * 101) << i;
-    const Wide small_reach = std::hypot(Wide(small.radius), Wide(small.height) / 2);
-    ASSERT_LE(std::abs(excess(big, wide(small.center))), 2 * small_reach + 1e-14L) << i;
-
-    p = draw("raw_axes", i);
-    const double length = p.a.axis.stableNorm();
-    shortest = std::min(shortest, length);
-    longest = std::max(longest, length);
-  }
-  EXPECT_LT(least, 1e-298);
-  EXPECT_GT(greatest, 1e148);
-  EXPECT_LT(shortest, 1e-149);
-  EXPECT_GE(shortest, 0.999e-150);
-  EXPECT_GT(longest, 1e149);
-  EXPECT_LT(longest, 1.001e150);
-}
-
-TEST(Families, StandOnTheLattice) {
-  const auto whole = [](double x, double cap) { return x == std::floor(x) && std::abs(x) <= cap; };
-  const std::array dusts{0.0, 1e-16, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
-  std::set<std::array<double, 2>> shapes;
-  for (std::uint64_t i = 0; i < 600; ++i) {
-    Pair p = draw("lattice", i);
-    for (const Solid& c : {p.a, p.b}) {
-      for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3) && whole(c.axis[k], 2));
-      ASSERT_TRUE(whole(c.radius, 3) && c.radius > 0 && whole(c.height, 6) && c.height > 0);
-    }
-    p = draw("lattice_dust", i);
-    Wide off = 0;
-    for (const Solid& c : {p.a, p.b}) {
-      shapes.insert({c.radius, c.height});
-      for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3));
-      const Wide3 w = wide(c.axis), lattice = w.array().round();
-      off = std::max<Wide>(off, w.cross(lattice).norm() / lattice.norm() / w.norm());
-    }
-    const double dust = dusts[i % dusts.size()];
-    ASSERT_NEAR(static_cast<double>(off), dust, 0.01 * dust + 2.3e-16) << i;
-    ASSERT_EQ(off == 0, dust == 0 || (off == 0 && dust == 1e-16)) << i;
-  }
-  EXPECT_EQ(shapes.size(), 3u);
 }
 
 }  // namespace

@@ -49,20 +49,29 @@ Certificate MethodAnswer::certificate() const {
   return {witness, vector(head, tail), vector(other_head, other_tail), {hulls[0], hulls[1]}};
 }
 
+MethodAnswer answered(Verdict verdict) noexcept {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+MethodAnswer declined_answer(std::string_view reason) noexcept {
+  MethodAnswer answer;
+  answer.set_reason(reason);
+  return answer;
+}
+
 MethodAnswer declined_shape(SolidKind kind) noexcept {
   static constexpr std::array reasons{
       "it has no sphere",     "it has no capsule", "it has no cylinder",   "it has no rounded cylinder",
       "it has no half-space", "it has no box",     "it has no rounded box"};
   static_assert(reasons.size() == words_of(SolidKind{}).size());
-  MethodAnswer answer;
-  answer.set_reason(reasons[static_cast<std::size_t>(kind)]);
-  return answer;
+  return declined_answer(reasons[static_cast<std::size_t>(kind)]);
 }
 
 MethodAnswer declined_size() noexcept {
-  MethodAnswer answer;
-  answer.set_reason("it does not support these sizes or positions");
-  return answer;
+  return declined_answer("it does not support these sizes or positions");
 }
 
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept {

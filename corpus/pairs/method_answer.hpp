@@ -28,11 +28,10 @@ enum class SideEffect : unsigned char {
   none,
   rounding_mode,  ///< left the processor rounding, or treating small numbers, in another way
   memory,         ///< wrote behind what it was given to write to
-  thread,         ///< left a thread running
-  slow            ///< slept or waited for long
+  thread          ///< left a thread running
 };
 constexpr auto words_of(SideEffect) noexcept {
-  return std::array{"none", "rounding_mode", "memory", "thread", "slow"};
+  return std::array{"none", "rounding_mode", "memory", "thread"};
 }
 
 /// The answer of a method. Plain bytes, so that a contained worker can leave it in shared memory.
@@ -72,6 +71,10 @@ struct MethodAnswer {
   Certificate certificate() const;  ///< the witness, as it was offered
 };
 
+/// Returns an answer with this verdict and nothing else.
+MethodAnswer answered(Verdict verdict) noexcept;
+/// Returns an answer that declines, for this reason.
+MethodAnswer declined_answer(std::string_view reason) noexcept;
 /// Returns the answer of a method that has no shape for such a solid.
 MethodAnswer declined_shape(SolidKind kind) noexcept;
 /// Returns the answer of a method that does not support solids of such sizes.

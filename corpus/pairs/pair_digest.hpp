@@ -2,6 +2,7 @@
 // A short name for the numbers of a pair.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -16,7 +17,11 @@ inline std::uint64_t digest_of(const Pair& p, std::uint64_t so_far) noexcept {
   const auto add = [&](const auto& numbers) {
     so_far = fnv1a({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}, so_far);
   };
-  add(core_numbers_of(p));
+  for (const Solid* s : {&p.a, &p.b}) {
+    std::array<double, core_number_count> core;
+    std::ranges::copy_n(numbers_of(*s).begin(), core.size(), core.begin());
+    add(core);
+  }
   if (is_rounded(p)) add(std::array{p.a.rounding, p.b.rounding});
   if (p.a.shape != Shape::cylinder || p.b.shape != Shape::cylinder) add(std::array{p.a.shape, p.b.shape});
   for (const Solid* s : {&p.a, &p.b}) {

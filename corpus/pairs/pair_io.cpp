@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -86,34 +85,10 @@ std::string shorten(std::string_view text) {
   return std::string(text.substr(0, end)) + "...";
 }
 
-/// Hands out one byte at a time and leaves behind how many were taken.
-class CountingIterator {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  CountingIterator(const char* at, std::size_t* taken) : at_(at), taken_(taken) {}
-  reference operator*() const { return *at_; }
-  CountingIterator& operator++() {
-    ++at_;
-    ++*taken_;
-    return *this;
-  }
-  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
-
- private:
-  const char* at_;
-  std::size_t* taken_;
-};
-
 /// Turns the events of the parser into a case, or stops it at the first fault.
 class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  CaseBuilder(std::string_view text, std::size_t line, const std::size_t& taken)
-      : text_(text), line_(line), taken_(taken) {}
+  CaseBuilder(std::string_view text, std::size_t line) : text_(text), line_(line) {}
 
   Case value;
   std::string error;
@@ -192,8 +167,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& fault) override {
     start_ = std::min(text_.find_first_not_of(between_tokens, token_end_), text_.size());
-    const std::string word =
-        shorten(text_.substr(start_, text_.find_first_of(" \t\r,:[]{}\"", start_) - start_));
+    const std::string word = shorten(text_.substr(start_, text_.find_first_of(token_ends, start_) - start_));
     constexpr int number_overflow = 406;  // nlohmann/json's number for this fault
     if (fault.id == number_overflow)
       return fail((skipped_ > 0 ? "a number" : subject()) + " overflows a double (" + word + ")");
@@ -210,13 +184,19 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
  private:
   enum Depth { outside, in_line, in_cylinder, in_list };  // of the containers that are not skipped
   enum class Wanted { object, list, number, text, anything };
-  static constexpr std::string_view between_tokens = " \t\r\n,:";
+  static constexpr std::string_view between_tokens = " \t\r\n,:", token_ends = " \t\r\n,:[]{}\"";
 
   // Every token but ',' and ':' is an event, so a token begins at the first other byte after the last one.
-  // When the event comes, the parser has taken all of the token, and one byte more only after a number.
+  // When the event comes, the parser has accepted all of the token.
   void begin_token() {
     start_ = text_.find_first_not_of(between_tokens, token_end_);
-    token_end_ = taken_;
+    token_end_ = start_ + 1;
+    if (text_[start_] == '"') {
+      while (text_[token_end_] != '"') token_end_ += text_[token_end_] == '\\' ? 2 : 1;
+      ++token_end_;
+    } else if (std::string_view("[]{}").find(text_[start_]) == std::string_view::npos) {
+      token_end_ = std::min(text_.find_first_of(token_ends, start_), text_.size());
+    }
   }
 
   bool after_colon_or_comma() const {
@@ -316,7 +296,6 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   /// `text` has the number's digits if it has a point or an exponent.
   bool number(double x, std::string_view text = {}) {
     begin_token();
-    token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
     if (x == 0 && text_[start_] == '-') x = -0.0;  // the parser makes the integer 0 of "-0"
     if (wanted() != Wanted::number) return accept("a number");
     const Field& field = solid_fields[field_];
@@ -342,7 +321,6 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   std::size_t line_;
-  const std::size_t& taken_;
   std::size_t start_ = 0;      // the beginning of the token of this event
   std::size_t token_end_ = 0;  // its end
   int depth_ = outside;
@@ -405,12 +383,10 @@ CaseLine parse_case(std::string_view text, std::size_t line) {
   if (const auto nul = text.find('\0'); nul != text.npos) return refuse(line, nul, "not JSON: a NUL byte");
   if (text.starts_with(byte_order_mark)) return refuse(line, 0, "not JSON: a byte order mark");
 
-  std::size_t taken = 0;
-  CaseBuilder builder(text, line, taken);
-  const CountingIterator begin(text.data(), &taken), end(text.data() + text.size(), &taken);
+  CaseBuilder builder(text, line);
   CaseLine out;
   out.line = line;
-  if (nlohmann::json::sax_parse(begin, end, &builder))
+  if (nlohmann::json::sax_parse(text, &builder))
     out.value = std::move(builder.value);
   else
     out.error = std::move(builder.error);

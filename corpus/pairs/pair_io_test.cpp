@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
@@ -80,16 +79,6 @@ TEST(PairIo, KeepsEveryBitOfEveryDouble) {
     ASSERT_EQ(line.error, "") << x;
     EXPECT_TRUE(same_bits(line.value->pair, c.pair)) << x;
   }
-}
-
-TEST(PairIo, KeepsEveryBitOfEveryFamily) {
-  for (const Family& family : campaign_families())
-    for (std::uint64_t i = 0; i < 200; ++i) {
-      const Pair p = family.generate(20261121, i);
-      const CaseLine line = parse_case(format_pair(p), 1);
-      ASSERT_EQ(line.error, "") << family.name << " " << i;
-      ASSERT_TRUE(same_bits(line.value->pair, p)) << family.name << " " << i;
-    }
 }
 
 TEST(PairIo, ReadsNumbersAsTheNearestDouble) {

@@ -41,26 +41,6 @@ inline std::array<double, 2 * solid_number_count> numbers_of(const Pair& p) noex
   return all;
 }
 
-inline std::array<double, core_number_count> core_numbers_of(const Solid& c) noexcept {
-  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1], c.axis[2], c.radius, c.height};
-}
-
-/// The 16 of a pair, those of a first.
-inline std::array<double, 2 * core_number_count> core_numbers_of(const Pair& p) noexcept {
-  std::array<double, 2 * core_number_count> all;
-  std::ranges::copy(core_numbers_of(p.b), std::ranges::copy(core_numbers_of(p.a), all.begin()).out);
-  return all;
-}
-
-/// The cylinder of 8 or 9 numbers, the pair of twice as many.
-inline Solid cylinder_of(const double* x, std::size_t count) noexcept {
-  return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], count > core_number_count ? x[8] : 0};
-}
-
-inline Pair pair_of(const double* x, std::size_t count) noexcept {
-  return {cylinder_of(x, count), cylinder_of(x + count, count)};
-}
-
 inline bool is_rounded(const Pair& p) noexcept { return p.a.rounding != 0 || p.b.rounding != 0; }
 
 inline bool is_half_space(const Solid& s) noexcept { return s.shape == Shape::half_space; }

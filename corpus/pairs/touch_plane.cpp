@@ -88,6 +88,25 @@ std::array<double, 4> draw_quaternion(RandomStream& s) {
   }
 }
 
+Solid image(const Solid& c, const Eigen::Vector3i& order, const Vector3& signs) {
+  const bool even = order == Eigen::Vector3i(0, 1, 2) || order == Eigen::Vector3i(1, 2, 0) ||
+                    order == Eigen::Vector3i(2, 0, 1);
+  const double determinant = signs.prod() * (even ? 1 : -1);
+  Solid other = c;
+  other.center = Vector3(c.center(order)).cwiseProduct(signs);
+  if (!is_box(c)) {
+    other.axis = Vector3(c.axis(order)).cwiseProduct(signs);
+    return other;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto to = static_cast<Eigen::Index>(i);
+    const auto from = static_cast<std::size_t>(order[to]);
+    other.edges[i] = c.edges[from];
+    other.quaternion[i + 1] = determinant * signs[to] * c.quaternion[from + 1];
+  }
+  return other;
+}
+
 Vector3 edge_direction(const Solid& box, std::size_t edge) {
   const Vec3<double> e = edge_directions<double>(box.quaternion)[edge];
   return {e.x, e.y, e.z};

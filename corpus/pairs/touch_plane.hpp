@@ -35,6 +35,11 @@ Vector3 edge_direction(const Solid& box, std::size_t edge);
 /// Turns the solid so that its axis, or an edge drawn from the three, has the unit direction `along`.
 void lay_along(Solid& c, const Vector3& along, RandomStream& s);
 
+/// Returns the image of a solid under the matrix M that takes the coordinates in this order and then changes
+/// signs. The image of a box's rotation R is M R M'. It turns about the image of R's axis, by the same angle,
+/// in the other sense if M is a mirror.
+Solid image(const Solid& c, const Eigen::Vector3i& order, const Vector3& signs);
+
 /// The place of a contact in its part, from -1 to 1 each. 0 is the middle of the part and 1 its border.
 struct TouchPlace {
   double along, across;

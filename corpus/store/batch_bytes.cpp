@@ -2,36 +2,26 @@
 #include "corpus/store/batch_bytes.hpp"
 
 #include <array>
-#include <bit>
 #include <stdexcept>
 #include <tuple>
 
 #include "base/json.hpp"
+#include "base/safe_text.hpp"
 
-// Stores the bits, because CBOR of JSON numbers keeps infinities but makes all NaNs one.
+// CBOR keeps infinities and the sign of 0, and makes all NaNs one.
 template <>
 struct nlohmann::adl_serializer<std::optional<cyl::Enclosure>> {
   static void to_json(json& to, const std::optional<cyl::Enclosure>& margin) {
     to = json::array();
-    if (margin) to = {std::bit_cast<std::uint64_t>(margin->lo), std::bit_cast<std::uint64_t>(margin->hi)};
+    if (margin) to = {margin->lo, margin->hi};
   }
   static void from_json(const json& from, std::optional<cyl::Enclosure>& margin) {
-    if (from.empty()) return;
-    margin = cyl::Enclosure{std::bit_cast<double>(from.at(0).get<std::uint64_t>()),
-                            std::bit_cast<double>(from.at(1).get<std::uint64_t>())};
+    if (!from.empty()) margin = cyl::Enclosure{from.at(0), from.at(1)};
   }
 };
 
 namespace cyl {
-namespace {
-
 using nlohmann::json;
-
-std::string as_utf8(const std::string& text) {
-  return parse_json(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
-}
-
-}  // namespace
 
 /// An enum travels as its word, so that no number without a meaning comes in.
 template <class Enum>
@@ -64,12 +54,12 @@ std::string format_batch(const BatchRecord& batch) {
   std::vector<FindingRecord> findings = batch.findings;
   const FindingRecord* first = nullptr;  // of the pair
   for (FindingRecord& f : findings) {
-    f.reason = as_utf8(f.reason);
+    f.reason = valid_utf8(f.reason);
     if (first && first->index == f.index) {
       for (std::string* text : {&f.pair, &f.answers, &f.truth}) text->clear();
       continue;
     }
-    for (std::string* text : {&f.pair, &f.answers}) *text = as_utf8(*text);
+    for (std::string* text : {&f.pair, &f.answers}) *text = valid_utf8(*text);
     first = &f;
   }
   return format_cbor({batch.tallies, batch.groups, findings, batch.cells});

@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "base/scratch_test.hpp"
 
@@ -82,16 +79,6 @@ TEST(CommittedCases, AreWrittenAsTheWriterWrites) {
     }
     EXPECT_GT(line, 40u) << name;
   }
-}
-
-TEST(CommittedCases, CoverEveryContactOnEverySide) {
-  const auto cases = read_case_folder(committed);
-  for (std::string_view kind : {"side-side", "parallel-sides", "side-rim", "rim-rim", "cap-side", "cap-rim",
-                                "cap-cap", "coaxial", "segment", "disk", "point"})
-    for (Verdict truth : {Verdict::disjoint, Verdict::touching, Verdict::intersecting})
-      EXPECT_TRUE(std::any_of(cases.begin(), cases.end(),
-                              [&](const Case& c) { return c.id.starts_with(kind) && c.truth == truth; }))
-          << kind << " " << to_string(truth);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,13 +15,10 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/representatives.hpp"
-#include "fuzz/campaign/confirm_in_isolation.hpp"
-#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
 #include "oracles/trial/trial.hpp"
-#include "oracles/trial/witness_set.hpp"
 
 namespace cyl {
 namespace {
@@ -70,7 +66,6 @@ class Batch {
         asker_(asker),
         kept_before_(kept_before),
         offers_(workload.methods),
-        schedule_(schedule_of(workload)),
         foreign_(any_foreign(workload)),
         by_family_(family_count(workload)) {
     counts_.resize(rows() * by_family_.size());
@@ -118,9 +113,7 @@ class Batch {
     return cyl::on_share(workload_.methods[m]->share(), seed_, index_of(p));
   }
 
-  FamilyIndex family_index_of(std::uint64_t index) const {
-    return cyl::family_index_of(workload_, schedule_, index);
-  }
+  FamilyIndex family_index_of(std::uint64_t index) const { return cyl::family_index_of(workload_, index); }
   std::string family_name(std::size_t family) const { return cyl::family_name(workload_, family); }
   std::string row_name(std::size_t row) const {
     if (row < methods()) return std::string(workload_.methods[row]->name());
@@ -290,18 +283,24 @@ class Batch {
            (method.guest() || wrong.kind != FindingKind::hang);
   }
 
+  /// Asks in new workers, because a worker lives longer than a batch: a library may keep state from earlier
+  /// questions, and then the pair alone does not fail.
   void ask_findings_again() {
-    std::vector<Suspect> suspects;
+    std::vector<Question> suspects;
     for (std::size_t p = 0; p < pairs_.size(); ++p)
       for (std::size_t m = 0; m < methods(); ++m)
         if (const auto& wrong = wrong_[at(m, p)]; wrong && is_worth_asking_again(m, *wrong))
-          suspects.push_back({m, p, wrong->kind});
-    for (const Suspect& doubt : confirm_in_isolation(workload_.methods, trials_, suspects)) {
-      std::optional<Finding>& wrong = wrong_[at(doubt.method, doubt.pair)];
-      MethodAnswer& answer = answers_[at(doubt.method, doubt.pair)];
-      const std::string where =
-          fmt::format("; after indices {} to {}, not alone", first_, index_of(doubt.pair));
-      std::string what = to_string(doubt.kind);
+          suspects.push_back({m, p});
+    if (suspects.empty()) return;
+    const std::vector<ContainedAnswer> said = ask_contained(workload_.methods, pairs_, suspects);
+    for (std::size_t q = 0; q < said.size(); ++q) {
+      const auto& [m, p, mode, run] = suspects[q];
+      std::optional<Finding>& wrong = wrong_[at(m, p)];
+      const auto again = compare(trials_[p], workload_.methods[m]->claim(), said[q].answer);
+      if (again && again->kind == wrong->kind) continue;
+      MethodAnswer& answer = answers_[at(m, p)];
+      const std::string where = fmt::format("; after indices {} to {}, not alone", first_, index_of(p));
+      std::string what = to_string(wrong->kind);
       if (answer.reason[0] != 0) what.append(": ").append(answer.reason);
       answer.set_reason(what.substr(0, sizeof answer.reason - 1 - where.size()) + where);
       wrong = Finding{FindingKind::state_dependent, Severity::contract, wrong->margin};
@@ -349,7 +348,6 @@ class Batch {
   Asker& asker_;
   Representatives& kept_before_;
   WitnessSet offers_;
-  const Schedule schedule_;
   const bool foreign_;  ///< some of the methods are
 
   // These belong to the stretch. The answers to one pair lie together, as the referee takes them.

@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <deque>
 #include <memory>
@@ -176,7 +175,7 @@ class Search {
     if (StopSignals::asked())
       return fmt::format("the search for the pair was stopped at {} to {}", first, next - 1);
     if (how.empty()) return "run again in parts it did not die, so no pair can be named";
-    const FamilyIndex drawn = family_index_of(workload_, schedule_of(workload_), first);
+    const FamilyIndex drawn = family_index_of(workload_, first);
     return fmt::format("its index {} alone dies ({}): pair {} of {}", first, how, drawn.index,
                        family_name(workload_, drawn.family));
   }

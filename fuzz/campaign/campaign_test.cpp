@@ -2,11 +2,9 @@
 #include "fuzz/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <csignal>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <stdexcept>
 
@@ -189,30 +187,6 @@ TEST_F(Campaign, CasesComeFirstAndTheirStatedTruthIsHeldToTheProof) {
   }
   EXPECT_TRUE(found);
   EXPECT_EQ(total(run, "good").asked, 10u);
-}
-
-TEST_F(Campaign, ACostlyMethodIsAskedOnItsShareAndInDisputes) {
-  methods.clear();
-  methods.push_back(fake(
-      "good", [](const Pair& p) { return answered(right(p)); }, false));
-  methods.push_back(fake(
-      "mostly", [](const Pair& p) { return answered(p.b.center.x() < 1.6 ? Verdict::disjoint : right(p)); }));
-  methods.push_back(fake("tolerant", [](const Pair& p) {
-    const double gap = p.b.center.x() - 2;
-    return answered(std::abs(gap) < 1e-7 ? Verdict::disjoint
-                                         : right(p));  // often wrong, always within its claim
-  }));
-  methods.push_back(fake(
-      "costly", [](const Pair& p) { return answered(right(p)); }, true, 100));
-  run_campaign(options("run", 1000), workload());
-  std::uint64_t expected = 0;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
-    expected +=
-        on_share(100, 20261121, i) || two_families[i % 2].generate(20261121, i / 2).b.center.x() < 1.6;
-  }
-  EXPECT_GT(expected, 20u);
-  EXPECT_GT(total(store("run"), "tolerant").resolution, 20u);
-  EXPECT_EQ(total(store("run"), "costly").asked, expected);
 }
 
 /// Sums over a plane.

@@ -1,23 +1,102 @@
 // SPDX-License-Identifier: MIT
 // Campaigns of four small methods on two small families, for tests: what they find can be counted by hand.
+// They can be killed again and again, and still complete on any machine.
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
-#include <filesystem>
+#include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/scratch_test.hpp"
 #include "fuzz/campaign/campaign.hpp"
-#include "fuzz/campaign/killed_test.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 
 namespace cyl {
+
+/// A splitmix64 step: the tests' own random numbers.
+inline std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// A session of a campaign, which passes its argument on as the callback.
+using Session = std::function<void(const std::function<void(const CampaignProgress&)>&)>;
+
+/// Runs `session` in one child after the other until one ends by itself, and returns how many were killed.
+/// Each is killed a random time after a random number of commits, 0 to `most`, so at any place of its work.
+/// At commit most + 1 it kills itself. So a session with more work does not end by itself, even if this
+/// process is slow. Once one commit is drawn there is progress, even if it is fast.
+inline int kill_until_done(std::uint64_t seed, std::uint64_t most, const Session& session) {
+  constexpr std::uint64_t longest_microseconds = 20'000;  // some batches, if nothing else runs
+  for (int kills = 0;; ++kills) {
+    const std::uint64_t drawn = mix(seed + static_cast<std::uint64_t>(kills)), wanted = drawn % (most + 1);
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    const pid_t child = fork();
+    if (child == 0) {
+      close(ends[0]);
+      std::uint64_t done = 0, commits = 0;
+      try {
+        session([&](const CampaignProgress& progress) {
+          if (progress.session_done == done) return;
+          done = progress.session_done;
+          if (++commits > most || write(ends[1], "c", 1) != 1) raise(SIGKILL);
+        });
+      } catch (const std::exception&) {
+        _exit(1);
+      }
+      _exit(0);
+    }
+    close(ends[1]);
+    char commit;
+    for (std::uint64_t n = 0; n < wanted && read(ends[0], &commit, 1) == 1;) ++n;
+    usleep(static_cast<useconds_t>((drawn >> 32) % longest_microseconds));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(ends[0]);
+    if (!WIFEXITED(status)) continue;
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    return kills;
+  }
+}
+
+/// Runs `run` in a process of its own. It passes its argument to run_campaign as `on_progress` and returns
+/// the exit code. Sends the process `signal` after its first new pairs are stored, and returns the status of
+/// waitpid.
+template <class Run>
+int end_on_its_way(const Run& run, int signal) {
+  int stored[2];
+  if (pipe(stored) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    close(stored[0]);
+    bool reported = false;
+    const int code = run([&](const CampaignProgress& progress) {
+      if (progress.session_done > 0 && !reported) reported = write(stored[1], "", 1) == 1;
+    });
+    _exit(code);
+  }
+  close(stored[1]);
+  char byte;
+  if (read(stored[0], &byte, 1) == 1) kill(child, signal);  // else it has ended, with nothing left to do
+  close(stored[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
 
 /// A method made of a function, so that a test can make it wrong in any way.
 inline std::unique_ptr<Method> fake(std::string name, FakeMethod::Ask ask, bool foreign = true,
@@ -58,18 +137,8 @@ inline std::vector<std::unique_ptr<Method>> make_methods() {
   return methods;
 }
 
-/// A folder of its own for each test, gone afterwards.
-class Campaign : public testing::Test {
+class Campaign : public testing::Test, protected Scratch {
  protected:
-  void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("daylight_campaign_" + std::to_string(getpid()) + "_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder);
-    methods = make_methods();
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   CampaignOptions options(const std::string& name, std::uint64_t pairs) const {
     CampaignOptions o;
     o.out = folder / name;
@@ -80,8 +149,7 @@ class Campaign : public testing::Test {
   Workload workload() const { return {methods, two_families, cases}; }
   RunStore store(const std::string& name) const { return RunStore::open(folder / name); }
 
-  std::filesystem::path folder;
-  std::vector<std::unique_ptr<Method>> methods;
+  std::vector<std::unique_ptr<Method>> methods = make_methods();
   std::vector<Case> cases;
 };
 

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "base/exit_code.hpp"
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
-#include "oracles/methods/guest_answer.hpp"
+#include "oracles/methods/guest_protocol.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -57,9 +56,8 @@ std::string without_line(const std::string& error) {
 
 }  // namespace
 
-Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed,
-                 std::uint64_t index) {
-  const FamilyIndex drawn = family_index_of(workload, schedule, index);
+Case question_at(const Workload& workload, std::uint64_t seed, std::uint64_t index) {
+  const FamilyIndex drawn = family_index_of(workload, index);
   Case question;
   question.id = std::to_string(index + 1);
   question.source =

@@ -24,7 +24,7 @@ namespace cyl {
 
 /// Pair `index` of a campaign with this seed and workload, for a method elsewhere. Its id is index + 1. It
 /// does not contain the truth.
-Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed, std::uint64_t index);
+Case question_at(const Workload& workload, std::uint64_t seed, std::uint64_t index);
 
 /// Called for an invalid line, which is skipped.
 using OnBadLine = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/store/run_facts.hpp"
@@ -14,21 +12,17 @@ namespace cyl {
 namespace {
 
 /// Turns of the corpus in a round, in which a family has one. A night then asks about the whole corpus.
-constexpr unsigned corpus_weight = 8;
+constexpr std::uint64_t corpus_weight = 8;
 
 }  // namespace
 
-Schedule schedule_of(const Workload& workload) {
-  std::vector<unsigned> weights(workload.families.size(), 1);
-  if (!workload.corpus.empty()) weights.push_back(corpus_weight);
-  return Schedule(std::move(weights));
-}
-
-FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index) {
-  const std::uint64_t cases = workload.cases.size();
+FamilyIndex family_index_of(const Workload& workload, std::uint64_t index) {
+  const std::uint64_t cases = workload.cases.size(), families = workload.families.size();
   if (index < cases) return {0, index};
-  const auto [family, own] = schedule.at(index - cases);
-  return {1 + family, own};
+  const std::uint64_t turns = families + (workload.corpus.empty() ? 0 : corpus_weight),
+                      round = (index - cases) / turns, turn = (index - cases) % turns;
+  if (turn < families) return {1 + turn, round};
+  return {1 + families, round * corpus_weight + (turn - families)};
 }
 
 Pair pair_at(const Workload& workload, std::uint64_t seed, const FamilyIndex& at) {

@@ -10,14 +10,13 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "fuzz/campaign/schedule.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
 
-/// The methods and the pairs. Index i of a run is case i while there are cases. Then the families take turns
-/// (fuzz/campaign/schedule.hpp), and the corpus of a fuzzer as one of them, the last.
+/// The methods and the pairs. Index i of a run is case i while there are cases. Then the families take turns,
+/// and at the end of each round the corpus of a fuzzer.
 struct Workload {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
@@ -33,8 +32,7 @@ struct FamilyIndex {
   std::size_t family;   ///< 0 for the cases, f for families[f - 1], and then the corpus
   std::uint64_t index;  ///< of the case, or of the family's own pairs
 };
-Schedule schedule_of(const Workload& workload);
-FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
+FamilyIndex family_index_of(const Workload& workload, std::uint64_t index);
 Pair pair_at(const Workload& workload, std::uint64_t seed, const FamilyIndex& at);
 std::string family_name(const Workload& workload, std::size_t family);
 /// Returns the pair at an index as a line of a file of cases.

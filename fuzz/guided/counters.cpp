@@ -8,14 +8,12 @@
 
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/trial/contact.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
 /// Binary exponents of margins that have their own counters, from 2^0 down.
 constexpr std::size_t exponent_count = 64;
-constexpr std::size_t iteration_count = 64;
 constexpr std::size_t method_count = 64;
 /// No direction shows containment.
 constexpr std::size_t feature_count = contact_feature_count - 1, angle_count = enum_values<AngleClass>.size();
@@ -26,7 +24,6 @@ struct Counters {
   std::uint8_t strata[feature_count][angle_count][margin_decade_count];
   std::uint8_t margins[2][feature_count][exponent_count];
   std::uint8_t sines[margin_decade_count + 1], cosines[margin_decade_count + 1];  // the last: exactly 0
-  std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
   std::uint8_t scores[3][exponent_count];
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
@@ -85,22 +82,8 @@ Stratum count_geometry(const Pair& pair, const MeasuredDistance& measured, bool 
   return s;
 }
 
-void count_stage(const Truth& truth) {
-  extra_counters.stages[truth.verdict == Verdict::undecided ? 3 : static_cast<std::size_t>(truth.stage)] = 1;
-}
-
-void count_iterations(int iterations) {
-  extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
-}
-
 void count_badness(Badness badness, double score) {
   count_exponent(extra_counters.scores[static_cast<std::size_t>(badness)], score);
-}
-
-// As many steps to a counter as make distance_step_cap in all.
-void count_distance_steps(int steps) {
-  constexpr int part = distance_step_cap / static_cast<int>(iteration_count) + 1;
-  extra_counters.distance_steps[std::clamp(steps / part, 0, static_cast<int>(iteration_count) - 1)] = 1;
 }
 
 void count_difference(std::size_t i, std::size_t j) {

@@ -29,18 +29,14 @@ bool is_moderate(const Pair& pair);
 /// Counts the stratum of a moderate pair, and returns it. If `finely`, it also counts the features with the
 /// signed binary exponent of the margin, and the decade of the axes' angle.
 Stratum count_geometry(const Pair& pair, const MeasuredDistance& measured, bool finely);
-/// Counts how the referee came to its verdict, or that it did not.
-void count_stage(const Truth& truth);
-void count_iterations(int iterations);
 /// How near an answer of our own calls comes to the ends of its promises.
 enum class Badness : unsigned char {
   error,     ///< the error of the distance, divided by the bound that is returned with it
   bound,     ///< that bound, divided by the claim
   undecided  ///< the margin of an undecided pair
 };
-/// Counts the badness by halves, and the steps of distance().
+/// Counts the badness by halves.
 void count_badness(Badness badness, double score);
-void count_distance_steps(int steps);
 /// Counts that the methods i < j, of at most 64, answer differently.
 void count_difference(std::size_t i, std::size_t j);
 

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The core target: our solver, its laws and the referee on one pair, and no foreign code but the exact
-// arithmetic. If the solver does not take the pair, the referee alone runs.
-#include <algorithm>
-#include <array>
+// arithmetic.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "corpus/pairs/pair_numbers.hpp"
-#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/fuzz_judge.hpp"
 #include "fuzz/guided/record.hpp"
-#include "oracles/methods/own_answers.hpp"
 #include "props/laws/laws.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -36,48 +29,31 @@ class Core {
       (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
     }
     answers_.resize(methods_.size());
-    decide_ = place_of([](Method& method) { return method.claim().certified; });
-    distance_ = place_of([](Method& method) { return bool(method.prepare_distances({})); });
   }
 
   void run(const Pair& pair) {
-    if (has_half_space(pair) || has_box(pair)) return judge_by_stages(pair);  // the solver takes none
-    const Distance measured = distance(pair.a, pair.b);
     bool promised = false;  // a verdict by a method that promises to be right everywhere is looked into
     for (std::size_t m = 0; m < methods_.size(); ++m) {
-      answers_[m] = m == distance_ ? answer_of(pair, measured) : methods_[m]->ask(pair);
+      answers_[m] = methods_[m]->ask(pair);
       const Claim claim = methods_[m]->claim();
       promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
     }
-    const MeasuredDistance own = measured_of(measured);
-    FuzzJudge fuzz_judge(pair, answers_, promised, sink_, &own);
+    FuzzJudge fuzz_judge(pair, answers_, promised, sink_);
     for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
-    count_iterations(answers_[decide_].steps);
-    count_distance_steps(measured.iterations);
     if (fuzz_judge.drawn(unaided_share)) judge_unaided(fuzz_judge);
     if (fuzz_judge.drawn(law_share)) check_law(fuzz_judge, cheap_laws_);
     if (fuzz_judge.drawn(proved_law_share)) check_law(fuzz_judge, proved_laws_);
   }
 
  private:
-  template <typename Sought>
-  std::size_t place_of(Sought is_sought) const {
-    const auto at =
-        std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return is_sought(*m); });
-    return static_cast<std::size_t>(at - methods_.begin());
-  }
-
-  // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
-  void judge_unaided(const FuzzJudge& fuzz_judge) {
-    check_agree(fuzz_judge.pair(), fuzz_judge.truth().verdict, prove_in_double(fuzz_judge.pair()).verdict);
-  }
-
-  // Two proofs of one pair by the referee, in double and exactly.
-  void judge_by_stages(const Pair& pair) {
-    FuzzJudge fuzz_judge(pair, {}, false, sink_);
-    if (fuzz_judge.drawn(wide_share))
-      check_agree(pair, fuzz_judge.truth().verdict, prove_exactly(pair, {}, wide_bits_cap).verdict);
+  // Proofs of one pair: from the solver's certificate, and from the referee's own search, in double and now
+  // and then exactly.
+  void judge_unaided(FuzzJudge& fuzz_judge) {
+    const Verdict known = fuzz_judge.truth().verdict;
+    check_agree(fuzz_judge.pair(), known, prove_in_double(fuzz_judge.pair()).verdict);
+    if (fuzz_judge.drawn(wide_share / unaided_share))
+      check_agree(fuzz_judge.pair(), known, prove_exactly(fuzz_judge.pair(), {}, wide_bits_cap).verdict);
   }
 
   void check_agree(const Pair& pair, Verdict one, Verdict other) {
@@ -99,7 +75,6 @@ class Core {
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<const Law*> cheap_laws_, proved_laws_;
   std::vector<MethodAnswer> answers_;
-  std::size_t decide_, distance_;  // in methods_
   FindingSink sink_;
 };
 

@@ -22,20 +22,20 @@ RandomStream draws_of(const Pair& pair) {
 }  // namespace
 
 FuzzJudge::FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-                     const MeasuredDistance* own, bool finely)
-    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink), own_(own) {
+                     bool finely)
+    : trial_(pair, Truth{}), draws_(draws_of(pair)), sink_(sink) {
   trial_.truth = prove_in_double(trial_.pair, offered);
   if (trial_.truth.verdict == Verdict::invalid) return;
   if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
     trial_.truth = prove_exactly(trial_.pair, offered, wide_bits_cap);
   measured_ = approximate_distance(trial_.pair);
   const Stratum stratum = count_geometry(trial_.pair, measured_, finely);
-  count_stage(trial_.truth);
   if (trial_.truth.verdict == Verdict::undecided) sink_.add_undecided(trial_.pair, stratum);
   enclose_ = drawn(enclosed_share);
 }
 
 void FuzzJudge::record(const Method& method, MethodAnswer answer) {
+  if (answer.status == Status::declined) return;
   if (answer.status == Status::answered &&
       (answer.verdict == Verdict::invalid) != (trial_.truth.verdict == Verdict::invalid)) {
     sink_.add_finding(trial_.pair, method.name(), "wrong_invalid", "the referee disagrees about `invalid`");
@@ -67,7 +67,7 @@ void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer
 
 void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answer) {
   const Pair& pair = trial_.pair;
-  const Enclosure shown = shown_distance(pair, own_ ? *own_ : measured_of(distance(pair.a, pair.b)));
+  const Enclosure shown = shown_distance(pair, measured_of(distance(pair.a, pair.b)));
   if (!std::isfinite(shown.lo)) return;
   const Enclosure off = error_bound_of(shown, answer);
   count_badness(Badness::error, off.hi / answer.error_bound);

@@ -26,9 +26,9 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class FuzzJudge {
  public:
   /// Judges in double with the returned witnesses, and beyond double if `must` or by a random share. Counts
-  /// the geometry (`finely`: counters.hpp). `own`: what the solver measured, if the caller has it.
+  /// the geometry (`finely`: counters.hpp).
   FuzzJudge(const Pair& pair, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
-            const MeasuredDistance* own = nullptr, bool finely = true);
+            bool finely = true);
   FuzzJudge(const FuzzJudge&) = delete;
   FuzzJudge& operator=(const FuzzJudge&) = delete;
 
@@ -50,7 +50,6 @@ class FuzzJudge {
   Trial trial_;
   RandomStream draws_;
   FindingSink& sink_;
-  const MeasuredDistance* own_;
   MeasuredDistance measured_;
   bool enclose_ = false;
 };

@@ -99,7 +99,7 @@ class Xcheck {
     const bool guest = methods_.front()->guest();
     // A pair that a plug-in declines is of no use to it, so it adds nothing that the engine would keep.
     if (guest && !ask_guest(pair)) return;
-    FuzzJudge fuzz_judge(pair, {}, false, sink_, nullptr, !guest);  // its own branches are to count more
+    FuzzJudge fuzz_judge(pair, {}, false, sink_, !guest);  // its own branches are to count more
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     const std::size_t drawn = literature_ == 0 ? 0 : fuzz_judge.draws().below(literature_);
     for (std::size_t m = 0; m < methods_.size(); ++m) {

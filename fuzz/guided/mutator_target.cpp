@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "fuzz/guided/mutator.hpp"
 #include "fuzz/guided/record.hpp"

@@ -2,8 +2,6 @@
 # A fuzz target is a file with LLVMFuzzerTestOneInput. Everywhere it becomes a program that replays files; with clang also
 # one that searches, with all code of ours instrumented.
 set(fuzz_targets core xcheck)
-add_executable(make_records fuzz/guided/make_records_main.cpp)
-target_link_libraries(make_records PRIVATE daylight_fuzz_guided)
 foreach(target ${fuzz_targets})
   add_executable(fuzz_${target} fuzz/guided/fuzz_${target}_target.cpp fuzz/guided/replay_main.cpp)
   target_link_libraries(fuzz_${target} PRIVATE daylight_fuzz_guided)

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Of a pair: its size_of, in the scene's unit.
+/// The size_of a pair, in the scene's unit.
 constexpr double least_size = 1e-3, most_size = 1e3;
 /// The part of its size that a length may be if it is not 0, and the sizes that a centre may be from the
 /// origin.

@@ -9,7 +9,6 @@
 #include <functional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"

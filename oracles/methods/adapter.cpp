@@ -6,18 +6,16 @@
 #include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {
 
 std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
   if (is_legal(pair)) return std::nullopt;
   const Defect a = find_defect(pair.a), b = find_defect(pair.b);
-  MethodAnswer answer;
-  answer.set_reason(a != Defect::none   ? std::string("a: ") + to_string(a)
-                    : b != Defect::none ? std::string("b: ") + to_string(b)
-                                        : "both solids are half-spaces");
-  return answer;
+  return declined_answer(a != Defect::none   ? std::string("a: ") + to_string(a)
+                         : b != Defect::none ? std::string("b: ") + to_string(b)
+                                             : "both solids are half-spaces");
 }
 
 Solid with_rounded_rims(Solid c, double rounding) noexcept {
@@ -59,11 +57,7 @@ Eigen::Matrix3d rotation_to(const Vector3& u) noexcept {
 Eigen::Matrix3d rotation_of(const Solid& c) noexcept {
   if (!is_box(c)) return rotation_to(unit_axis(c.axis));
   Eigen::Matrix3d m;
-  const auto edges = edge_directions<double>(c.quaternion);
-  for (int i = 0; i < 3; ++i) {
-    const Vec3<double>& e = edges[static_cast<std::size_t>(i)];
-    m.col(i) << e.x, e.y, e.z;
-  }
+  for (int i = 0; i < 3; ++i) m.col(i) = edge_direction(c, static_cast<std::size_t>(i));
   return m;
 }
 

@@ -33,6 +33,25 @@ std::shared_ptr<const std::vector<std::pair<Guest, Guest>>> shared_solids_of(std
   return std::make_shared<const std::vector<std::pair<Guest, Guest>>>(solids_of<Guest>(pairs));
 }
 
+/// A method that asks its library about two solids of the library's own type.
+template <class Guest>
+class VerdictMethod : public Method {
+ public:
+  using Method::Method;
+  MethodAnswer answer(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    return answered(collide(Guest(pair.a), Guest(pair.b)));
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [this, solids = shared_solids_of<Guest>(pairs)](std::size_t i) {
+      return collide((*solids)[i].first, (*solids)[i].second);
+    };
+  }
+
+ private:
+  virtual Verdict collide(const Guest& a, const Guest& b) = 0;
+};
+
 /// Returns the cylinder or box with its edges rounded inwards by `rounding`. Returns it unchanged if it is
 /// too thin for that, or rounded already.
 Solid with_rounded_rims(Solid c, double rounding) noexcept;

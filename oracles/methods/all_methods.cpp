@@ -65,4 +65,8 @@ std::vector<std::unique_ptr<Method>> setting_methods() {
   });
 }
 
+#ifndef DAYLIGHT_WITH_CCD
+std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums() { return {}; }
+#endif
+
 }  // namespace cyl

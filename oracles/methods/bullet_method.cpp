@@ -21,7 +21,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
@@ -163,17 +162,17 @@ Verdict verdict_of(std::optional<double> distance) {
 }
 
 MethodAnswer answer_of(std::optional<double> distance) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict_of(distance);
+  MethodAnswer answer = answered(verdict_of(distance));
   answer.has_distance = distance.has_value();
   answer.distance = distance.value_or(0);
   return answer;
 }
 
-class Bullet : public Method {
+/// The common part of all methods of Bullet, with the base that they need.
+template <class Base>
+class BulletOf : public Base {
  public:
-  using Method::Method;
+  using Base::Base;
   std::string_view version() const override { return version_; }
   bool supports(SolidKind) const override { return true; }
   Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
@@ -181,6 +180,7 @@ class Bullet : public Method {
  private:
   const std::string version_ = version_of_bullet();
 };
+using Bullet = BulletOf<Method>;
 
 /// The detector on shapes of one kind.
 template <Rims rims>
@@ -202,12 +202,9 @@ class Detector final : public Bullet {
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     if (const Solid& other = is_half_space(pair.a) ? pair.b : pair.a;
-        has_half_space(pair) && kind_of(other) == SolidKind::rounded_box) {
-      MethodAnswer answer;
-      answer.set_reason(
+        has_half_space(pair) && kind_of(other) == SolidKind::rounded_box)
+      return declined_answer(
           "Bullet asks a box for its vertices, so a plane meets the sharp box around a rounded one");
-      return answer;
-    }
     return answer_of(measure(BulletSolid<rims>(pair.a), BulletSolid<rims>(pair.b)));
   }
   Call prepare_all(std::span<const Pair> pairs) override {
@@ -249,14 +246,8 @@ class GjkEpa2 final : public Bullet {
     btGjkEpaSolver2::sResults result;
     if (measure(BulletSolid<Rims::sharp>(pair.a), BulletSolid<Rims::sharp>(pair.b), result))
       return answer_of(result.distance);
-    MethodAnswer answer;
-    if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
-      answer.status = Status::answered;
-      answer.verdict = Verdict::intersecting;
-    } else {
-      answer.set_reason("GJK_Failed: shapes are probably just 'touching' (btGjkEpa2.h)");
-    }
-    return answer;
+    if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) return answered(Verdict::intersecting);
+    return declined_answer("GJK_Failed: shapes are probably just 'touching' (btGjkEpa2.h)");
   }
   Call prepare_all(std::span<const Pair> pairs) override {
     return [solids = shared_solids_of<BulletSolid<Rims::sharp>>(pairs)](std::size_t i) {
@@ -283,9 +274,9 @@ class GjkEpa2 final : public Bullet {
 
 /// Asks the test that Bullet's dispatch has for two boxes. It takes them with their margins as sharp boxes.
 /// Its depths are not used, because it prefers facets to edges by 5 %.
-class BoxBox final : public Bullet {
+class BoxBox final : public BulletOf<VerdictMethod<BulletSolid<Rims::by_margin>>> {
  public:
-  using Bullet::Bullet;
+  using BulletOf::BulletOf;
   bool supports(SolidKind kind) const override { return kind == SolidKind::box; }
   Claim claim() const override {
     return {.relative = 1e-5,
@@ -295,22 +286,10 @@ class BoxBox final : public Bullet {
                 "with s2 > SIMD_EPSILON",
             .assumed = true};
   }
-  MethodAnswer answer(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = collide(Box(pair.a), Box(pair.b));
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = shared_solids_of<Box>(pairs)](std::size_t i) {
-      return collide((*solids)[i].first, (*solids)[i].second);
-    };
-  }
 
  private:
   using Box = BulletSolid<Rims::by_margin>;
-  static Verdict collide(const Box& a, const Box& b) {
+  Verdict collide(const Box& a, const Box& b) override {
     Contact contact;
     btBoxBoxDetector(static_cast<const btBoxShape*>(a.shape.get()),
                      static_cast<const btBoxShape*>(b.shape.get()))
@@ -332,18 +311,10 @@ class HullShape final : public Bullet {
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
-    answer.status = Status::answered;
     const double outward = (1 + vertex_error) / std::cos(std::numbers::pi / sides_);
-    if (!meet(pair, outward)) {
-      answer.verdict = Verdict::disjoint;
-    } else if (meet(pair, 1 - vertex_error)) {
-      answer.verdict = Verdict::intersecting;
-    } else {
-      answer.status = Status::declined;
-      answer.set_reason("the circumscribed prisms meet, the inscribed ones do not");
-    }
-    return answer;
+    if (!meet(pair, outward)) return answered(Verdict::disjoint);
+    if (meet(pair, 1 - vertex_error)) return answered(Verdict::intersecting);
+    return declined_answer("the circumscribed prisms meet, the inscribed ones do not");
   }
 
  private:

@@ -9,7 +9,6 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
-#include "oracles/methods/other_sums.hpp"
 
 namespace cyl {
 namespace {
@@ -53,6 +52,10 @@ CcdSolid solid_of(const Solid& c) {
   return s;
 }
 
+struct ReadySolid : CcdSolid {
+  explicit ReadySolid(const Solid& c) : CcdSolid(solid_of(c)) {}
+};
+
 void direction_of_centers(const void* a, const void* b, ccd_vec3_t* direction) {
   ccd_vec3_t center_a, center_b;
   center_of(a, &center_a);
@@ -65,29 +68,16 @@ void direction_of_centers(const void* a, const void* b, ccd_vec3_t* direction) {
 using Intersect = int(const void*, const void*, const ccd_t*);
 
 /// Returns yes or no from one of libccd's two algorithms.
-class Ccd final : public Method {
+class Ccd final : public VerdictMethod<ReadySolid> {
  public:
   Ccd(MethodName name, Intersect* intersect, const ccd_t& settings, const Claim& claim)
-      : Method(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
+      : VerdictMethod(std::move(name)), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
   bool supports(SolidKind kind) const override { return kind != SolidKind::half_space; }
   Claim claim() const override { return claim_; }
 
-  MethodAnswer answer(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = collide(solid_of(pair.a), solid_of(pair.b));
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<CcdSolid>(pairs, solid_of)](std::size_t i) {
-      return collide(solids[i].first, solids[i].second);
-    };
-  }
-
  private:
-  Verdict collide(const CcdSolid& a, const CcdSolid& b) const {
+  Verdict collide(const ReadySolid& a, const ReadySolid& b) override {
     return intersect_(&a, &b, &settings_) != 0 ? Verdict::intersecting : Verdict::disjoint;
   }
 
@@ -138,10 +128,9 @@ std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums() {
 
 std::vector<std::unique_ptr<Method>> ccd_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(mpr({"libccd", "mpr", "tol1e-2"}, 1e-2));
-  methods.push_back(mpr({"libccd", "mpr", "tol1e-6"}, 1e-6));
-  methods.push_back(mpr({"libccd", "mpr", "tol1e-8"}, 1e-8));
-  methods.push_back(mpr({"libccd", "mpr", "tol1e-12"}, 1e-12));
+  for (const auto& [setting, tolerance] : {std::pair("tol1e-2", 1e-2), std::pair("tol1e-6", 1e-6),
+                                           std::pair("tol1e-8", 1e-8), std::pair("tol1e-12", 1e-12)})
+    methods.push_back(mpr({"libccd", "mpr", setting}, tolerance));
   return methods;
 }
 

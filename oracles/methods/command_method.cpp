@@ -11,7 +11,6 @@
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/guest.hpp"
-#include "oracles/methods/guest_answer.hpp"
 #include "oracles/methods/guest_protocol.hpp"
 
 namespace cyl {

@@ -3,29 +3,33 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <string>
 #include <thread>
 
-#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/worker.hpp"
 
 namespace cyl {
 namespace {
 
-MethodAnswer verdict_alone(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
+bool all_finite(const MethodAnswer& a) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  return (!a.states_distance() || finite(a.distance)) &&
+         (a.witness == CertificateKind::none ||
+          (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite) &&
+           std::all_of(a.other_head, a.other_head + 3, finite) &&
+           std::all_of(a.other_tail, a.other_tail + 3, finite)));
 }
 
-MethodAnswer cannot_be_called_so() {
-  MethodAnswer answer;
-  answer.set_reason("cannot be asked this way");
-  return answer;
+bool well_formed(const MethodAnswer& a) {
+  return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
+         a.witness <= CertificateKind::points && a.witness != CertificateKind::near &&
+         a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center && a.side_effect <= SideEffect::thread;
 }
+
+MethodAnswer cannot_be_called_so() { return declined_answer("cannot be asked this way"); }
 
 /// The number of lines that are sent to a program before the first of them must be answered.
 constexpr std::size_t ahead_cap = 64;
@@ -58,7 +62,7 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
     }
     case CallMode::prepared: {
       const Method::Call call = method.prepare_all({&pair, 1});
-      return call ? verdict_alone(call(0)) : cannot_be_called_so();
+      return call ? answered(call(0)) : cannot_be_called_so();
     }
     case CallMode::batch: {
       std::array<Pair, batch_size> pairs;
@@ -71,13 +75,41 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
       call(verdicts);
       const Verdict first = verdicts[asked_places[0]];
       const auto same = [&](std::size_t place) { return verdicts[place] == first; };
-      if (std::ranges::all_of(asked_places, same)) return verdict_alone(first);
+      if (std::ranges::all_of(asked_places, same)) return answered(first);
       const Verdict alone = method.ask(pair).verdict;  // at least one place has another verdict
       const auto other = [&](std::size_t place) { return verdicts[place] != alone; };
-      return verdict_alone(verdicts[*std::ranges::find_if(asked_places, other)]);
+      return answered(verdicts[*std::ranges::find_if(asked_places, other)]);
     }
   }
   return method.ask(pair);
+}
+
+MethodAnswer checked(MethodAnswer answer) {
+  answer.reason[sizeof answer.reason - 1] = 0;
+  if (!well_formed(answer)) {
+    return failed_answer(Failure::malformed,
+                         "no answer: status " + std::to_string(static_cast<int>(answer.status)) +
+                             ", verdict " + std::to_string(static_cast<int>(answer.verdict)) + ", witness " +
+                             std::to_string(static_cast<int>(answer.witness)));
+  }
+  if (answer.status == Status::answered && !all_finite(answer)) {
+    answer.status = Status::failed;
+    answer.failure = Failure::non_finite;
+    answer.set_reason(answer.states_distance() && !std::isfinite(answer.distance)
+                          ? "distance is " + std::to_string(answer.distance)
+                          : "the witness is not finite");
+  }
+  return answer;
+}
+
+MethodAnswer ask_noexcept(Method& method, const Pair& pair, CallMode mode) {
+  try {
+    return checked(call(method, pair, mode));
+  } catch (const std::exception& e) {
+    return failed_answer(Failure::exception, e.what());
+  } catch (...) {
+    return failed_answer(Failure::exception, "thrown: not a std::exception");
+  }
 }
 
 std::chrono::milliseconds cpu_cap_of(const Method& method) {

@@ -34,6 +34,14 @@ struct Question {
 /// Asks in this process. Throws what the method throws.
 MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
+/// Asks in this process. An exception, an unknown value of an enum, or a number that is not finite becomes a
+/// failure.
+MethodAnswer ask_noexcept(Method& method, const Pair& pair, CallMode mode);
+
+/// Returns the answer. An answer with an unknown value of an enum, or a number that is not finite, becomes a
+/// failure.
+MethodAnswer checked(MethodAnswer answer);
+
 struct ContainedAnswer {
   MethodAnswer answer;
   /// CPU time of the run that this call belongs to, divided by the calls in it. For a run of one call: its
@@ -56,8 +64,6 @@ struct Caps {
   std::chrono::milliseconds call_wall = 20 * call_cpu;
   /// CPU time and wall time that a library may take to load.
   std::chrono::milliseconds load = 20 * call_cpu_cap;
-  /// Time that one call may sleep or wait. A longer wait is reported as a side effect.
-  std::chrono::milliseconds call_wait = 2 * call_cpu;
   /// Hangs of one method in one call of ask(). After these, its questions are declined, with that
   /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();

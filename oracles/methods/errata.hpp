@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The errata of the documents that this project starts from: each fault, and how a pair shows it.
+// The errata of the documents that this project starts from, as far as a program can follow the text.
 // solver/literature/errata.md describes them. The methods with a single fault are made from this table.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,17 +15,9 @@ namespace cyl {
 
 enum class Document : unsigned char { text_2017, text_2008, book };
 
-/// How a pair shows a fault.
-enum class ShownBy : unsigned char {
-  alone,      ///< The corrected text with this fault alone is wrong on it: seed2017-only-<fault>.
-  taken_out,  ///< The printed text is wrong on it, and right without this fault: seed2017-without-<fault>.
-  none        ///< No pair does, because no verdict changes.
-};
-
 struct Erratum {
   std::string_view id;  ///< <document>-<fault>, as in the names of the methods and the headings of errata.md
-  ShownBy shown_by;
-  std::optional<literature::Fault> fault{};  ///< none if no program can follow the text
+  literature::Fault fault;
 
   Document document() const {
     if (id.starts_with("2017")) return Document::text_2017;
@@ -37,14 +27,6 @@ struct Erratum {
 
 /// In the order of errata.md.
 std::span<const Erratum> errata();
-
-/// The id of the case that shows it, in corpus/cases/errata.jsonl.
-std::string case_of(const Erratum& erratum);
-
-/// Returns the name of the method that is wrong on that case, and of the method that differs by this fault
-/// alone and is right. Both are literal: no code of ours repairs the effect of the fault.
-std::string wrong_method(const Erratum& erratum);
-std::string right_method(const Erratum& erratum);
 
 /// The mended texts (`-mended`), the texts with a single fault (`-only-`), the printed texts with a single
 /// fault taken out (`-without-`), and other readings of these. A campaign asks them only if it names them.

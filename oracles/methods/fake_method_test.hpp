@@ -13,14 +13,6 @@
 
 namespace cyl {
 
-/// Returns an answer with this verdict and nothing else.
-inline MethodAnswer answered(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
-}
-
 struct FakeTraits {
   Claim claim = {};
   bool foreign = true, guest = false, is_out_of_process = false;

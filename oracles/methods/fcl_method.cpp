@@ -24,8 +24,7 @@ constexpr std::string_view collide_source =
     "algorithm";
 constexpr std::string_view distance_source =
     "fcl/narrowphase/distance_request.h: distance_tolerance = 1e-6, the threshold used in GJK algorithm to "
-    "stop "
-    "distance iteration";
+    "stop distance iteration";
 
 /// FCL's default tolerance, and one for users who need more precision.
 constexpr double default_tol = 1e-6;
@@ -61,9 +60,9 @@ struct FclSolid {
 };
 
 /// Calls fcl::collide without contacts, which returns yes or no.
-class Collide final : public Method {
+class Collide final : public VerdictMethod<FclSolid> {
  public:
-  Collide(MethodName name, fcl::GJKSolverType solver, double tolerance) : Method(std::move(name)) {
+  Collide(MethodName name, fcl::GJKSolverType solver, double tolerance) : VerdictMethod(std::move(name)) {
     request_.gjk_solver_type = solver;
     request_.gjk_tolerance = tolerance;
   }
@@ -74,21 +73,8 @@ class Collide final : public Method {
   }
   Claim claim() const override { return {.absolute = request_.gjk_tolerance, .source = collide_source}; }
 
-  MethodAnswer answer(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = collide(FclSolid(pair.a), FclSolid(pair.b));
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = shared_solids_of<FclSolid>(pairs)](std::size_t i) {
-      return collide((*solids)[i].first, (*solids)[i].second);
-    };
-  }
-
  private:
-  Verdict collide(const FclSolid& a, const FclSolid& b) const {
+  Verdict collide(const FclSolid& a, const FclSolid& b) override {
     fcl::CollisionResultd result;
     const bool hit = fcl::collide(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result) > 0;
     return hit ? Verdict::intersecting : Verdict::disjoint;
@@ -119,10 +105,8 @@ class Distance final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     fcl::DistanceResultd result;
     const double distance = measure(FclSolid(pair.a), FclSolid(pair.b), result);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = distance > 0 ? Verdict::disjoint : Verdict::intersecting;
-    if (!(distance > 0)) return answer;
+    if (!(distance > 0)) return answered(Verdict::intersecting);
+    MethodAnswer answer = answered(Verdict::disjoint);
     answer.has_distance = true;
     answer.distance = distance;
     const Vector3 direction = result.nearest_points[1] - result.nearest_points[0];
@@ -163,17 +147,14 @@ std::vector<std::unique_ptr<Method>> fcl_methods() {
 
 std::vector<std::unique_ptr<Method>> fcl_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-4"}, fcl::GST_LIBCCD, 1e-4));
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-8"}, fcl::GST_LIBCCD, 1e-8));
+  for (const auto& [setting, tol] :
+       {std::pair("tol1e-4", 1e-4), std::pair("tol1e-8", 1e-8), std::pair("tol1e-12", 1e-12)}) {
+    methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "libccd", setting}, fcl::GST_LIBCCD, tol));
+    methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", setting}, fcl::GST_INDEP, tol));
+    methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", setting}, tol));
+  }
   methods.push_back(
-      std::make_unique<Collide>(MethodName{"fcl", "libccd", "tol1e-12"}, fcl::GST_LIBCCD, 1e-12));
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-4"}, fcl::GST_INDEP, 1e-4));
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-8"}, fcl::GST_INDEP, 1e-8));
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-10"}, fcl::GST_INDEP, 1e-10));
-  methods.push_back(std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-12"}, fcl::GST_INDEP, 1e-12));
-  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-4"}, 1e-4));
-  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-8"}, 1e-8));
-  methods.push_back(std::make_unique<Distance>(MethodName{"fcl", "distance-libccd", "tol1e-12"}, 1e-12));
+      std::make_unique<Collide>(MethodName{"fcl", "indep", "tol1e-10"}, fcl::GST_INDEP, fine_tol));
   return methods;
 }
 

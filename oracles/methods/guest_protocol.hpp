@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 
+#include "corpus/pairs/method_answer.hpp"
 #include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "oracles/methods/guest.hpp"
@@ -59,5 +60,9 @@ struct GuestLine {
 /// Throws on no content of a line. The numbers of an answer are finite. The numbers of a claim are also not
 /// negative.
 GuestLine parse_guest_line(std::string_view text);
+
+/// With `depth_at_most`, a depth is an upper bound.
+/// Returns the answer; of a point and a direction, the one that goes with the verdict.
+MethodAnswer method_answer(const GuestAnswer& said, bool depth_at_most);
 
 }  // namespace cyl

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "corpus/pairs/truth_io.hpp"
-#include "oracles/methods/guest_answer.hpp"
 
 namespace cyl {
 namespace {

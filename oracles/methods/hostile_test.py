@@ -46,23 +46,17 @@ static int misbehave(const char* mode, double* a, double* more) {
   if (IS("stack")) { char start = 0; deep(&start); }
   if (IS("exit")) exit(0);
   if (IS("_exit")) _exit(0);
-  if (IS("loop")) while (spin) { }
   if (IS("blocked-loop")) { sigset_t all; sigfillset(&all); sigprocmask(SIG_BLOCK, &all, 0); while (spin) { } }
-  if (IS("session-loop")) { setsid(); while (spin) { } }
   if (IS("print")) for (i = 0; i < 100; ++i) { puts("garbage"); fputs("garbage\n", stderr); }
   if (IS("close")) with_all(shut);
   if (IS("scribble")) with_all(scribble);
   if (IS("fork") && fork() == 0) while (1) pause();
-  if (IS("fork-session") && fork() == 0) { setsid(); while (1) pause(); }
-  if (IS("fork-bomb")) while (1) fork();
   if (IS("rounding")) fesetround(FE_UPWARD);
   if (IS("far-more")) for (i = 0; i < 20000; ++i) more[i] = 1;
   if (IS("near-more")) for (i = 7; i < 12; ++i) more[i] = 1;
   if (IS("inputs")) memset(a, 0, 64);
   if (IS("77")) return 77;
-  if (IS("kill-group")) kill(0, SIGKILL);
   if (IS("kill-all")) kill(-1, SIGKILL);
-  if (IS("kill-parent")) kill(getppid(), SIGKILL);
   if (IS("thread")) { pthread_t t; pthread_create(&t, 0, spinning, 0); }
   if (IS("limits")) {
     struct rlimit none = {0, 0};
@@ -140,23 +134,17 @@ NAMED = {
     'stack': ('crash', 'SIGSEGV'),
     'exit': ('crash', 'called exit()'),
     '_exit': ('crash', 'ended its process with status 0'),
-    'loop': ('hang', 'ms of CPU time'),
     'blocked-loop': ('hang', 'ms of CPU time'),
-    'session-loop': ('hang', 'ms of CPU time'),
     'print': None,
     'close': None,
     'scribble': None,
     'fork': ('crash', 'called clone(), which a method may not'),
-    'fork-session': ('crash', 'called clone(), which a method may not'),
-    'fork-bomb': ('crash', 'called clone(), which a method may not'),
     'rounding': ('side_effect', 'the rounding mode changed'),
     'far-more': ('crash', 'SIG'),
     'near-more': ('side_effect', 'wrote behind'),
     'inputs': None,
     '77': ('malformed', '77'),
-    'kill-group': ('crash', 'called kill(), which a method may not'),
     'kill-all': ('crash', 'called kill(), which a method may not'),
-    'kill-parent': ('crash', 'called kill(), which a method may not'),
     'thread': ('side_effect', 'thread'),
     'limits': None,
     'bomb': ('', ''),  # a crash where the cap on memory is met first, a hang where that on time is

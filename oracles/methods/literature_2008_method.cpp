@@ -11,14 +11,13 @@ namespace cyl {
 namespace {
 
 using literature::CircleWay;
-using literature::CriticalWay;
 using literature::Options;
 
 struct Setting {
   std::string_view library, algorithm, setting;
   CircleWay circle;
-  CriticalWay critical;
-  Options options;
+  int step_cap;
+  double tolerance;
   double relative;  ///< of the claim
 };
 
@@ -26,62 +25,35 @@ struct Setting {
 // pairs of each family. The literal methods must be as good as exact arithmetic would make them. The margins:
 //     polynomial-polish: 1.6e-7, lattice_dust. projection, seedbook: none, except for exact touching.
 constexpr Setting settings[] = {
-    {"seed2008",
-     "polynomial",
-     "polish0",
-     CircleWay::polynomial,
-     CriticalWay::normalised,
-     {{}, 0, 1e-3},
-     1e-5},
-    {"seed2008",
-     "polynomial",
-     "polish4",
-     CircleWay::polynomial,
-     CriticalWay::normalised,
-     {{}, 4, 1e-3},
-     1e-5},
-    {"seed2008",
-     "projection",
-     "polish0",
-     CircleWay::projection,
-     CriticalWay::normalised,
-     {{}, 0, 1e-3},
-     1e-13},
-    {"seed2008",
-     "projection",
-     "polish4",
-     CircleWay::projection,
-     CriticalWay::normalised,
-     {{}, 4, 1e-3},
-     1e-13},
-    {"seedbook", "", "", CircleWay::projection, CriticalWay::adjugate, {{}, 60, 1e-3}, 1e-13},
+    {"seed2008", "polynomial", "polish0", CircleWay::polynomial, 0, 1e-3, 1e-5},
+    {"seed2008", "polynomial", "polish4", CircleWay::polynomial, 4, 1e-3, 1e-5},
+    {"seed2008", "projection", "polish0", CircleWay::projection, 0, 1e-3, 1e-13},
+    {"seed2008", "projection", "polish4", CircleWay::projection, 4, 1e-3, 1e-13},
+    {"seedbook", "", "", CircleWay::projection, 60, 1e-3, 1e-13},
 };
 
 /// The meaning of the settings, and the part of them that is in no document.
 constexpr std::string_view source =
     "solver/literature/separation_2008.hpp: the text itself names no error; the relative part is ours, above "
-    "the "
-    "largest error seen. polishN: N Newton steps of a root.";
+    "the largest error seen. polishN: N Newton steps of a root.";
 
-std::unique_ptr<Method> method_of(const Setting& s) {
+std::unique_ptr<Method> method_of(const Setting& s, bool literal = false, literature::Faults faults = {}) {
+  const Options options{
+      .faults = faults, .step_cap = s.step_cap, .tolerance = s.tolerance, .literal = literal};
   return std::make_unique<LiteratureMethod>(
       MethodName{std::string(s.library), std::string(s.algorithm), std::string(s.setting)}, "2008-03-02",
       Claim{.relative = s.relative, .source = source, .assumed = true},
       // If section 7 does not decide, up to four polynomials of degree 8 cost 30 to 60 us.
-      s.circle == CircleWay::polynomial ? 16 : 1, s.options.literal,
-      [=](const Prepared& a, const Prepared& b) {
-        return separation_2008(a, b, s.circle, s.critical, s.options);
-      });
+      s.circle == CircleWay::polynomial ? 16 : 1, literal,
+      [=](const Prepared& a, const Prepared& b) { return separation_2008(a, b, s.circle, options); });
 }
 
 /// The literal document, with these faults.
 std::unique_ptr<Method> literal_method(Document document, const std::string& name,
                                        literature::Faults faults) {
-  const bool book = document == Document::book;
-  const Options options{.faults = faults, .step_cap = 60, .tolerance = 1e-3, .literal = true};
-  return method_of({book ? "seedbook" : "seed2008", "", name,
-                    book ? CircleWay::projection : CircleWay::polynomial,
-                    book ? CriticalWay::adjugate : CriticalWay::normalised, options, 1e-13});
+  if (document == Document::book)
+    return method_of({"seedbook", "", name, CircleWay::projection, 60, 1e-3, 1e-13}, true, faults);
+  return method_of({"seed2008", "", name, CircleWay::polynomial, 60, 1e-3, 1e-13}, true, faults);
 }
 
 }  // namespace
@@ -99,12 +71,12 @@ std::vector<std::unique_ptr<Method>> errata_2008_methods() {
   for (const Document document : {Document::text_2008, Document::book})
     methods.push_back(literal_method(document, "mended", {}));
   for (const Erratum& e : errata()) {
-    if (e.document() == Document::text_2017 || !e.fault) continue;
+    if (e.document() == Document::text_2017) continue;
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    methods.push_back(literal_method(e.document(), "only-" + name, *e.fault));
+    methods.push_back(literal_method(e.document(), "only-" + name, e.fault));
     const auto printed = e.document() == Document::book ? literature::printed_book : literature::printed_2008;
-    if (printed.has(*e.fault))
-      methods.push_back(literal_method(e.document(), "without-" + name, printed.without(*e.fault)));
+    if (printed.has(e.fault))
+      methods.push_back(literal_method(e.document(), "without-" + name, printed.without(e.fault)));
   }
   return methods;
 }

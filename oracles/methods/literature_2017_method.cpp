@@ -74,10 +74,10 @@ std::vector<std::unique_ptr<Method>> errata_2017_methods() {
   methods.push_back(literal_method("printed-octants", printed_2017.without(literature::Fault::one_octant)));
   methods.push_back(literal_method("mended", {}));
   for (const Erratum& e : errata()) {
-    if (e.document() != Document::text_2017 || !e.fault) continue;
+    if (e.document() != Document::text_2017) continue;
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    methods.push_back(literal_method("only-" + name, *e.fault));
-    methods.push_back(literal_method("without-" + name, printed_2017.without(*e.fault)));
+    methods.push_back(literal_method("only-" + name, e.fault));
+    methods.push_back(literal_method("without-" + name, printed_2017.without(e.fault)));
   }
   return methods;
 }

@@ -34,9 +34,7 @@ class LiteratureMethod final : public Method {
   unsigned share() const override { return share_; }
   MethodAnswer answer(const Pair& pair) override {
     const literature::Separation found = separate_(prepare_(pair.a), prepare_(pair.b));
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = found.verdict;
+    MethodAnswer answer = answered(found.verdict);
     if (found.verdict == Verdict::disjoint) answer.set_direction(found.direction);
     return answer;
   }

@@ -2,7 +2,6 @@
 // Tests the texts of 2008 and 2017 against the solver and the referee, corrected and as printed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
 #include "corpus/pairs/families.hpp"

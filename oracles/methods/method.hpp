@@ -159,6 +159,9 @@ std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();
 std::vector<std::unique_ptr<Method>> ccd_methods();
+/// Returns ccd_methods() under the same names, with the sums of our support function, which libccd calls, in
+/// another order. If this changes an answer, the answer depends on the last bit of our sums.
+std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums();
 std::vector<std::unique_ptr<Method>> ode_methods();
 std::vector<std::unique_ptr<Method>> mujoco_methods();
 std::vector<std::unique_ptr<Method>> nlopt_settings();   ///< evaluations

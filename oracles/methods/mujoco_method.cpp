@@ -7,6 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -131,10 +132,10 @@ class Collider {
 
 /// Returns whether the collider makes a contact. It is not used for distances. With a margin, it returns the
 /// depth of the grown solids along one direction that MPR finds. That is up to half off on plain pairs.
-class Mujoco final : public Method {
+class Mujoco final : public VerdictMethod<MujocoSolid> {
  public:
   Mujoco(MethodName name, double tolerance, int iterations)
-      : Method(std::move(name)), tolerance_(tolerance), collider_(tolerance, iterations) {}
+      : VerdictMethod(std::move(name)), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view version() const override { return mj_versionString(); }
   bool supports(SolidKind kind) const override {
     return kind != SolidKind::rounded && kind != SolidKind::rounded_box;
@@ -144,26 +145,18 @@ class Mujoco final : public Method {
   }
 
   MethodAnswer answer(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
     for (const Solid* c : {&pair.a, &pair.b}) {
-      const bool positive = is_box(*c) ? *std::ranges::min_element(c->edges) / 2 > 0
-                                       : c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0);
-      if (is_half_space(*c) || positive) continue;
-      answer.set_reason("a length is 0: MuJoCo's model compiler says that sizes must be positive");
-      return answer;
+      const bool zero = is_box(*c) ? *std::ranges::min_element(c->edges) / 2 == 0
+                                   : c->rounding == 0 && (c->radius == 0 || c->height / 2 == 0);
+      if (zero && !is_half_space(*c))
+        return declined_answer("a length is 0: MuJoCo's model compiler says that sizes must be positive");
     }
-    answer.status = Status::answered;
-    answer.verdict = collider_.collide(MujocoSolid(pair.a), MujocoSolid(pair.b));
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<MujocoSolid>(pairs)](std::size_t i) {
-      return collider_.collide(solids[i].first, solids[i].second);
-    };
+    return VerdictMethod::answer(pair);
   }
 
  private:
+  Verdict collide(const MujocoSolid& a, const MujocoSolid& b) override { return collider_.collide(a, b); }
+
   const double tolerance_;
   Collider collider_;
 };
@@ -179,9 +172,10 @@ std::vector<std::unique_ptr<Method>> mujoco_methods() {
 
 std::vector<std::unique_ptr<Method>> mujoco_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-4"}, 1e-4, default_cap));
-  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-8"}, 1e-8, fine_cap));
-  methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", "tol1e-12"}, 1e-12, fine_cap));
+  for (const auto& [setting, tolerance, cap] :
+       {std::tuple("tol1e-4", 1e-4, default_cap), std::tuple("tol1e-8", 1e-8, fine_cap),
+        std::tuple("tol1e-12", 1e-12, fine_cap)})
+    methods.push_back(std::make_unique<Mujoco>(MethodName{"mujoco", "", setting}, tolerance, cap));
   return methods;
 }
 

@@ -198,9 +198,7 @@ class Nlopt final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     Problem p = scale(pair);
     minimise(p, setting_);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = p.best < 0 ? Verdict::disjoint : Verdict::intersecting;
+    MethodAnswer answer = answered(p.best < 0 ? Verdict::disjoint : Verdict::intersecting);
     // A distance is returned only if the minimum was searched for, and if it does not overflow.
     answer.distance = -std::scalbn(p.best, p.exponent);
     answer.has_distance = std::isfinite(answer.distance) && !(setting_.stop_at_sign && p.best < 0);

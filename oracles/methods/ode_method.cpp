@@ -73,10 +73,10 @@ class OdeSolid {
 };
 
 /// Calls dCollide() and returns whether it makes a contact.
-class Ode final : public Method {
+class Ode final : public VerdictMethod<OdeSolid> {
  public:
   /// `flags` holds the number of contacts to find, and CONTACTS_UNIMPORTANT.
-  Ode(MethodName name, unsigned flags) : Method(std::move(name)), flags_(static_cast<int>(flags)) {
+  Ode(MethodName name, unsigned flags) : VerdictMethod(std::move(name)), flags_(static_cast<int>(flags)) {
     initialise_once();
   }
   std::string_view version() const override { return dODE_VERSION; }
@@ -87,25 +87,14 @@ class Ode final : public Method {
   Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source, .assumed = true}; }
 
   MethodAnswer answer(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    MethodAnswer answer;
     const auto flat = [](const Solid& c) { return kind_of(c) == SolidKind::cylinder && c.height == 0; };
-    if (flat(pair.a) || flat(pair.b)) {
-      answer.set_reason("height 0: ODE calls it an invalid cylinder and aborts");
-      return answer;
-    }
-    answer.status = Status::answered;
-    answer.verdict = collide(OdeSolid(pair.a), OdeSolid(pair.b));
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = shared_solids_of<OdeSolid>(pairs)](std::size_t i) {
-      return collide((*solids)[i].first, (*solids)[i].second);
-    };
+    if (flat(pair.a) || flat(pair.b))
+      return declined_answer("height 0: ODE calls it an invalid cylinder and aborts");
+    return VerdictMethod::answer(pair);
   }
 
  private:
-  Verdict collide(const OdeSolid& a, const OdeSolid& b) const {
+  Verdict collide(const OdeSolid& a, const OdeSolid& b) override {
     dContactGeom contacts[contacts_cap];
     const int count = dCollide(a.geom(), b.geom(), flags_, contacts, sizeof contacts[0]);
     return count > 0 ? Verdict::intersecting : Verdict::disjoint;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
@@ -50,12 +49,7 @@ class Intersect final : public Method {
   }
   bool foreign() const override { return false; }
   bool supports(SolidKind) const override { return true; }
-  MethodAnswer answer(const Pair& pair) override {
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = intersect(pair.a, pair.b);
-    return answer;
-  }
+  MethodAnswer answer(const Pair& pair) override { return answered(intersect(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return intersect(a, b); });
   }
@@ -128,9 +122,7 @@ class Exact final : public Method {
   bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override {
     const Truth truth = decide_exactly(pair.a, pair.b);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = truth.verdict;
+    MethodAnswer answer = answered(truth.verdict);
     // A certificate of rationals that doubles cannot hold is left out. The verdict stands without it.
     answer.set_witness(truth.certificate);
     return answer;
@@ -142,9 +134,7 @@ class Exact final : public Method {
 std::unique_ptr<Method> certifying_method() { return std::make_unique<Decide>(); }
 
 MethodAnswer answer_of(const Pair& pair, const Answer& decided) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = decided.verdict;
+  MethodAnswer answer = answered(decided.verdict);
   answer.steps = decided.iterations;
   answer.step_cap = decide_iteration_cap;
   answer.set_witness(certificate_of(decided, pair.a, pair.b));
@@ -152,9 +142,7 @@ MethodAnswer answer_of(const Pair& pair, const Answer& decided) {
 }
 
 MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = measured.verdict;
+  MethodAnswer answer = answered(measured.verdict);
   answer.steps = measured.iterations;
   answer.step_cap = distance_step_cap;
   // If its bounds stay apart, it reports that and returns no number.

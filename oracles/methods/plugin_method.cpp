@@ -214,19 +214,14 @@ class Plugin final : public Method {
 
  private:
   MethodAnswer answer_of(const Pair& pair, int word, const double* more, const char* reason) const {
-    MethodAnswer answer;
-    if (word == DAYLIGHT_DECLINED) {
-      answer.set_reason(words_or(reason, "declined"));
-      return answer;
-    }
+    if (word == DAYLIGHT_DECLINED) return declined_answer(words_or(reason, "declined"));
     if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, words_or(reason, "no reason given"));
     if (word == DAYLIGHT_BEYOND && !(more[0] >= 0))
       return failed_answer(Failure::malformed, "no answer: beyond what, more[0] does not state");
     if (word < DAYLIGHT_FAILED || word > DAYLIGHT_BEYOND)
       return failed_answer(Failure::malformed,
                            "no answer: " + std::to_string(word) + " is no word of plugin.h");
-    answer.status = Status::answered;
-    answer.verdict = verdict_of(word);
+    MethodAnswer answer = answered(verdict_of(word));
     answer.at_least = word == DAYLIGHT_BEYOND;
     answer.has_distance = !answer.at_least && !std::isnan(more[0]);
     if (answer.states_distance()) answer.distance = more[0];

@@ -9,15 +9,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "base/process/confine.hpp"
 #include "base/process/process.hpp"
 #include "base/process/supervised_process.hpp"
-#include "oracles/methods/abort_recovery.hpp"
-#include "oracles/methods/ask_noexcept.hpp"
+#include "oracles/methods/contained.hpp"
 #include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
@@ -31,18 +29,6 @@ constexpr milliseconds longest_look_interval{50};
 
 /// How often a worker is started for one block that none takes up.
 constexpr int start_cap = 3;
-
-/// The time that the first thread of a process ran or could have run, or 0 if the system does not report it.
-nanoseconds busy_time_of(pid_t process) {
-  char file[40];
-  std::snprintf(file, sizeof file, "/proc/%d/schedstat", process);
-  long long ran = 0, queued = 0;
-  if (std::FILE* f = std::fopen(file, "re")) {
-    if (std::fscanf(f, "%lld %lld", &ran, &queued) != 2) ran = queued = 0;
-    std::fclose(f);
-  }
-  return nanoseconds(ran + queued);
-}
 
 bool has_ended(const SupervisedProcess& kept) {
   pollfd end{kept.end(), POLLIN, 0};
@@ -113,8 +99,7 @@ struct Worker::Watched {
   bool out_of_time = false;
   std::string limit;  ///< the limit that question `at` exceeded, so that the worker was ended. Else empty
   std::size_t at = 0;
-  nanoseconds cpu{0};                                      ///< of question `at`
-  std::vector<std::pair<std::size_t, nanoseconds>> waits;  ///< questions that slept, and how long
+  nanoseconds cpu{0};  ///< of question `at`
 };
 
 void Worker::post(std::span<const Pair> pairs, std::span<const Question> questions) {
@@ -150,10 +135,7 @@ Worker::Watched Worker::watch() {
   SupervisedProcess& kept = process_->kept();
   Watched watched;
   struct Times {
-    nanoseconds wall, cpu, busy;
-  };
-  const auto now = [&] {
-    return Times{read_clock(CLOCK_MONOTONIC), kept.cpu_time(), busy_time_of(kept.id())};
+    nanoseconds wall, cpu;
   };
   std::size_t seen = said.cursor.load();
   std::optional<Times> start;
@@ -167,7 +149,7 @@ Worker::Watched Worker::watch() {
       watched.lost = true;
       return watched;
     }
-    const Times looked = now();
+    const Times looked{read_clock(CLOCK_MONOTONIC), kept.cpu_time()};
     const std::size_t cursor = said.cursor.load();
     const bool was_loaded = std::exchange(loaded, has_begun());
     if (!start || cursor != seen || loaded != was_loaded) {
@@ -176,12 +158,6 @@ Worker::Watched Worker::watch() {
       continue;
     }
     const nanoseconds wall = looked.wall - start->wall, cpu = looked.cpu - start->cpu;
-    const nanoseconds waited = wall - (looked.busy - start->busy);
-    if (loaded && looked.busy.count() > 0 && waited > caps_.call_wait) {
-      if (watched.waits.empty() || watched.waits.back().first != seen)
-        watched.waits.push_back({seen, waited});
-      watched.waits.back().second = waited;
-    }
     const auto cpu_cap = loaded ? caps_.call_cpu : caps_.load,
                wall_cap = loaded ? caps_.call_wall : caps_.load;
     watched.out_of_time = caps_.out_of_time();
@@ -239,12 +215,6 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
   const std::size_t cursor = std::min(memory_->said->cursor.load(), questions.size());
   std::vector<ContainedAnswer> said(answers, answers + (whole ? questions.size() : cursor));
   for (ContainedAnswer& each : said) each.answer = checked(each.answer);
-  for (const auto& [i, waited] : watched.waits) {
-    if (i < said.size())
-      said[i].answer.note(
-          SideEffect::slow,
-          "waited for " + std::to_string(std::chrono::duration_cast<milliseconds>(waited).count()) + " ms");
-  }
   // After a loss in one call for many, the question at fault is not known. The next block goes one by one.
   const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&
                            methods_[questions[said.size()].method]->has_batch_call();

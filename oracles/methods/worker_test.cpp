@@ -12,13 +12,12 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
-#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "oracles/methods/abort_recovery.hpp"
 #include "oracles/methods/acting_method_test.hpp"
+#include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
 namespace {
@@ -141,13 +140,6 @@ TEST(Worker, AChangedRoundingModeIsReportedAndPutBack) {
                               }});
   const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
   EXPECT_STREQ(answers[1].answer.reason, "");
-}
-
-TEST(Worker, ALongSleepIsReported) {
-  const MethodAnswer answer = ask_between_good_ones(
-      [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::slow);
 }
 
 TEST(Worker, WhichLimitBrokeIsReported) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "oracles/referee/box_rounded.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/multiprecision.hpp"
@@ -51,21 +50,8 @@ Truth of(Verdict verdict, CertificateKind kind, ExactVector vector, int bits) {
   return t;
 }
 
-bool at_contact_distance(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
-  const Rational3 between = on_b - on_a;
-  const mpq_class contact = contact_distance_of(pair);
-  return in_each_exact(pair, on_a, on_b) && dot(between, between) == contact * contact;
-}
-
 Truth touching_truth(const Pair& pair, const BoxRelation& r) {
-  if (is_rounded(pair)) {
-    const bool exactly = at_contact_distance(pair, r.on_a, r.on_b);
-    Truth t = of(Verdict::touching, exactly ? CertificateKind::points : CertificateKind::near_points,
-                 exact_vector(r.on_a), near_bits);
-    (exactly ? t.certificate.second : t.certificate.third) = exact_vector(r.on_b);
-    if (!exactly) t.certificate.second = exact_vector(r.direction);
-    return t;
-  }
+  if (is_rounded(pair)) return touching_at(pair, r.on_a, r.on_b, r.direction);
   for (const int digits : short_digits)
     if (const Rational3 simple = short_near(pair, r.on_a, digits); in_both_exact(pair, simple))
       return of(Verdict::touching, CertificateKind::point, exact_vector(simple), near_bits);
@@ -110,7 +96,7 @@ Truth overlap_truth(const Pair& pair, BoxRelation r, int bits_cap) {
 
 }  // namespace
 
-std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter) {
+std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter, bool certified) {
   const Offer offer(pair);
   if (const auto d = offer.direction(); filter.separates(d.data()))
     return proved(Verdict::disjoint, exact_vector(d.data(), no_tail), Stage::filter, 53);
@@ -121,22 +107,10 @@ std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter)
     return meet_by_filter(pair, filter, offer.found.on_a(), offer.found.on_b() - offer.p.delta,
                           offer.exponent);
   if (!filter.overlap_at(head.data(), tail.data(), {})) return {};
+  if (!certified) return proved(Verdict::intersecting, {}, Stage::filter, 53);
   const auto moved = project_to_hulls(pair, sum(head.data(), tail.data()));
   if (!moved) return {};  // not covered: the filter saw the hulls meet
   return proved(Verdict::intersecting, exact_vector(*moved), Stage::filter, 53);
-}
-
-std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& filter) {
-  const Offer offer(pair);
-  if (filter.separates(offer.direction().data())) return Verdict::disjoint;
-  const auto head = center_of(pair.a), tail = offer.point();
-  if (is_rounded(pair)) {
-    const auto t =
-        meet_by_filter(pair, filter, offer.found.on_a(), offer.found.on_b() - offer.p.delta, offer.exponent);
-    return t ? std::optional(t->verdict) : std::nullopt;
-  }
-  if (filter.overlap_at(head.data(), tail.data(), {})) return Verdict::intersecting;
-  return {};
 }
 
 std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& filter) {

@@ -10,10 +10,9 @@
 
 namespace cyl {
 
-/// The verdict with its certificate, if doubles prove it. Cost: 2 us, 20 us for flat solids that meet.
-std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter);
-/// Without a certificate. Cost: 2 us.
-std::optional<Verdict> box_verdict_in_double(const Pair& pair, const Filter& filter);
+/// The verdict, if doubles prove it. A certificate costs 20 us for flat solids that meet. It is left out
+/// there unless `certified`. Other cost: 2 us.
+std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter, bool certified);
 /// The same in two doubles. Cost: 20 us.
 std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& filter);
 
@@ -22,5 +21,13 @@ std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& 
 Truth judge_box_exactly(const Pair& pair, int bits_cap);
 /// Without a certificate.
 Truth box_verdict_exactly(const Pair& pair);
+
+/// The same for a box and a cylinder with a radius, one of them rounded. Their nearest points are searched
+/// with more and more bits. Ties are proved by algebra, except for an edge and a rim that are nearest in a
+/// direction that is not rational. Cost: 0.1 ms to some ms.
+Truth judge_rounded_box(const Pair& pair, int bits_cap);
+
+/// Solids that touch there or, if the points are rounded, within 2^-200 of the size in this direction.
+Truth touching_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, const Rational3& direction);
 
 }  // namespace cyl

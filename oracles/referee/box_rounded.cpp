@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/referee/box_rounded.hpp"
-
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "oracles/referee/root_sum.hpp"
@@ -150,22 +149,6 @@ Simplex<MpFloat> search_wide(const Pair& pair, int bits, bool sign_only) {
   return search_box(terms_of_pair<MpFloat>(pair), bits, sign_only);
 }
 
-Truth touching_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
-                  const Rational3& direction) {
-  const Rational3 between = on_b - on_a;
-  const mpq_class contact = contact_distance_of(pair);
-  Truth t = proved(Verdict::touching, exact_vector(on_a), Stage::exact, near_bits);
-  if (in_each_exact(pair, on_a, on_b) && dot(between, between) == contact * contact) {
-    t.certificate.kind = CertificateKind::points;
-    t.certificate.second = exact_vector(on_b);
-  } else {
-    t.certificate.kind = CertificateKind::near_points;
-    t.certificate.second = exact_vector(direction);
-    t.certificate.third = exact_vector(on_b);
-  }
-  return t;
-}
-
 /// Decides a tie by algebra. The points are the nearest ones that were found with so many bits.
 std::optional<Truth> prove_tie(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits) {
   const Parts p(pair);
@@ -200,6 +183,22 @@ std::optional<Truth> prove_tie(const Pair& pair, const Rational3& on_a, const Ra
 }
 
 }  // namespace
+
+Truth touching_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
+                  const Rational3& direction) {
+  const Rational3 between = on_b - on_a;
+  const mpq_class contact = contact_distance_of(pair);
+  Truth t = proved(Verdict::touching, exact_vector(on_a), Stage::exact, near_bits);
+  if (in_each_exact(pair, on_a, on_b) && dot(between, between) == contact * contact) {
+    t.certificate.kind = CertificateKind::points;
+    t.certificate.second = exact_vector(on_b);
+  } else {
+    t.certificate.kind = CertificateKind::near_points;
+    t.certificate.second = exact_vector(direction);
+    t.certificate.third = exact_vector(on_b);
+  }
+  return t;
+}
 
 Truth judge_rounded_box(const Pair& pair, int bits_cap) {
   Truth undecided;

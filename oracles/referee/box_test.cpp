@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The referee on boxes: known verdicts, a distance by brute force, and a proof of each verdict that uses only
-// exact membership and exact supports.
+// The referee on boxes: known verdicts, the sign of the distance, a proof of each verdict, and witnesses.
 #include "oracles/referee/box.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "base/from_environment_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "oracles/referee/box_distance.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/box_sign.hpp"
-#include "oracles/referee/multiprecision.hpp"
-#include "oracles/referee/proofs.hpp"
-#include "oracles/referee/tangency.hpp"
+#include "oracles/referee/proof_check_test.hpp"
+#include "oracles/referee/witness_miss.hpp"
 
 namespace cyl {
 namespace {
@@ -36,52 +34,6 @@ Solid rod(const Vector3& center, const Vector3& axis, double radius, double heig
   return {.center = center, .axis = axis, .radius = radius, .height = height, .rounding = rounding};
 }
 
-/// Whether the point is in the core grown by the slack on all sides.
-bool is_nearly_in(const Solid& c, const Rational3& point, const mpq_class& slack) {
-  const Rational3 x = point - exact(c.center);
-  if (is_box(c)) {
-    const auto edges = edge_directions<mpq_class>(c.quaternion);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (abs(dot(x, edges[i])) > mpq_class(c.edges[i]) / 2 + slack) return false;
-    return true;
-  }
-  const Rational3 w = exact(c.axis), across = cross(x, w);
-  const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2 + slack,
-                  radius = mpq_class(c.radius) + slack;
-  return along * along <= half * half * ww && dot(across, across) <= radius * radius * ww;
-}
-
-/// Whether |f| <= 2^-200 size |direction|: it changes its sign if a rounding changes by as much.
-bool is_nearly_tangent(const Pair& pair, const Rational3& direction) {
-  const PrecisionScope precision(600);
-  const auto wide = [](const Rational3& v) {
-    return Vec3<MpInterval>{MpInterval(v.x), MpInterval(v.y), MpInterval(v.z)};
-  };
-  const MpInterval f = support_gap(terms_of<MpInterval>(pair.a), terms_of<MpInterval>(pair.b),
-                                   wide(exact(pair.b.center) - exact(pair.a.center)), wide(direction));
-  const MpInterval most = MpInterval(times_power(exact_size(pair), -200)) * norm(wide(direction));
-  return !(abs(f) - most).positive();
-}
-
-/// Whether the certificate proves contact or a gap, by exact arithmetic.
-bool is_proof(const Pair& pair, const Truth& truth) {
-  const Certificate& c = truth.certificate;
-  if (truth.verdict == Verdict::disjoint)
-    return c.kind == CertificateKind::direction && support_gap_sign(pair, exact(c.vector)) < 0;
-  if (c.kind == CertificateKind::point) return in_both_exact(pair, exact(c.vector));
-  const bool near = truth.verdict == Verdict::touching && c.kind == CertificateKind::near;
-  const bool near_points = truth.verdict == Verdict::touching && c.kind == CertificateKind::near_points;
-  if (c.kind != CertificateKind::points && !near && !near_points) return false;
-  const mpq_class slack =
-      c.kind == CertificateKind::points ? mpq_class(0) : times_power(exact_size(pair), -200);
-  const Rational3 x = exact(c.vector), y = near ? x : exact(near_points ? c.third : c.second),
-                  between = y - x;
-  const mpq_class reach = contact_distance_of(pair) + slack;
-  return is_nearly_in(pair.a, x, slack) && is_nearly_in(pair.b, y, slack) &&
-         dot(between, between) <= reach * reach &&
-         (c.kind == CertificateKind::points || is_nearly_tangent(pair, exact(c.second)));
-}
-
 /// All ways to ask for the verdict must agree, and certificates must prove it.
 Verdict verdict_of(const Pair& pair) {
   const Truth truth = judge(pair);
@@ -93,7 +45,7 @@ Verdict verdict_of(const Pair& pair) {
   if (const Truth quick = prove_in_double(pair); quick.verdict != Verdict::undecided) {
     EXPECT_EQ(quick.verdict, truth.verdict) << format_pair(pair);
   }
-  if (truth.verdict == Verdict::touching && has_box_relation(pair)) {
+  if (truth.verdict == Verdict::touching && !has_half_space(pair) && has_box_relation(pair)) {
     EXPECT_TRUE(is_nearly_tangent(pair, box_relation(pair, near_bits).direction)) << format_pair(pair);
   }
   return truth.verdict;
@@ -108,7 +60,9 @@ struct Known {
 };
 
 TEST(Box, KnownVerdicts) {
-  const Solid cube = box({0, 0, 0}, {2, 2, 2});
+  constexpr double long_number = 51234567890123 * 0x1p-46;  // its small multiples are exact
+  const Solid cube = box({0, 0, 0}, {2, 2, 2}), smooth = box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 1),
+              below{.axis = {0, 3, 4}, .shape = Shape::half_space};
   const std::array<double, 4> wild{1e200, 1e200, 1e200, 1e200};  // turns x to y to z
   const Known known[] = {
       // Ties of points, segments and boxes are drawn below. These differ from one by less than is drawn.
@@ -162,17 +116,14 @@ TEST(Box, KnownVerdicts) {
       {"oblique cap on a vertex, irrational",
        {box({-1, -1, -1}, {2, 2, 2}), rod({2, 1, 2}, {2, 1, 1}, 1, 6)},
        meet},
-  };
-  for (const Known& k : known) {
-    SCOPED_TRACE(k.what);
-    EXPECT_STREQ(to_string(verdict_of(k.pair)), to_string(k.verdict));
-  }
-}
-
-TEST(Box, KnownVerdictsWithRoundedCylinders) {
-  constexpr double long_number = 51234567890123 * 0x1p-46;  // its small multiples are exact
-  const Solid cube = box({0, 0, 0}, {2, 2, 2}), smooth = box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 1);
-  const Known known[] = {
+      // The lowest corner of a cube along (0, 3, 4)/5 is 7/5 below its middle.
+      {"on a half-space", {box({0, 1, 1}, {2, 2, 2}), below}, touch},
+      {"above a half-space", {box({0, 1, 1 + 0x1p-52}, {2, 2, 2}), below}, apart},
+      {"in a half-space", {box({0, 1, 1 - 0x1p-53}, {2, 2, 2}), below}, meet},
+      {"smooth above a half-space", {box({9, 1.5, 2}, {2, 2, 2}, {1, 0, 0, 0}, 1), below}, apart},
+      {"smooth in a half-space", {box({9, 1.5, 2}, {2, 2, 2}, {1, 0, 0, 0}, 1.25), below}, meet},
+      {"deep in a half-space", {box({9, -27, -36}, {2, 2, 2}), below}, meet},
+      // With rounded cylinders.
       {"cap on a face", {cube, rod({0.5, 0, 4}, {0, 0, 1}, 2, 2, 2)}, touch},
       {"cap on an edge",
        {box({0, 0, 0}, {2, 50, 50}, {3, 4, 0, 0}), rod({0, 17, 33}, {0, 0, 1}, 2, 2, 1)},
@@ -212,52 +163,6 @@ TEST(Box, KnownVerdictsWithRoundedCylinders) {
   }
 }
 
-/// The distance of two polytopes in long double: the least over all faces of the cube of the bars' lengths.
-long double distance_by_faces(const std::vector<Vec3<long double>>& bars, const Vec3<long double>& delta) {
-  std::size_t faces = 1;
-  for (std::size_t i = 0; i < bars.size(); ++i) faces *= 3;
-  long double best = dot(delta, delta);
-  bool first = true;
-  for (std::size_t face = 0; face < faces; ++face) {
-    Vec3<long double> rest = delta;
-    std::vector<Vec3<long double>> open;
-    for (std::size_t i = 0, code = face; i < bars.size(); ++i, code /= 3) {
-      if (code % 3 == 2) open.push_back(bars[i]);
-      if (code % 3 == 0) rest = rest - bars[i];
-      if (code % 3 == 1) rest = rest + bars[i];
-    }
-    const std::size_t n = open.size();
-    if (n > 3) continue;
-    long double m[3][4]{};
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) m[i][j] = dot(open[i], open[j]);
-      m[i][3] = dot(open[i], rest);
-    }
-    bool usable = true;
-    for (std::size_t i = 0; i < n && usable; ++i) {
-      std::size_t pivot = i;
-      for (std::size_t row = i; row < n; ++row)
-        if (std::fabs(m[row][i]) > std::fabs(m[pivot][i])) pivot = row;
-      std::swap(m[i], m[pivot]);
-      usable = std::fabs(m[i][i]) > 1e-9L;
-      for (std::size_t row = 0; row < n && usable; ++row) {
-        if (row == i) continue;
-        const long double share = m[row][i] / m[i][i];
-        for (int k = 0; k < 4; ++k) m[row][k] -= share * m[i][k];
-      }
-    }
-    for (std::size_t i = 0; i < n && usable; ++i) {
-      const long double t = m[i][3] / m[i][i];
-      usable = std::fabs(t) <= 1 + 1e-12L;
-      rest = rest - t * open[i];
-    }
-    if (!usable) continue;
-    best = first ? dot(rest, rest) : std::min(best, dot(rest, rest));
-    first = false;
-  }
-  return std::sqrt(best);
-}
-
 class SmallNumbers {
  public:
   int whole(int lo, int hi) { return random_.integer(lo, hi); }
@@ -283,40 +188,19 @@ class SmallNumbers {
   RandomStream random_{"polytopes", 20261129, 0};
 };
 
-std::vector<Vec3<long double>> bars_of(const Solid& c) {
-  const Terms<long double> t = terms_of<long double>(c);
-  std::vector<Vec3<long double>> bars;
-  if (!t.box && t.half > 0) bars.push_back(t.half * t.axis);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (t.box && t.halves[i] > 0) bars.push_back(t.halves[i] * t.edges[i]);
-  return bars;
-}
-
-TEST(Box, PolytopesAgainstBruteForce) {
+// The distance is searched in other arithmetic, and along circles that the verdict does not know.
+TEST(Box, VerdictsOfPolytopesAgreeWithTheDistance) {
   SmallNumbers draw;
   int seen[3] = {0, 0, 0};
   const std::uint64_t many = from_environment("DAYLIGHT_BOX_PAIRS", 3000);
   for (std::uint64_t i = 0; i < many; ++i) {
     const Pair pair{draw.polytope(), draw.polytope()};
     if (!has_box(pair)) continue;
-    std::vector<Vec3<long double>> bars = bars_of(pair.a);
-    for (const auto& bar : bars_of(pair.b)) bars.push_back(bar);
-    const Vec3<long double> delta = lifted<long double>(pair.b.center) - lifted<long double>(pair.a.center);
-    const long double reach = static_cast<long double>(pair.a.rounding) + pair.b.rounding;
-    constexpr long double tie_tol = 1e-10L;
-    const long double distance = distance_by_faces(bars, delta) - reach;
-    Verdict expected = distance > tie_tol ? apart : distance < -tie_tol ? meet : touch;
-    if (reach == 0 && expected == touch) {
-      // Inside the difference body, a body about 0, is what stays in it a bit farther from 0.
-      long double volume = 0;
-      for (const auto& x : bars)
-        for (const auto& y : bars)
-          for (const auto& z : bars) volume = std::max(volume, std::fabs(dot(cross(x, y), z)));
-      const long double farther = distance_by_faces(bars, (1 + 1e-6L) * delta);
-      if (volume > tie_tol && farther < tie_tol) expected = meet;
-    }
+    constexpr double tie_tol = 1e-10;
+    const Enclosure distance = attain_box(pair, Verdict::undecided, 1e-12).distance;
+    const Verdict expected = distance.lo > tie_tol ? apart : distance.hi < -tie_tol ? meet : touch;
     ++seen[static_cast<int>(expected)];
-    ASSERT_STREQ(to_string(verdict_of(pair)), to_string(expected)) << format_pair(pair) << distance;
+    ASSERT_STREQ(to_string(verdict_of(pair)), to_string(expected)) << format_pair(pair) << distance.lo;
   }
   for (const int count : seen) EXPECT_GT(count, static_cast<int>(many / 50));
 }
@@ -365,6 +249,82 @@ TEST(Box, EveryVerdictNearTouchingIsProved) {
     const Verdict verdict = verdict_of(pair);
     ASSERT_LE(verdict, Verdict::touching) << format_pair(pair);
   }
+}
+
+MethodAnswer offer(CertificateKind kind, const Vector3& head, const Vector3& other = {0, 0, 0}) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.witness = kind;
+  std::copy_n(head.data(), 3, answer.head);
+  std::copy_n(other.data(), 3, answer.other_head);
+  return answer;
+}
+
+const Solid cube{.shape = Shape::box, .edges = {2, 2, 2}};
+/// A rectangle. Its middle is the only point of its plane that is known in doubles.
+const Solid oblique{.shape = Shape::box, .edges = {2, 2, 0}, .quaternion = {0.1, 0.2, 0.3, 0.7}};
+
+Solid at(Solid s, const Vector3& center) {
+  s.center = center;
+  return s;
+}
+TEST(BoxWitness, ProvesOnlyWhatIsSo) {
+  const Pair apart{cube, at(cube, {3, 0, 0})}, meet{cube, at(cube, {1, 1, 1})},
+      smooth{box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 1), box({3, 3, 0}, {2, 2, 2}, {1, 0, 0, 0}, 0.5)};
+  using enum CertificateKind;
+  EXPECT_EQ(check_witness(apart, offer(direction, {1, 0.1, 0})), Verdict::disjoint);
+  EXPECT_EQ(check_witness(apart, offer(direction, {1, 1, 0})), Verdict::undecided);
+  EXPECT_EQ(check_witness(apart, offer(point, {1.5, 0, 0})), Verdict::undecided);
+  EXPECT_EQ(check_witness(meet, offer(point, {0.5, 0.5, 0.5})), Verdict::intersecting);
+  EXPECT_EQ(check_witness(meet, offer(point, {0, 0, 0})), Verdict::intersecting);
+  EXPECT_EQ(check_witness(meet, offer(point, {-0.25, 0, 0})), Verdict::undecided);
+  EXPECT_EQ(check_witness(meet, offer(direction, {1, 1, 1})), Verdict::undecided);
+  EXPECT_EQ(check_witness(smooth, offer(points, {1, 1, 0}, {2, 2, 0})), Verdict::intersecting);
+  EXPECT_EQ(check_witness(smooth, offer(points, {1, 1, 0.5}, {2, 2, -1})), Verdict::undecided);
+  EXPECT_EQ(check_witness(smooth, offer(points, {1.25, 1, 0}, {2, 2, 0})), Verdict::undecided);
+}
+
+TEST(BoxWitness, PointsOfFlatBoxesAreTakenInTheirHulls) {
+  const Pair crossing{oblique, {.axis = {1, 2, 3}, .height = 4}}, inside{oblique, cube},
+      beside{oblique, at(cube, {0, 0, 3})};
+  // A hull that the answer names for the box changes nothing.
+  for (const Hull named : {Hull::space, Hull::plane, Hull::center}) {
+    MethodAnswer answer = offer(CertificateKind::point, {0x1p-60, 0.25, 0.25});
+    answer.hulls[0] = named;
+    answer.hulls[1] = Hull::line;
+    EXPECT_EQ(check_witness(crossing, answer), Verdict::intersecting);
+    const Truth truth = judge(crossing, {&answer, 1});
+    EXPECT_TRUE(truth.witnessed);
+    EXPECT_TRUE(in_both_exact(crossing, exact(truth.certificate.vector)));
+  }
+  for (const Pair& pair : {crossing, inside}) {
+    const Truth truth = judge(pair);
+    EXPECT_EQ(truth.verdict, Verdict::intersecting);
+    EXPECT_TRUE(in_both_exact(pair, exact(truth.certificate.vector)));
+    EXPECT_EQ(judge_verdict(pair).verdict, Verdict::intersecting);
+  }
+  EXPECT_EQ(check_witness(beside, offer(CertificateKind::point, {0, 0, 1})), Verdict::undecided);
+}
+
+TEST(BoxWitness, MissByALength) {
+  const Pair meet{cube, at(cube, {1, 0, 0})}, apart{cube, at(cube, {2.5, 0, 0})};
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, 0.75})), -0.25);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {0.5, 0, -1.75})), 0.75);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::point, {2, 0, 0})), 1);
+  EXPECT_EQ(witness_miss(apart, offer(CertificateKind::direction, {4, 0, 0})), -0.5);
+  EXPECT_EQ(witness_miss(meet, offer(CertificateKind::direction, {4, 0, 0})), 1);
+}
+
+// The distance is below the rounding of the search. Then the certificate gives the sign of the enclosure.
+TEST(BoxWitness, BoundsTheDistance) {
+  Solid beam = cube;
+  beam.edges[1] = 1024;
+  const Pair thin{beam, at(cube, {2 + 0x1p-51, 0, 0})}, deep{beam, at(cube, {2 - 0x1p-52, 0, 0})};
+  const Enclosure gap = enclose_distance(thin, judge(thin)), depth = enclose_distance(deep, judge(deep));
+  EXPECT_GT(gap.lo, 0x1p-52);
+  EXPECT_LT(depth.hi, -0x1p-54);
+  EXPECT_LE(attain_distance(thin, judge(thin), gap_width_tol).distance.lo, 0);
+  EXPECT_EQ(attain_distance(deep, judge(deep), depth_width_tol).distance.hi, 0);
 }
 
 }  // namespace

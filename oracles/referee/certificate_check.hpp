@@ -29,6 +29,18 @@ inline bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
 inline bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
 inline Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
 
+/// A flat box has the hull of a disk, segment or point.
+Hull own_hull(const Solid& c);
+
+/// The own hull and the named one. The hull that an answer names for a box counts for nothing.
+Hull hull_within(const Solid& c, Hull named);
+
+/// The edge that gives the direction of a flat box's hull: its only edge that is 0, or is not 0.
+std::size_t hull_edge(const Solid& box);
+
+/// The normal of the hull if that is a plane, its direction if it is a line.
+Rational3 hull_axis(const Solid& c);
+
 /// The filter, in intervals of doubles or of two doubles. It scales the pair by a power of two, so that its
 /// largest length is about 1. If scaling is inexact (the lengths differ by a factor of about 2^1000), the
 /// filter is not usable and proves nothing. Cost in doubles: about 0.1 us to set up, 0.1 us a check. In two

@@ -110,6 +110,7 @@ void check_direction(std::uint64_t index) {
   };
   const double given[3] = {d.x(), d.y(), d.z()};
   expect(Filter(*scene).separates(given), 0x1p-53, "directions: the filter");
+  expect(TwinFilter(*scene).separates(given), 0x1p-98, "directions: the filter in two doubles");
   const Rational3 exact_d{mpq_class(d.x()), mpq_class(d.y()), mpq_class(d.z())};
   expect(separates_in_multiprecision(*scene, exact_d, 128), 0x1p-128, "directions: 128 bits");
   const int sign = support_gap_sign(*scene, exact_d, 256);
@@ -205,6 +206,7 @@ void check_point(std::uint64_t index) {
   };
   expect(Filter(*scene).in_both(head, tail), "points: the filter");
   expect(Filter(*scene).overlap_at(head, tail, {}), "points: an overlap");
+  expect(TwinFilter(*scene).in_both(head, tail), "points: the filter in two doubles");
   check_that(in_both_exact(*scene, as_vector(point)) == (in_a && in_b), "points: exactly", *scene);
   const auto is_strict = [&](const Solid& c) {
     return beyond(c, point).along < 0 && beyond(c, point).across < 0;
@@ -312,6 +314,7 @@ void check_hulls(std::uint64_t index) {
     check_that(says || !owes || !certain, who, "does not prove a point:", pair);
   };
   expect(Filter(pair).overlap_at(head, tail, said), true, "hulls: the filter");
+  expect(TwinFilter(pair).overlap_at(head, tail, said), true, "hulls: the filter in two doubles");
   const MethodAnswer answer = offering(head, tail, said);
   if (said != Hulls{}) {
     expect(check_witness(pair, answer) == Verdict::intersecting, true, "hulls: a witness");

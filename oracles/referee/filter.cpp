@@ -8,7 +8,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/certificate_check.hpp"
-#include "oracles/referee/solid_hull.hpp"
 
 namespace cyl {
 namespace {

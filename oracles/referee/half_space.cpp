@@ -174,19 +174,19 @@ AttainedDistance attain_half_space(const Pair& pair) {
 
 MeasuredDistance measure_half_space(const Pair& pair) {
   const Sided s(pair);
-  const auto plain = [](const Vec3<long double>& v) {
-    return Vector3(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+  const PrecisionScope precision(first_multiprecision_bits);
+  const auto in_doubles = [](const Vec3<MpFloat>& v) {
+    return Vector3(v.x.to_double(), v.y.to_double(), v.z.to_double());
   };
-  const Vec3<long double> n = lifted<long double>(s.plane.axis), u = n / norm(n);
-  constexpr long double largest = std::numeric_limits<double>::max();
-  const long double value = std::clamp(-gap<long double>(s) / norm(n), -largest, largest);
-  const Vec3<long double> on_solid = farthest(terms_of<long double>(s.solid), -1.0L * u) -
-                                     static_cast<long double>(s.solid.rounding) * u,
-                          from_plane =
-                              lifted<long double>(s.solid.center) - lifted<long double>(s.plane.center),
-                          on_plane = from_plane + on_solid - value * u;
-  const auto [on_a, on_b] = s.in_order(plain(on_plane), plain(on_solid));
-  return {static_cast<double>(value), plain(s.first ? u : -1.0L * u), on_a, on_b};
+  const Vec3<MpFloat> n = lifted<MpFloat>(s.plane.axis), u = n / norm(n);
+  const MpFloat distance = MpFloat(-1) * gap<MpFloat>(s) / norm(n), rounding = s.solid.rounding;
+  const Vec3<MpFloat> on_solid = farthest(terms_of<MpFloat>(s.solid), MpFloat(-1) * u) - rounding * u,
+                      on_plane = lifted<MpFloat>(s.solid.center) - lifted<MpFloat>(s.plane.center) +
+                                 on_solid - distance * u;
+  const auto [on_a, on_b] = s.in_order(in_doubles(on_plane), in_doubles(on_solid));
+  constexpr double largest = std::numeric_limits<double>::max();
+  return {std::clamp(distance.to_double(), -largest, largest), in_doubles(MpFloat(s.first ? 1 : -1) * u),
+          on_a, on_b};
 }
 
 }  // namespace cyl

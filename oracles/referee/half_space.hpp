@@ -25,7 +25,7 @@ Truth judge_half_space(const Pair& pair);
 /// The enclosure has two neighbouring doubles, or one double if it is the distance.
 AttainedDistance attain_half_space(const Pair& pair);
 
-/// In long double. For a legal pair.
+/// In 128 bits. For a legal pair.
 MeasuredDistance measure_half_space(const Pair& pair);
 
 }  // namespace cyl

@@ -11,8 +11,7 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
-#include "oracles/referee/certificate_check.hpp"
-#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/proof_check_test.hpp"
 
 namespace cyl {
 namespace {
@@ -31,21 +30,6 @@ MpFloat distance_by_cosine(const Pair& pair) {
   const MpFloat square = one - c * c, sine = square > MpFloat(0.0) ? sqrt(square) : MpFloat(0.0);
   return dot(n, wide(solid.center) - wide(plane.center)) / length - MpFloat(solid.radius) * sine -
          MpFloat(solid.height) / MpFloat(2.0) * abs(c) - MpFloat(solid.rounding);
-}
-
-/// Whether the certificate proves the verdict, by exact arithmetic alone.
-bool is_proof(const Pair& pair, const Truth& truth) {
-  const Certificate& c = truth.certificate;
-  if (c.kind == CertificateKind::direction)
-    return truth.verdict == Verdict::disjoint && support_gap_sign(pair, exact(c.vector), 128) < 0;
-  if (truth.verdict == Verdict::disjoint) return false;
-  if (c.kind == CertificateKind::point) return in_both_exact(pair, exact(c.vector));
-  if (c.kind == CertificateKind::near || c.kind == CertificateKind::near_points)
-    return truth.verdict == Verdict::touching;
-  const Rational3 between = exact(c.vector) - exact(c.second);
-  const mpq_class reach = contact_distance_of(pair);
-  return c.kind == CertificateKind::points && in_each_exact(pair, exact(c.vector), exact(c.second)) &&
-         dot(between, between) <= reach * reach;
 }
 
 TEST(HalfSpace, VerdictDistanceAndCertificateOfEveryFamily) {

@@ -7,9 +7,6 @@
 #include <mpfi.h>
 #include <mpfr.h>
 
-#include <algorithm>
-#include <iterator>
-
 namespace cyl {
 
 /// Precision in bits of the values made while it lives.
@@ -24,57 +21,28 @@ class PrecisionScope {
   mpfr_prec_t before_;
 };
 
-/// Bits up to which a MpFloat allocates nothing: most pairs are settled at 128, nearly all others at 256.
-inline constexpr mpfr_prec_t inline_bits_cap = 256;
-
-namespace multiprecision_detail {
-using Limbs = mp_limb_t[inline_bits_cap / GMP_NUMB_BITS];  // used if is_inline()
-inline bool is_inline(mpfr_srcptr v) { return mpfr_get_prec(v) <= inline_bits_cap; }
-inline void make_zero(mpfr_ptr v, Limbs& limbs, mpfr_prec_t bits) {
-  if (bits > inline_bits_cap) {
-    mpfr_init2(v, bits);
-    mpfr_set_zero(v, 1);
-  } else {
-    mpfr_custom_init_set(v, MPFR_ZERO_KIND, 0, bits, limbs);
-  }
-}
-}  // namespace multiprecision_detail
-
 /// A floating-point number of MPFR, rounded to nearest, its exponent as good as unbounded.
 class MpFloat {
  public:
-  MpFloat() { make_zero(mpfr_get_default_prec()); }
-  MpFloat(double x) : MpFloat() {  // NOLINT: a double is a number
+  MpFloat(double x = 0) {  // NOLINT: a double is a number
+    mpfr_init(v_);
     mpfr_set_d(v_, x, MPFR_RNDN);
   }
   MpFloat(const MpFloat& o) {
-    if (!o.is_inline()) make_zero(mpfr_get_prec(o.v_));
-    copy_digits(o);
-  }
-  MpFloat& operator=(const MpFloat& o) {
-    if (this == &o) return *this;  // not covered: the search assigns no number to itself
-    // not covered: the numbers of one search have one precision
-    if (mpfr_get_prec(v_) != mpfr_get_prec(o.v_)) {
-      clear();
-      make_zero(mpfr_get_prec(o.v_));
-    }
-    copy_digits(o);
-    return *this;
+    mpfr_init2(v_, mpfr_get_prec(o.v_));
+    mpfr_set(v_, o.v_, MPFR_RNDN);
   }
   MpFloat(MpFloat&& o) noexcept {
-    if (o.is_inline()) {
-      copy_digits(o);
-      return;
-    }
     *v_ = *o.v_;
-    o.make_zero(inline_bits_cap);
+    o.v_->_mpfr_d = nullptr;
   }
-  MpFloat& operator=(MpFloat&& o) noexcept {
-    if (is_inline() || o.is_inline()) return *this = o;  // not covered: they have one precision
+  MpFloat& operator=(MpFloat o) noexcept {
     mpfr_swap(v_, o.v_);
     return *this;
   }
-  ~MpFloat() { clear(); }
+  ~MpFloat() {
+    if (v_->_mpfr_d) mpfr_clear(v_);
+  }
 
   double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }  // not covered: for tests
   /// The same number exactly. Throws nothing; the number is finite.
@@ -116,46 +84,23 @@ class MpFloat {
     operation(r.v_, a.v_, b.v_, MPFR_RNDN);
     return r;
   }
-  bool is_inline() const { return multiprecision_detail::is_inline(v_); }
-  void make_zero(mpfr_prec_t bits) { multiprecision_detail::make_zero(v_, limbs_, bits); }
-  void clear() {
-    if (!is_inline()) mpfr_clear(v_);
-  }
-  // Takes numbers of the same precision, if the digits are not inline.
-  void copy_digits(const MpFloat& o) {
-    if (!o.is_inline()) {
-      mpfr_set(v_, o.v_, MPFR_RNDN);
-      return;
-    }
-    *v_ = *o.v_;
-    std::copy(std::begin(o.limbs_), std::end(o.limbs_), limbs_);
-    mpfr_custom_move(v_, limbs_);
-  }
-  mpfr_t v_;
-  multiprecision_detail::Limbs limbs_ = {};
+  mpfr_t v_;  ///< without digits if it was moved from
 };
 
 /// A closed interval of MPFI.
 class MpInterval {
  public:
-  MpInterval() {
-    multiprecision_detail::make_zero(&v_->left, limbs_[0], mpfr_get_default_prec());
-    multiprecision_detail::make_zero(&v_->right, limbs_[1], mpfr_get_default_prec());
-  }
-  MpInterval(double x) : MpInterval() {  // NOLINT: a double is an interval
+  MpInterval(double x = 0) {  // NOLINT: a double is an interval
+    mpfi_init(v_);
     mpfi_set_d(v_, x);
   }
   explicit MpInterval(const mpq_class& x) : MpInterval() { mpfi_set_q(v_, x.get_mpq_t()); }
-  // not covered: results are built in place, but the language requires it
-  MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_set(v_, o.v_); }
-  MpInterval& operator=(MpInterval&& o) noexcept {
+  MpInterval(const MpInterval& o) : MpInterval() { mpfi_set(v_, o.v_); }
+  MpInterval& operator=(const MpInterval& o) {
     mpfi_set(v_, o.v_);
     return *this;
   }
-  ~MpInterval() {
-    for (mpfr_ptr end : {&v_->left, &v_->right})
-      if (!multiprecision_detail::is_inline(end)) mpfr_clear(end);
-  }
+  ~MpInterval() { mpfi_clear(v_); }
 
   friend MpInterval operator+(const MpInterval& a, const MpInterval& b) { return make(mpfi_add, a, b); }
   friend MpInterval operator-(const MpInterval& a, const MpInterval& b) { return make(mpfi_sub, a, b); }
@@ -189,7 +134,6 @@ class MpInterval {
     return r;
   }
   mpfi_t v_;
-  multiprecision_detail::Limbs limbs_[2];
 };
 
 }  // namespace cyl

@@ -153,11 +153,7 @@ std::optional<Truth> prove_by_filter(const Pair& pair, const Filter& filter,
       t->witnessed = true;
       return t;
     }
-  if (has_box(pair)) {
-    if (certificates == Certificates::written) return prove_box_in_double(pair, filter);
-    const auto verdict = box_verdict_in_double(pair, filter);
-    return verdict ? std::optional(verdict_alone(*verdict)) : std::nullopt;
-  }
+  if (has_box(pair)) return prove_box_in_double(pair, filter, certificates == Certificates::written);
   if (is_rounded(pair)) return prove_rounded_in_double(pair, filter, guess);
   guess.found = search(double_pair(pair, guess.exponent), 53);
   guess.on_a = guess.on_b = guess.found.point;
@@ -347,9 +343,7 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;  // not covered: a family's pairs are valid
   if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
-  if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (!is_usable(answer)) return Verdict::undecided;
-  // For a gap that is too small for those bits.
   if (answer.witness == CertificateKind::direction) {
     const Rational3 d = sum(answer.head, no_tail);
     return dot(d, d) != 0 && support_gap_sign(pair, d) < 0 ? Verdict::disjoint : Verdict::undecided;

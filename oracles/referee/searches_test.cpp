@@ -25,7 +25,6 @@ namespace {
 /// One in this many of the drawn pairs is searched in 128 bits, and one in this many is enclosed.
 constexpr std::size_t fine_share = 20, enclosing_share = 10;
 constexpr double enclosing_widths[] = {1e-3, 1e-6, 1e-9};
-constexpr std::uint64_t parallel_count = 1000;
 
 /// The most effort for one kind of pairs.
 struct Bounds {
@@ -85,25 +84,6 @@ struct EnclosingEffort {
 /// nearest points and the plane between them. If they overlap, they come from the separation that is shown.
 Enclosure bounds_of(const Distance& d) { return {d.value - d.error, d.value + d.error}; }
 
-/// Returns f(d) for a unit direction, in long double.
-long double gap_of(const Pair& pair, const std::array<double, 3>& d) {
-  const auto dot = [](const long double(&u)[3], const long double(&v)[3]) {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  };
-  const long double u[3] = {d[0], d[1], d[2]};
-  long double delta[3], f = 0;
-  for (int i = 0; i < 3; ++i) delta[i] = static_cast<long double>(pair.b.center[i]) - pair.a.center[i];
-  for (const Solid* c : {&pair.a, &pair.b}) {
-    long double w[3] = {c->axis[0], c->axis[1], c->axis[2]}, across[3];
-    const long double length = std::sqrt(dot(w, w));
-    for (long double& x : w) x /= length;
-    const long double along = dot(u, w);
-    for (int i = 0; i < 3; ++i) across[i] = u[i] - along * w[i];
-    f += c->height / 2.0L * std::fabs(along) + c->radius * std::sqrt(dot(across, across));
-  }
-  return f - std::fabs(dot(u, delta));
-}
-
 void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
   const double size = size_of(pair), reach = size + (pair.b.center - pair.a.center).lpNorm<1>();
   if (!(reach > 0x1p-200 && reach < 0x1p200)) return;
@@ -119,8 +99,10 @@ void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
   const bool capped = attained.cells >= cell_cap;
   effort.capped += capped;
   expect(e.lo <= e.hi && (e.hi - e.lo <= width * size + rounding || capped), "enclosures: too wide");
-  expect(std::fabs(static_cast<double>(gap_of(pair, u)) + e.lo) <= 16 * rounding,
-         "enclosures: attained nowhere");
+  const double f =
+      support_gap(terms_of<double>(pair.a), terms_of<double>(pair.b),
+                  lifted<double>(pair.b.center) - lifted<double>(pair.a.center), {u[0], u[1], u[2]});
+  expect(std::fabs(f + e.lo) <= 16 * rounding, "enclosures: attained nowhere");
   if (truth.verdict == Verdict::touching) {
     expect(e.hi == 0, "enclosures: of touching solids");
     return;
@@ -136,36 +118,6 @@ void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
     effort.near += quick.lo == 0 || quick.hi == 0;
   else
     ++effort.near;
-}
-
-/// The solids have integer sizes and lie along the coordinates. Their distance is a formula of square roots.
-void enclose_parallel(std::uint64_t index) {
-  RandomStream stream("parallel solids", drawing_seed, index);
-  Pair pair;
-  pair.a.axis = stream.coordinate_axis();
-  pair.b.axis = stream.sign() * pair.a.axis;
-  for (Solid* c : {&pair.a, &pair.b}) {
-    for (double& x : c->center) x = stream.integer(-8, 8);
-    c->radius = stream.integer(0, 5);
-    c->height = 2 * stream.integer(0, 4);
-  }
-  const Vector3 delta = pair.b.center - pair.a.center;
-  const double along = std::fabs(delta.dot(pair.a.axis)) - (pair.a.height + pair.b.height) / 2;
-  const double across = delta.cross(pair.a.axis).norm() - pair.a.radius - pair.b.radius;
-  const double value = along > 0 && across > 0 ? std::hypot(along, across) : std::fmax(along, across);
-  const Truth truth = judge(pair);
-  const double error = 0x1p-40;  // of a reach of a few dozen
-  const Enclosure e = attain_distance(pair, truth, 1e-12).distance,
-                  quick = enclose_distance(pair, truth, 1e-12);
-  check_that(e.lo - error <= value && value <= e.hi + error && e.hi - e.lo < 2 * error,
-             "enclosures: of parallel solids", pair);
-  check_that(quick.lo - error <= value && value <= quick.hi + error, "enclosures: a guess of parallel solids",
-             pair);
-  const bool flat = (pair.a.radius == 0 || pair.a.height == 0) && (pair.b.radius == 0 || pair.b.height == 0);
-  const Verdict verdict = value > 0   ? Verdict::disjoint
-                          : value < 0 ? Verdict::intersecting
-                                      : Verdict::touching;
-  check_that(truth.verdict == verdict, "touching: of parallel solids", pair, to_string(truth.verdict), flat);
 }
 
 TEST(RefereeSearches, FindInAsManyStepsAsMeasured) {
@@ -191,7 +143,6 @@ TEST(RefereeSearches, FindInAsManyStepsAsMeasured) {
     expect(1 - n.near / n.pairs, most.no_guess, "enclosures: share near touching that no guess encloses");
     expect(n.capped / n.pairs, most.capped, "enclosures: share at the cap on cells");
   }
-  for (std::uint64_t i = 0; i < parallel_count; ++i) enclose_parallel(i);
 }
 
 }  // namespace

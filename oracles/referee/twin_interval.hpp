@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums of two doubles, which have twice the digits of one, and intervals about them. They need only that
-// + - * / sqrt fma round to nearest. What overflows has an error that is not finite, or is not a number, and
+// + - * / sqrt fma round to nearest. An overflow has an error that is not finite, or is not a number, and
 // proves nothing.
 //
 // The bounds, with u = 2^-53, A = |a.hi| and B = |b.hi|. Each |lo| is at most u |hi|.
@@ -92,7 +92,7 @@ struct TwinInterval {
     const TwinInterval quotient(a.middle / b.middle);
     return TwinInterval(quotient.middle, (a - quotient * b).most() / divisor * more + least);
   }
-  /// Of the numbers in it that are not negative.
+  /// The root of the numbers in it that are not negative.
   friend TwinInterval sqrt(const TwinInterval& a) {
     if (!(a.error < a.middle.hi)) return TwinInterval(0.0, std::sqrt(a.most()) * more + least);
     const TwinInterval root(sqrt(a.middle));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 
 #include "corpus/pairs/strata.hpp"
 #include "oracles/methods/contained.hpp"

@@ -120,16 +120,6 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
   return {};
 }
 
-bool finite(const double (&v)[3]) {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
-bool finite(const MethodAnswer& answer) {
-  if (answer.states_distance() && !std::isfinite(answer.distance)) return false;
-  return answer.witness == CertificateKind::none || (finite(answer.head) && finite(answer.tail) &&
-                                                     finite(answer.other_head) && finite(answer.other_tail));
-}
-
 bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * sizeof *x) == 0; }
 
 bool same_hulls(const Hull* x, const Hull* y) { return x[0] == y[0] && x[1] == y[1]; }
@@ -243,11 +233,11 @@ namespace {
 
 // The claim may excuse a verdict, and not the distance beside it. So the first finding beyond the claim is
 // returned, and only without one the first within it.
-std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
-  if (answer.status == Status::declined) return {};
+std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& said) {
+  if (said.status == Status::declined) return {};
+  const MethodAnswer answer = checked(said);
   if (answer.status == Status::failed)
     return Finding{finding_of(answer.failure), Severity::contract, margin_of(trial)};
-  if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
   if (!trial.decided()) return {};
   const auto verdict = compare_verdict(trial, claim, answer.verdict);
   if (verdict && verdict->severity == Severity::contract) return verdict;
@@ -260,10 +250,9 @@ std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const Meth
   return wrong;
 }
 
-/// A method may sleep, and may leave threads that wait for the next call. Both are reported nevertheless.
+/// A method may leave threads that wait for the next call. They are reported nevertheless.
 Severity severity_of(SideEffect effect) {
-  return effect == SideEffect::slow || effect == SideEffect::thread ? Severity::resolution
-                                                                    : Severity::contract;
+  return effect == SideEffect::thread ? Severity::resolution : Severity::contract;
 }
 
 }  // namespace
@@ -275,10 +264,7 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
 }
 
 std::optional<Finding> compare_statement(Trial& trial, Verdict stated) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = stated;
-  return compare(trial, Claim{}, answer);
+  return compare(trial, Claim{}, answered(stated));
 }
 
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {

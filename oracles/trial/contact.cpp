@@ -6,11 +6,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/half_space.hpp"
 
@@ -34,8 +36,6 @@ Vector3 scaled(const Vector3& v) {
   return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
 }
 
-Vector3 plain(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
-
 struct Angle {
   double sine, cosine;  // >= 0
 };
@@ -50,9 +50,8 @@ Part part_along(const Solid& c, const Vector3& direction) {
   if (is_half_space(c)) return Part::cap;
   if (is_box(c)) {
     int square = 0;  // edges that lie in the farthest face
-    const auto edges = edge_directions<double>(c.quaternion);
     for (std::size_t i = 0; i < 3; ++i)
-      square += c.edges[i] > 0 && angle_between(plain(edges[i]), direction).cosine <= flat_tol;
+      square += c.edges[i] > 0 && angle_between(edge_direction(c, i), direction).cosine <= flat_tol;
     return square == 0 ? Part::rim : square == 1 ? Part::side : Part::cap;
   }
   const Angle angle = angle_between(c.axis, direction);
@@ -112,11 +111,8 @@ bool contains_with_box(const Solid& outer, const Solid& inner) {
 
 }  // namespace
 
-// Along outer's axis, the inner reaches |d.w| + h/2 |cos| + r sin. In the plane perpendicular to w, with x
-// along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r. Their
-// farthest point lies in the quarter away from outer's axis. A coarse search, then thirds, find its t, the
-// one with the greatest square distance
-//     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|.
+// The inner reaches as far from outer's axis as in the best direction square to it. A coarse search, then
+// thirds, find that direction.
 bool contains(const Solid& outer, const Solid& inner) {
   if (is_half_space(outer)) {  // the solid is behind the plane as far as it would be before it from outside
     Solid beyond = outer;
@@ -125,24 +121,21 @@ bool contains(const Solid& outer, const Solid& inner) {
   }
   if (is_half_space(inner)) return false;
   if (is_box(outer) || is_box(inner)) return contains_with_box(outer, inner);
-  const Vector3 d = inner.center - outer.center;
-  const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
-  const double cosine = std::fabs(w.dot(v)), sine = w.cross(v).norm();
-  const double r = inner.radius, half = inner.height / 2, height = d.dot(w);
-  const double rounding = place_error * (outer.radius + outer.height + d.norm());
-  if (std::fabs(height) + half * cosine + r * sine > outer.height / 2 + rounding) return false;
-  const Vector3 across = d - height * w, flat = v - v.dot(w) * w;
-  const Vector3 e = sine > 0 ? flat.stableNormalized() : across.stableNormalized();
-  const double x = std::fabs(across.dot(e)), y = (across - across.dot(e) * e).norm();
-  const auto reach = [&](double t) {
-    return std::hypot(x + half * sine + r * cosine * std::cos(t), y + r * std::sin(t));
+  const Vector3 d = inner.center - outer.center, w = scaled(outer.axis).normalized();
+  const Vector3 x = w.unitOrthogonal(), y = w.cross(x);
+  const Terms<double> of_inner = terms_of<double>(inner);
+  const auto reach_along = [&](const Vector3& u) {
+    return d.dot(u) + core_support(of_inner, lifted<double>(u));
   };
-  constexpr int looks = 64;
-  constexpr double quarter = 1.5707963267948966, step = quarter / looks;
+  const double rounding = place_error * (outer.radius + outer.height + d.norm());
+  if (std::max(reach_along(w), reach_along(-w)) > outer.height / 2 + rounding) return false;
+  const auto reach = [&](double angle) { return reach_along(std::cos(angle) * x + std::sin(angle) * y); };
+  constexpr int looks = 256;
+  constexpr double step = 2 * std::numbers::pi / looks;
   double best = 0;
-  for (int i = 0; i <= looks; ++i)
+  for (int i = 1; i < looks; ++i)
     if (reach(i * step) > reach(best)) best = i * step;
-  double low = std::max(0.0, best - step), high = std::min(quarter, best + step);
+  double low = best - step, high = best + step;
   for (int i = 0; i < 40; ++i) {
     const double third = (high - low) / 3;
     if (reach(low + third) < reach(high - third))
@@ -209,8 +202,7 @@ AxesAngle exact_angle(const Angle& angle, const auto& exact_lines) {
 /// The directions of the edges, or the axis.
 std::vector<Vector3> lines_of(const Solid& c) {
   if (!is_box(c)) return {c.axis};
-  const auto edges = edge_directions<double>(c.quaternion);
-  return {plain(edges[0]), plain(edges[1]), plain(edges[2])};
+  return {edge_direction(c, 0), edge_direction(c, 1), edge_direction(c, 2)};
 }
 Rational3 exact_line(const Solid& c, std::size_t line) {
   return is_box(c) ? edge_directions<mpq_class>(c.quaternion)[line] : exact(c.axis);

@@ -14,24 +14,6 @@ namespace {
 /// The radii of balls that are tried: 8 per decade, from 1e-16 to 1 times the size.
 constexpr int per_decade = 8, decades = 16;
 
-/// Returns the greatest radius tried at which the cores meet, relative to the size, or 0 if they never meet.
-template <class Meet>
-double greatest_margin(const Pair& pair, Meet meet) {
-  int least = -1, most = per_decade * decades;  // met, not met
-  const auto radius = [](int step) { return std::pow(10, static_cast<double>(step) / per_decade - decades); };
-  while (most - least > 1) {
-    const int middle = (least + most) / 2;
-    const auto inner = cores(pair, radius(middle) * size_of(pair));
-    (inner && meet(*inner) ? least : most) = middle;
-  }
-  return least < 0 ? 0 : radius(least);
-}
-
-bool certainly_meet(const Pair& pair) {
-  const Verdict truth = judge_verdict(pair).verdict;
-  return truth == Verdict::intersecting || truth == Verdict::touching;
-}
-
 }  // namespace
 
 std::optional<Solid> core(Solid c, double least) {
@@ -74,19 +56,22 @@ bool must_decide(DecisionScope promised, Trial& proved) {
   const double least = reach({.relative = resolved_margin, .source = {}}, size_of(proved.pair));
   if (!proved.meets()) return magnitude_against(least, proved).lo >= least;
   const auto inner = cores(proved.pair, least);
-  return inner && certainly_meet(*inner);
+  if (!inner) return false;
+  const Verdict truth = judge_verdict(*inner).verdict;
+  return truth == Verdict::intersecting || truth == Verdict::touching;
 }
 
 double estimated_margin(const Pair& pair) {
   const double gap = approximate_distance(pair).value;
   if (gap > 0) return gap / size_of(pair);
-  return greatest_margin(pair, [](const Pair& inner) { return approximate_distance(inner).value <= 0; });
-}
-
-double certified_margin(Trial& proved) {
-  if (!proved.decided()) return 0;
-  if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);
-  return greatest_margin(proved.pair, certainly_meet);
+  int least = -1, most = per_decade * decades;  // steps at whose radius the cores meet, and do not
+  const auto radius = [](int step) { return std::pow(10, static_cast<double>(step) / per_decade - decades); };
+  while (most - least > 1) {
+    const int middle = (least + most) / 2;
+    const auto inner = cores(pair, radius(middle) * size_of(pair));
+    (inner && approximate_distance(*inner).value <= 0 ? least : most) = middle;
+  }
+  return least < 0 ? 0 : radius(least);
 }
 
 }  // namespace cyl

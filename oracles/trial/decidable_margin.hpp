@@ -32,7 +32,4 @@ bool must_decide(DecisionScope promised, Trial& proved);
 /// gap, or the radius of the largest common ball. Returns 0 if nothing is promised.
 double estimated_margin(const Pair& pair);
 
-/// Returns a proved lower bound of that margin.
-double certified_margin(Trial& proved);
-
 }  // namespace cyl

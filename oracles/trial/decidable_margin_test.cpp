@@ -11,14 +11,10 @@ namespace {
 Pair walls(double offset) { return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{offset, 0, 0}, {0, 0, 1}, 1, 2}}; }
 
 TEST(Room, IsTheGapOrTheLargestBallInCommon) {
-  Trial apart(walls(2.5));
-  EXPECT_DOUBLE_EQ(estimated_margin(apart.pair), 0.5 / 6);
-  EXPECT_NEAR(certified_margin(apart), 0.5 / 6, 1e-9);
-  Trial into(walls(1));  // a lens 1 wide
-  for (const double slack : {estimated_margin(into.pair), certified_margin(into)}) {
-    EXPECT_LE(slack, 0.5 / 6);
-    EXPECT_GT(slack, 0.5 / 6 / 1.34);  // 8 steps per decade
-  }
+  EXPECT_DOUBLE_EQ(estimated_margin(walls(2.5)), 0.5 / 6);
+  const double into = estimated_margin(walls(1));  // a lens 1 wide
+  EXPECT_LE(into, 0.5 / 6);
+  EXPECT_GT(into, 0.5 / 6 / 1.34);  // 8 steps per decade
 }
 
 TEST(Room, NothingIsPromisedOfTwoFlatSolidsThatMeet) {

@@ -2,8 +2,6 @@
 #include "oracles/trial/failure_key.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

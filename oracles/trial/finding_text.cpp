@@ -52,21 +52,18 @@ std::string statement_of(const Certificate& certificate) {
     case CertificateKind::points:
       return fmt::format(
           "The point {} lies in a without its rounding, the point {} in b without its own. Their distance is "
-          "at "
-          "most the sum of the roundings.",
+          "at most the sum of the roundings.",
           in_words(certificate.vector), in_words(certificate.second));
     case CertificateKind::near:
       return fmt::format(
           "They touch, up to 2^-200 times the size. The point {} is at most that far from either solid. "
-          "Along "
-          "{}, any gap or overlap is at most as wide.",
+          "Along {}, any gap or overlap is at most as wide.",
           in_words(certificate.vector), in_words(certificate.second));
     case CertificateKind::near_points:
       return fmt::format(
           "They touch, up to 2^-200 times the size. The points {} and {} are at most that far from a and b "
           "without their roundings. Their distance is at most that much above the sum of the roundings. "
-          "Along "
-          "{}, any gap or overlap is at most as wide.",
+          "Along {}, any gap or overlap is at most as wide.",
           in_words(certificate.vector), in_words(certificate.third), in_words(certificate.second));
     case CertificateKind::none:
       break;

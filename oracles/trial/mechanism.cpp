@@ -157,24 +157,6 @@ std::optional<int> first_cure(Round& round, const Trial& failing, std::span<cons
   return {};
 }
 
-/// The knowledge about a failing pair so far.
-struct Candidate {
-  Failing now;  ///< the pair, moved to the origin if it still fails there
-  Classification found{};
-  Trial failing{};
-  bool done = false;
-  // Questions of the round at hand.
-  std::size_t asked = 0;
-  std::optional<std::size_t> at_origin{};
-  std::vector<Scaling> larger{}, smaller{};
-  std::vector<std::pair<std::size_t, std::size_t>> siblings{};  ///< method, question
-
-  void end(Mechanism m) {
-    found.mechanism = m;
-    done = true;
-  }
-};
-
 /// Returns whether its wrong verdict is right about the solids that it models instead.
 bool is_right_about_its_model(const Method& method, const Trial& wrong) {
   const Pair model = method.modelled(wrong.pair);
@@ -184,59 +166,49 @@ bool is_right_about_its_model(const Method& method, const Trial& wrong) {
          truth == (wrong.answer().verdict == Verdict::disjoint ? Verdict::disjoint : Verdict::intersecting);
 }
 
-/// Asks about the pair as it is, and moved to the origin.
-void ask_as_it_is(Candidate& c, Round& round) {
-  c.asked = round.ask(c.now.method, c.now.pair);
-  if (is_far(c.now.pair)) c.at_origin = round.ask(c.now.method, at_origin(c.now.pair));
-}
-
-void take_as_it_is(Candidate& c, Round& round, const Method& method) {
-  c.failing = round[c.asked];
-  const MethodAnswer& said = c.failing.answer();
-  c.found.capped = said.step_cap > 0 && said.steps >= said.step_cap;
-  if (!c.failing.fails(c.now.kind)) return c.end(Mechanism::gone);
-  if (is_right_about_its_model(method, c.failing)) return c.end(Mechanism::model);
-  if (c.at_origin) {
-    Trial& moved = round[*c.at_origin];
-    c.found.right_at_origin = cures(c.failing, moved);
-    if (c.found.right_at_origin) return c.end(Mechanism::offset);
-    if (moved.fails(c.now.kind)) {
-      c.now.pair = moved.pair;
-      c.failing = moved;
-    }
-  }
-  if (c.found.capped) c.end(Mechanism::iteration_cap);
-}
-
 /// Asks about larger and smaller pairs, and asks other settings.
-void ask_changed(Candidate& c, Round& round, std::span<const std::unique_ptr<Method>> methods) {
-  c.larger = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, true));
-  c.smaller = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, false));
+Mechanism probe(std::span<const std::unique_ptr<Method>> methods, std::size_t method, const Trial& failing,
+                Asker& asker, Classification& found) {
+  const Pair& pair = failing.pair;
+  Round round(methods);
+  const auto larger = ask_scaled(round, method, pair, scales_to_try(pair, true));
+  const auto smaller = ask_scaled(round, method, pair, scales_to_try(pair, false));
+  std::vector<std::pair<std::size_t, std::size_t>> siblings;  // method, question
   for (std::size_t m = 0; m < methods.size(); ++m)
-    if (differ_in_setting(*methods[m], *methods[c.now.method]))
-      c.siblings.emplace_back(m, round.ask(m, c.now.pair));
-}
-
-void take_changed(Candidate& c, Round& round) {
-  Classification& found = c.found;
-  for (const auto& [m, question] : c.siblings)
+    if (differ_in_setting(*methods[m], *methods[method])) siblings.emplace_back(m, round.ask(m, pair));
+  round.run(asker);
+  for (const auto& [m, question] : siblings)
     if (!found.right_sibling && round[question].right()) found.right_sibling = m;
-  found.larger = first_cure(round, c.failing, c.larger);
-  found.smaller = first_cure(round, c.failing, c.smaller);
-  const int size = exponent_of_size(c.now.pair);
+  found.larger = first_cure(round, failing, larger);
+  found.smaller = first_cure(round, failing, smaller);
+  const int size = exponent_of_size(pair);
   if (found.smaller && size + *found.smaller <= -length_exponent) found.smaller.reset();
   if (found.larger && size + *found.larger >= length_exponent) found.larger.reset();
-  const auto& margin = c.failing.finding()->margin;
-  if (found.smaller && size + *found.smaller >= product_exponent)
-    c.end(Mechanism::overflow);
-  else if (found.larger && size + *found.larger <= -product_exponent)
-    c.end(Mechanism::underflow);
-  else if (found.larger || found.smaller)
-    c.end(Mechanism::absolute_length);
-  else if (!is_failure(c.now.kind) && margin && margin->hi <= rounding_margin)
-    c.end(Mechanism::rounding);
-  else
-    c.end(found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
+  const auto& [kind, severity, margin] = *failing.finding();
+  if (found.smaller && size + *found.smaller >= product_exponent) return Mechanism::overflow;
+  if (found.larger && size + *found.larger <= -product_exponent) return Mechanism::underflow;
+  if (found.larger || found.smaller) return Mechanism::absolute_length;
+  if (!is_failure(kind) && margin && margin->hi <= rounding_margin) return Mechanism::rounding;
+  return found.right_sibling ? Mechanism::setting : Mechanism::unclassified;
+}
+
+/// Asks about the pair as it is and moved to the origin, and then goes on from the one that still fails.
+Mechanism find_mechanism(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
+                         Asker& asker, Classification& found) {
+  const bool far = is_far(failing.pair);
+  Round round(methods);
+  round.ask(failing.method, failing.pair);
+  if (far) round.ask(failing.method, at_origin(failing.pair));
+  round.run(asker);
+  const Trial& as_it_is = round[0];
+  found.capped = as_it_is.answer().step_cap > 0 && as_it_is.answer().steps >= as_it_is.answer().step_cap;
+  if (!as_it_is.fails(failing.kind)) return Mechanism::gone;
+  if (is_right_about_its_model(*methods[failing.method], as_it_is)) return Mechanism::model;
+  found.right_at_origin = far && cures(as_it_is, round[1]);
+  if (found.right_at_origin) return Mechanism::offset;
+  if (found.capped) return Mechanism::iteration_cap;
+  const bool moved = far && round[1].fails(failing.kind);
+  return probe(methods, failing.method, round[moved ? 1 : 0], asker, found);
 }
 
 bool of_one_library(const Method& x, const Method& y) {
@@ -286,29 +258,17 @@ std::string_view in_words(Mechanism m) noexcept {
   return words[static_cast<std::size_t>(m)];
 }
 
-std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
-                                     std::span<const Failing> failing, const Caps& caps) {
-  Asker asker(methods, caps);
-  return classify(methods, failing, asker);
+Classification classify(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
+                        Asker& asker) {
+  Classification found;
+  found.mechanism = find_mechanism(methods, failing, asker, found);
+  return found;
 }
 
-std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
-                                     std::span<const Failing> failing, Asker& asker) {
-  std::vector<Candidate> candidates;
-  for (const Failing& f : failing) candidates.push_back({f});
-  const auto round = [&](auto ask, auto take) {
-    Round asked(methods);
-    for (Candidate& c : candidates)
-      if (!c.done) ask(c, asked);
-    asked.run(asker);
-    for (Candidate& c : candidates)
-      if (!c.done) take(c, asked);
-  };
-  round(ask_as_it_is, [&](Candidate& c, Round& asked) { take_as_it_is(c, asked, *methods[c.now.method]); });
-  round([&](Candidate& c, Round& asked) { ask_changed(c, asked, methods); }, take_changed);
-  std::vector<Classification> found;
-  for (const Candidate& c : candidates) found.push_back(c.found);
-  return found;
+std::optional<bool> depends_on_last_bit(std::string_view method, FindingKind kind, const Pair& pair) {
+  for (const auto& m : ccd_methods_of_other_sums())
+    if (m->name() == method) return !try_method(m, pair).fails(kind);
+  return {};
 }
 
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method) {
@@ -344,7 +304,7 @@ std::string cause_key(const GroupedMethods& of, const Failing& failing, Severity
 
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
                        std::string_view reason, Asker& asker) {
-  const Mechanism mechanism = classify(of.methods, {&failing, 1}, asker)[0].mechanism;
+  const Mechanism mechanism = classify(of.methods, failing, asker).mechanism;
   return cause_key(of, failing, severity, mechanism, reason);
 }
 

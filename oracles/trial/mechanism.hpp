@@ -20,7 +20,7 @@ namespace cyl {
 
 struct Trial;
 
-/// The reason of a finding. If several apply, take_as_it_is() and take_changed() of mechanism.cpp choose.
+/// The reason of a finding. If several apply, find_mechanism() and probe() of mechanism.cpp choose.
 enum class Mechanism : unsigned char {
   gone,             ///< not wrong today
   offset,           ///< right if both solids are moved to the origin together
@@ -71,13 +71,16 @@ struct GroupedMethods {
   std::span<const std::size_t> groups;
 };
 
-/// Returns the classification of each failure. It is a pure function of the failure, except for hangs. Cost:
-/// two rounds of some 25 questions a failure for all together, in one worker, or in those of an asker of all
-/// methods.
-std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
-                                     std::span<const Failing> failing, const Caps& caps);
-std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
-                                     std::span<const Failing> failing, Asker& asker);
+/// Returns the classification of a failure. It is a pure function of the failure, except for hangs. Cost: two
+/// rounds of some 25 questions. A caller with many failures keeps the asker, because the start of a worker
+/// takes longer than the questions.
+Classification classify(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
+                        Asker& asker);
+/// Finds out whether a failure is the library's own, or depends on the last bit of our adapter's sums. Asks
+/// once more, contained, with the sums of our support function in another order. Returns whether this failure
+/// is then absent. Returns nothing if the library does not call our support function.
+std::optional<bool> depends_on_last_bit(std::string_view method, FindingKind kind, const Pair& pair);
+
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors show.
 std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method);
 
@@ -95,8 +98,7 @@ std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std
 std::string cause_key(const GroupedMethods& of, const Failing& failing, Severity severity,
                       Mechanism mechanism, std::string_view reason);
 
-/// Returns the key of the cause of one failure, which it classifies first. A caller with many failures keeps
-/// the asker, because the start of a worker takes longer than the questions.
+/// Returns the key of the cause of one failure, which it classifies first.
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
                        std::string_view reason, Asker& asker);
 

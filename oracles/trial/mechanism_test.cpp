@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -41,9 +40,10 @@ Pair crossing(double size, double offset = 0) {
   return p;
 }
 
-Classification classified(const Methods& methods, const Pair& pair) {
-  const Failing failing{0, FindingKind::wrong_disjoint, pair};
-  return classify(methods, {&failing, 1}, {})[0];
+Classification classified(const Methods& methods, const Pair& pair,
+                          FindingKind kind = FindingKind::wrong_disjoint) {
+  Asker asker(methods);
+  return classify(methods, {0, kind, pair}, asker);
 }
 
 Classification classified(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
@@ -96,8 +96,7 @@ TEST(Mechanism, TellsACutOffFarAway) {
                                         0x1p-200, +[](const Pair& p) { return size_of(p) < 300; })}) {
     Methods methods;
     methods.push_back(erring("lib-way", wrong));
-    const Failing failing{0, FindingKind::wrong_disjoint, crossing(size)};
-    EXPECT_EQ(classify(methods, {&failing, 1}, {})[0].mechanism, Mechanism::absolute_length);
+    EXPECT_EQ(classified(methods, crossing(size)).mechanism, Mechanism::absolute_length);
   }
 }
 
@@ -107,8 +106,7 @@ TEST(Mechanism, AModelWithoutAVerdictIsNoCause) {
   Pair nested;
   nested.a = {{0, 0, 0}, {0, 0, 1}, 1, 1};
   nested.b = {{0, 0, 0}, {0, 0, 1}, 9e307, 9e307};
-  const Failing failing{0, FindingKind::wrong_disjoint, nested};
-  EXPECT_EQ(classify(methods, {&failing, 1}, Caps{}).at(0).mechanism, Mechanism::overflow);
+  EXPECT_EQ(classified(methods, nested).mechanism, Mechanism::overflow);
 }
 
 /// Single precision has no numbers at that size, or the height is rounded to 0.
@@ -133,8 +131,7 @@ TEST(Mechanism, WhatFailsOtherwiseIsNoCure) {
     answer.distance = 0.98 * approximate_distance(pair).value;
     return answer;
   }));
-  const Failing failing{0, FindingKind::distance_outside, crossing(1)};
-  const Classification found = classify(methods, {&failing, 1}, {})[0];
+  const Classification found = classified(methods, crossing(1), FindingKind::distance_outside);
   EXPECT_EQ(found.mechanism, Mechanism::unclassified);
   EXPECT_FALSE(found.smaller || found.larger);
 }
@@ -152,8 +149,7 @@ TEST(Mechanism, ADistanceThatIsOffAsMuchAtEverySizeIsNoFixedLength) {
                                 {.claim = {.absolute = 1, .source = "this test"}}));
   Pair large = crossing(0x1p23);
   large.b.center.x() = 0x1p24;
-  const Failing failing{0, FindingKind::distance_outside, large};
-  EXPECT_EQ(classify(methods, {&failing, 1}, {})[0].mechanism, Mechanism::unclassified);
+  EXPECT_EQ(classified(methods, large, FindingKind::distance_outside).mechanism, Mechanism::unclassified);
 }
 
 TEST(Mechanism, ShowsRounding) {
@@ -278,6 +274,22 @@ TEST(Kin, ALibraryAloneHasTheGroupsThatItHasAmongAll) {
               << methods[x]->name() << ' ' << methods[y]->name();
         }
   }
+}
+
+// Disjoint by 1/3. libccd's GJK reports intersecting if our sums go from the left.
+TEST(DependsOnLastBit, TwoCoins) {
+  const Pair coins{{Vector3(0, 0, 0), Vector3(1, 2, 2), 3, 1}, {Vector3(-4, -2, 2), Vector3(1, 2, 2), 3, 1}};
+  const auto methods = ccd_methods();
+  ASSERT_TRUE(try_method(methods[0], coins).fails(FindingKind::wrong_intersecting));
+  EXPECT_EQ(depends_on_last_bit("libccd-gjk", FindingKind::wrong_intersecting, coins), true);
+  EXPECT_EQ(depends_on_last_bit("ode", FindingKind::wrong_intersecting, coins), std::nullopt);
+}
+
+// GJK takes the distance for zero, with sums in any order.
+TEST(DependsOnLastBit, NotAnAbsoluteLength) {
+  const Pair tiny{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1e-9, 2e-9},
+                  {Vector3(3e-9, 1e-10, 0), Vector3(0, 0, 1), 1e-9, 2e-9}};
+  EXPECT_EQ(depends_on_last_bit("libccd-gjk", FindingKind::wrong_intersecting, tiny), false);
 }
 
 }  // namespace

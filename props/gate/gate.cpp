@@ -18,7 +18,6 @@
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/trial.hpp"
-#include "props/gate/law_pairs.hpp"
 #include "props/shrink/simplify.hpp"
 
 namespace cyl {

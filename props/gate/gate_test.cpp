@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -110,15 +109,6 @@ TEST(Gate, ACutGateStillFailsForWhatItFound) {
   EXPECT_EQ(exit_code(report), 2);
 }
 
-TEST(Gate, AllIsAskedWithinAWideCap) {
-  GateReport report = gate_on(honest, 1, std::chrono::hours(24));
-  EXPECT_TRUE(report.not_asked.empty()) << report.not_asked.front();
-  for (const std::size_t drawing : {2u, 3u, 4u, 5u}) EXPECT_EQ(report.phases.at(drawing).rounds, 1u);
-  EXPECT_EQ(exit_code(report), 0);
-  report.not_asked.push_back("a method of the base");
-  EXPECT_EQ(exit_code(report), 3);
-}
-
 TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
   const auto digests = [](const Planted::Ask& ask) {
     std::vector<std::uint64_t> all;
@@ -175,19 +165,6 @@ TEST(Gate, ReportsWhoSleepsAndEndsAllTheSame) {
   EXPECT_LT(report.methods.at(0).counts.hangs, 20u);
 }
 
-TEST(Gate, ReportsWhoThrows) {
-  const GateReport report =
-      gate_on([](const Pair&) -> MethodAnswer { throw std::runtime_error("degenerate triangle"); });
-  EXPECT_EQ(report.methods.at(0).remark, "fails on every pair");
-  EXPECT_TRUE(reported(report, 30, "degenerate triangle"));
-  for (const GateFailure& f : report.failures) {
-    if (f.law->number != 30) continue;
-    EXPECT_EQ(f.kind, "exception") << f.what;
-    EXPECT_EQ(f.reason, "degenerate triangle") << f.what;
-  }
-  EXPECT_EQ(exit_code(report), 2);
-}
-
 TEST(Gate, KeepsHowTheMethodFailedWhateverLawMeetsIt) {
   const GateReport report = gate_on([](const Pair& pair) {
     return pair.a.radius <= pair.b.radius ? honest(pair) : failed_answer(Failure::reported, "no convergence");
@@ -201,18 +178,6 @@ TEST(Gate, KeepsHowTheMethodFailedWhateverLawMeetsIt) {
     EXPECT_EQ(f.reason, "no convergence") << f.what;
   }
   EXPECT_GT(laws.size(), 3u) << "that change the pair";
-}
-
-TEST(Gate, ReportsWhoWritesGarbage) {
-  const GateReport verdict = gate_on(always(static_cast<Verdict>(77)));
-  EXPECT_TRUE(reported(verdict, 30, "malformed"));
-  const GateReport distance = gate_on([](const Pair& pair) {
-    MethodAnswer answer = honest(pair);
-    answer.has_distance = true;
-    answer.distance = std::numeric_limits<double>::quiet_NaN();
-    return answer;
-  });
-  EXPECT_TRUE(reported(distance, 30, "non_finite"));
 }
 
 TEST(Gate, SimplifiesRunsAgainAndDistinguishesCauses) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "props/gate/law_pairs.hpp"
-
 #include <fmt/format.h>
 
 #include <functional>
@@ -10,6 +8,7 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
+#include "props/gate/sample.hpp"
 
 namespace cyl {
 namespace {

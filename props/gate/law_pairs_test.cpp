@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "props/gate/law_pairs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,6 +6,7 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "props/gate/sample.hpp"
 
 namespace cyl {
 namespace {

@@ -3,8 +3,6 @@
 // without a fault. Exits with 1 and names each fault that the gate does not see.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <set>
 #include <vector>
 

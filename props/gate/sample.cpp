@@ -10,7 +10,6 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/trial/compare.hpp"
-#include "props/gate/law_pairs.hpp"
 
 namespace cyl {
 namespace {

@@ -2,7 +2,6 @@
 // Laws 30 and on, about one answer by itself. If a law needs a proof, it uses the referee's.
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cstdint>

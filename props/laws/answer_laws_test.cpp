@@ -2,8 +2,6 @@
 // Each law of one answer catches a planted fault. If other laws catch it too, there is a reason.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <thread>
 
 #include "oracles/referee/referee.hpp"
@@ -58,11 +56,7 @@ TEST(AnswerLaws, TakeTouchingInOneWayForIntersectingInAnother) {
 // flat.
 TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
   Planted method = plant(
-      "decide",
-      [](const Pair&, MethodAnswer& answer) {
-        answer = {};
-        answer.status = Status::answered;
-      },
+      "decide", [](const Pair&, MethodAnswer& answer) { answer = answered(Verdict::undecided); },
       of_everything);
   const auto violation = [&](const Solid& a, const Solid& b) {
     return violation_of(method, law_numbered(39), {a, b}).has_value();

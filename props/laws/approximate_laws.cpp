@@ -377,8 +377,7 @@ std::vector<Law> approximate_laws() {
       {26, LawKind::approximate, "along the plane",
        "a solid or the plane's point moved along the plane of a half-space keeps the verdict and distance",
        "for half-spaces; verdicts only if the distance exceeds the rounding error of the centres; lengths "
-       "from "
-       "2^-200 to 2^200",
+       "from 2^-200 to 2^200",
        along_the_plane, break_sliding},
   };
 }

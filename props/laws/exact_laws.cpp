@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "props/laws/law_groups.hpp"
 
 namespace cyl {
@@ -173,28 +174,6 @@ std::vector<LawQuery> with_longer_axes(const Method&, const Pair& pair, const Me
     asked.push_back({{pair.a, *b}});
   }
   return asked;
-}
-
-/// Returns the image of a solid under the matrix M that takes the coordinates in this order and then changes
-/// signs. The image of a box's rotation R is M R M'. It turns about the image of R's axis, by the same angle,
-/// in the other sense if M is a mirror.
-Solid image(const Solid& c, const Eigen::Vector3i& order, const Vector3& signs) {
-  const bool even = order == Eigen::Vector3i(0, 1, 2) || order == Eigen::Vector3i(1, 2, 0) ||
-                    order == Eigen::Vector3i(2, 0, 1);
-  const double determinant = signs.prod() * (even ? 1 : -1);
-  Solid other = c;
-  other.center = Vector3(c.center(order)).cwiseProduct(signs);
-  if (!is_box(c)) {
-    other.axis = Vector3(c.axis(order)).cwiseProduct(signs);
-    return other;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto to = static_cast<Eigen::Index>(i);
-    const auto from = static_cast<std::size_t>(order[to]);
-    other.edges[i] = c.edges[from];
-    other.quaternion[i + 1] = determinant * signs[to] * c.quaternion[from + 1];
-  }
-  return other;
 }
 
 std::vector<LawQuery> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "oracles/trial/witness_set.hpp"
-
 namespace cyl {
 namespace {
 

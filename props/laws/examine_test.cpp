@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
 #include "props/laws/laws_test.hpp"
 

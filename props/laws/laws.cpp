@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "props/laws/laws.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
+#include "corpus/pairs/touch_plane.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -98,8 +98,7 @@ double core_extent(const Solid& c) { return c.radius + c.height / 2 + edges_of(c
 Vector3 direction_of(const Solid& c) {
   if (is_box(c)) {
     const auto longest = std::ranges::max_element(c.edges) - c.edges.begin();
-    const Vec3<double> d = edge_directions<double>(c.quaternion)[static_cast<std::size_t>(longest)];
-    return {d.x, d.y, d.z};
+    return edge_direction(c, static_cast<std::size_t>(longest));
   }
   const Vector3 w = prepare({.axis = c.axis}).unit_axis;  // of either sign
   return is_half_space(c) && w.dot(c.axis) < 0 ? Vector3(-w) : w;

@@ -69,8 +69,6 @@ struct Law {
   std::vector<LawQuery> (*queries)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Returns nothing if the law holds, or if a method declines or fails (law 30 covers that).
   std::optional<Violation> (*check)(const LawCase& c);
-  const char* file = __builtin_FILE();  ///< its source file, from the top of the project
-  int line = __builtin_LINE();
 };
 
 /// For laws that look at the first answer alone.

@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"

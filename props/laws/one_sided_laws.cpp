@@ -311,11 +311,9 @@ std::vector<Law> one_sided_laws() {
        break_moving_apart},
       {14, LawKind::one_sided, "sweep",
        "a slice across the axis or an edge, such as a sphere of a capsule, meets no more than the whole "
-       "solid "
-       "does",
+       "solid does",
        "for boxes and for rounded solids, longer than the rounding error of their centres; lengths from "
-       "2^-200 "
-       "to 2^200",
+       "2^-200 to 2^200",
        swept, break_sweep},
       {15, LawKind::one_sided, "stand-ins",
        "what meets a box meets a ball and a cylinder around it; what meets those inside it meets the box",

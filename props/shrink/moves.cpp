@@ -3,19 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
-#include <numeric>
-#include <string>
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"
-#include "props/shrink/move_parts.hpp"
 
 namespace cyl::moves {
 namespace {

@@ -3,9 +3,14 @@
 // simplify.cpp lists the moves that are tried.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
+#include <string>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "solver/solid.hpp"
 
 namespace cyl::moves {
@@ -42,5 +47,28 @@ Pairs equalities(const Pair& p);
 /// Adds the pair with one number of it solved for the distance `kept`: that coordinate of b's centre, and
 /// that length, which moves the distance most.
 void add_at_distance(const Pair& p, double kept, Pairs& out);
+
+// Functions that the moves share.
+
+/// Returns the nearest double of units * 10^exponent, or 0 if that is out of range.
+inline double decimal(long long units, int exponent) {
+  const std::string text = std::to_string(units) + 'e' + std::to_string(exponent);
+  double x = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), x).ec == std::errc() ? x : 0;
+}
+
+/// Returns the numbers of a, then those of b.
+inline std::array<double*, 2 * solid_number_count> numbers(Pair& p) {
+  std::array<double*, 2 * solid_number_count> all;
+  std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
+  return all;
+}
+
+/// Returns a changed copy.
+template <class Change>
+Pair with(Pair p, Change change) {
+  change(p);
+  return p;
+}
 
 }  // namespace cyl::moves

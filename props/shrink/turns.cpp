@@ -13,7 +13,6 @@
 #include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"
-#include "props/shrink/move_parts.hpp"
 #include "props/shrink/moves.hpp"
 
 namespace cyl::moves {
@@ -174,29 +173,6 @@ void add_nearly_level(const Pair& p, Pairs& out) {
   }
 }
 
-// R' = M R of a box with a permutation and mirror M is M R M^T, after M has exchanged the edges. The
-// quaternion of M R M^T has the same w, and det(M) M v for v.
-void mirror(Solid& c, const std::array<Eigen::Index, 3>& order, unsigned mirrored) {
-  const auto changed = [&](const Vector3& from) {
-    Vector3 v;
-    for (unsigned i = 0; i < 3; ++i) v[i] = (mirrored >> i & 1 ? -1 : 1) * from[order[i]];
-    return v;
-  };
-  c.center = changed(c.center);
-  if (!is_box(c)) {
-    c.axis = changed(c.axis);
-    return;
-  }
-  const Vector3 v = changed({c.quaternion[1], c.quaternion[2], c.quaternion[3]}),
-                edges = changed({c.edges[0], c.edges[1], c.edges[2]}).cwiseAbs();
-  const double sign =
-      changed(Vector3::UnitX()).cross(changed(Vector3::UnitY())).dot(changed(Vector3::UnitZ()));
-  for (unsigned i = 0; i < 3; ++i) {
-    c.quaternion[i + 1] = sign * v[i];
-    c.edges[i] = edges[i];
-  }
-}
-
 /// Reverses the direction: an axis, or the sign of a quaternion, which turns the same.
 void reverse(Solid& c) {
   if (is_box(c))
@@ -254,13 +230,13 @@ Pairs frames(const Pair& p) {
 
 Pairs symmetries(const Pair& p) {
   Pairs out;
-  std::array<Eigen::Index, 3> order{0, 1, 2};
+  Eigen::Vector3i order(0, 1, 2);
   do
-    for (unsigned mirrored = 0; mirrored < 8; ++mirrored)
-      out.push_back(with(p, [&](Pair& q) {
-        for (Solid* c : {&q.a, &q.b}) mirror(*c, order, mirrored);
-      }));
-  while (std::ranges::next_permutation(order).found);
+    for (unsigned mirrored = 0; mirrored < 8; ++mirrored) {
+      const Vector3 signs(mirrored & 1 ? -1.0 : 1.0, mirrored & 2 ? -1.0 : 1.0, mirrored & 4 ? -1.0 : 1.0);
+      out.push_back({image(p.a, order, signs), image(p.b, order, signs)});
+    }
+  while (std::next_permutation(order.begin(), order.end()));
   for (unsigned which = 1; which < 16; ++which)
     out.push_back(with(p, [&](Pair& q) {
       if (which & 1) reverse(q.a);

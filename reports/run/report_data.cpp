@@ -212,7 +212,7 @@ void add_findings(json& report, const RunData& run) {
 // -----------------------------------------------------------------------------------------------------------
 
 void add_charts(json& report, const RunData& run) {
-  for (const char* section : {"maps", "speed"}) {
+  for (const char* section : {"maps", "speed", "paths"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));

@@ -97,7 +97,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["tallies"][0],
             parse_ordered_json(R"({"method":"fake","family":"random","asked":1002,"declined":11,
     "failed":12,"contract":13,"resolution":14,"undecided":15})"));
-  for (const char* empty : {"causes", "findings", "maps", "speed"})
+  for (const char* empty : {"causes", "findings", "maps", "speed", "paths"})
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
 

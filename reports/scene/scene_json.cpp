@@ -46,14 +46,14 @@ json pair_json(const Scene& scene, const SceneOptions& q, const PairStudy& pair)
     models.push_back({{"model", to_string(level)},
                       {"decides", pair.decided[i]},
                       {"wrong", s.wrong},
-                      {"false_alarm", s.alarm.length},
-                      {"missed", s.missed.length}});
+                      {"false_alarm", s.alarm},
+                      {"missed", s.missed}});
   }
   return {{"a", scene.bodies[pair.a].name},
           {"b", scene.bodies[pair.b].name},
           {"bodies", {pair.a, pair.b}},
           {"samples", pair.samples},
-          {"known", is_known(scene, pair)},
+          {"known", is_known(pair)},
           {"within", pair.within},
           {"within_rate", {rate.lower, rate.upper}},
           {"least_distance", pair.least},
@@ -65,7 +65,7 @@ json pair_json(const Scene& scene, const SceneOptions& q, const PairStudy& pair)
 }
 
 json model_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s, Level level) {
-  const Total t = total_of(scene, s, level, q.tolerated);
+  const Total t = total_of(s, level, q.tolerated);
   return {{"model", to_string(level)}, {"decides", t.decided},         {"suffices", t.suffices},
           {"wrong", t.wrong},          {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
           {"missed", t.missed}};

@@ -13,10 +13,10 @@ namespace cyl {
 std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study,
                        bool table = false);
 
-/// Returns an SRDF that disables link pairs with one link that carries the other ("Adjacent") and link pairs
-/// that are proved never to touch ("Never"). A comment states each proof. Other pairs that are not checked,
-/// that the scene's own SRDF disables, or that are not known, have a comment why they are not disabled. The
-/// study has `prove` and `prove_others`.
+/// Returns an SRDF that disables link pairs with one link that carries the other ("Adjacent"). It also
+/// disables link pairs that are proved never to touch ("Never") or to overlap for ever ("Default", "Always").
+/// A comment states each proof. Other pairs that are not checked, that the scene's own SRDF disables, or that
+/// are not known, have a comment why they are not disabled. The study has `prove` and `prove_others`.
 std::string srdf_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 /// Returns the study as reports/schemas/scene.json describes it.

@@ -8,11 +8,9 @@
 #include <regex>
 #include <sstream>
 
-#include "base/json.hpp"
 #include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/scene_files.hpp"
 #include "scenes/study/scene_study.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -38,9 +36,9 @@ TEST(Study, WhatItRecommendsTheRefereeConfirms) {
       for (const PairStudy& pair : s.pairs) {
         EXPECT_EQ(pair.cascade_wrong, 0u);
         EXPECT_NE(pair.cascade.last, Level::inner);
-        EXPECT_EQ(pair.alone[0].missed.length, 0) << "a ball apart and they are not";
-        EXPECT_EQ(pair.alone[1].missed.length, 0);
-        EXPECT_EQ(pair.alone[2].alarm.length, 0);
+        EXPECT_EQ(pair.alone[0].missed, 0) << "a ball apart and they are not";
+        EXPECT_EQ(pair.alone[1].missed, 0);
+        EXPECT_EQ(pair.alone[2].alarm, 0);
       }
     }
   }
@@ -70,23 +68,8 @@ TEST(Study, ShowsHowWrongAModelAloneIs) {
   EXPECT_EQ(pair.alone[0].wrong, 0u);
   EXPECT_NEAR(pair.least, 1.5, 1e-12);
   EXPECT_EQ(pair.alone[1].wrong, 1u);
-  EXPECT_NEAR(pair.alone[1].alarm.length, 1.5, 1e-12);
+  EXPECT_NEAR(pair.alone[1].alarm, 1.5, 1e-12);
   EXPECT_EQ(pair.cascade.last, Level::sphere);
-}
-
-TEST(Study, TheSameTwiceButForTimes) {
-  const Scene scene = read_scene(folder + "crane.urdf");
-  const SceneOptions q = question(0.01, 0, 30);
-  const auto reported = [&] {
-    auto object = parse_json(study_json(scene, q, study_scene(scene, q)));
-    EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
-    return object;
-  };
-  const auto first = reported();
-  EXPECT_EQ(first, reported());
-  EXPECT_EQ(first["cylinders"], 9);
-  EXPECT_EQ(first["pairs"].size(), first["pairs_checked"]);
-  EXPECT_EQ(first["left_out"].size(), 0u);
 }
 
 TEST(Study, NeedsTheSimplestThatSuffices) {
@@ -100,31 +83,10 @@ TEST(Study, NeedsTheSimplestThatSuffices) {
     EXPECT_EQ(suffices(pair, Level::sphere, 0), level == Level::sphere);
     EXPECT_TRUE(level == Level::sphere || suffices(pair, Level::outer, 0) == (level == Level::outer));
   }
-  EXPECT_EQ(count[0], total_of(scene, s, Level::sphere, 0).suffices);
+  EXPECT_EQ(count[0], total_of(s, Level::sphere, 0).suffices);
   EXPECT_GT(count[1], 0u);
   EXPECT_EQ(count[2], 0u);
   EXPECT_GT(count[3], 0u);
-}
-
-TEST(Study, ShowsWhereAModelIsWrongByMost) {
-  const Scene scene = read_scene(folder + "twenty.urdf");
-  const SceneOptions q = question(0, 0, 100);
-  const SceneStudy s = study_scene(scene, q);
-  const auto least = [&](Extreme Score::*extreme) {
-    std::size_t asked = 0;
-    for (const PairStudy& pair : s.pairs) {
-      for (const Level level : {Level::sphere, Level::outer, Level::inner}) {
-        const Extreme& worst = pair.alone[index_of(level)].*extreme;
-        if (worst.length == 0) continue;
-        ++asked;
-        const auto placed = place(scene, joints_of(scene, q, worst.configuration));
-        EXPECT_EQ(std::fabs(distance(placed[pair.a], placed[pair.b]).value), worst.length);
-      }
-    }
-    return asked;
-  };
-  EXPECT_GT(least(&Score::alarm), 20u);
-  EXPECT_GT(least(&Score::missed), 5u);
 }
 
 TEST(Study, SaysWhatSavesNothing) {
@@ -153,16 +115,18 @@ TEST(Study, NearABoundNothingIsKnown) {
   EXPECT_EQ(recommended(scene, question(0, 0, 1)), "capsules for 1 pair");
   const SceneStudy near = study_scene(scene, question(0.2, 0, 1));
   ASSERT_EQ(near.pairs.size(), 1u);
-  EXPECT_FALSE(is_known(scene, near.pairs[0]));
+  EXPECT_FALSE(is_known(near.pairs[0]));
   EXPECT_EQ(recommended(scene, question(0.2, 0, 1)), "nothing");
   const std::string text = study_text(scene, question(0.2, 0, 1), near);
-  EXPECT_EQ(total_of(scene, near, Level::cylinder, 0).suffices, 0u);
+  EXPECT_EQ(total_of(near, Level::cylinder, 0).suffices, 0u);
   EXPECT_EQ(text.find("suffice for"), text.npos) << text;
   EXPECT_TRUE(text.starts_with("clear    0 of 0 known pairs ")) << text;
   EXPECT_NE(text.find("\nwithin   0 in some, 0 in all\nopen     1, because the bounding solid of a mesh or "
                       "ellipsoid comes within the clearance (pole - crate)\n"),
             text.npos)
       << text;
+  bound_ellipsoid(scene.bodies[1], {2, 2, 2}, Pose::Identity());
+  EXPECT_TRUE(is_known(study_scene(scene, question(0, 0, 1)).pairs[0])) << "its inner solid meets the pole";
 }
 
 // Samples never prove "never".
@@ -184,24 +148,7 @@ TEST(Study, SaysThatNothingMayCollide) {
       std::string::npos);
 }
 
-TEST(Study, SaysWhatIsNotMoved) {
-  const Scene scene = read_scene(folder + "porter.urdf");
-  const std::string said = recommended(scene, question(0, 0, 5));
-  EXPECT_NE(said.find("; NOT MOVED: rolls, swivel"), said.npos) << said;
-  const Scene crane = read_scene(folder + "crane.urdf");
-  EXPECT_EQ(recommended(crane, question(0, 0, 5)).find("NOT "), said.npos);
-}
-
-/// Returns the joints that a line has for --at.
-std::vector<std::pair<std::string, double>> pasted(const std::string& line) {
-  std::vector<std::pair<std::string, double>> joints;
-  std::istringstream words(line.substr(line.find(" --at ") + 6));
-  for (std::string word; words >> word;)
-    joints.emplace_back(word.substr(0, word.find('=')), std::stod(word.substr(word.find('=') + 1)));
-  return joints;
-}
-
-// The verdict comes first, then what is refuted, and all that fits into 40 lines. Joints can be pasted.
+// The verdict comes first, then what is refuted, and all that fits into 40 lines.
 TEST(Study, TheVerdictFirstThenWhatIsRefuted) {
   const Scene scene = read_scene(folder + "twenty.urdf");
   SceneOptions q = question(0, 0, 20);
@@ -219,24 +166,13 @@ TEST(Study, TheVerdictFirstThenWhatIsRefuted) {
   for (std::string line; std::getline(lines, line);) {
     listed +=
         line.starts_with("  never    ") || line.starts_with("  refuted  ") || line.starts_with("  open     ");
-    if (!line.starts_with("  refuted  ") || ++refuted > 10) continue;
-    const auto body = [&](const std::string& name) {
-      return static_cast<std::size_t>(std::ranges::find(scene.bodies, name, &Body::name) -
-                                      scene.bodies.begin());
-    };
-    const std::size_t dash = line.find(" - "), colon = line.find(": ");
-    const auto placed = place(scene, joints_at(scene, pasted(line)));
-    EXPECT_LT(distance(placed.at(body(line.substr(11, dash - 11))),
-                       placed.at(body(line.substr(dash + 3, colon - dash - 3))))
-                  .value,
-              0)
-        << line;
+    refuted += line.starts_with("  refuted  ");
   }
   EXPECT_GT(refuted, 10u);
   EXPECT_EQ(listed, 171u);
 }
 
-// Refuted and open pairs of an SRDF come first, and proved ones only with the tables.
+// Refuted and open pairs of an SRDF come first.
 TEST(Study, OfAnSrdfWhatIsRefutedFirst) {
   Scene scene = read_scene(folder + "crane.urdf");
   for (const char* other : {"tower", "hook"}) {
@@ -257,12 +193,6 @@ TEST(Study, OfAnSrdfWhatIsRefutedFirst) {
                     then = text.find("\n  open     hook - counterweight, \"Never\""),
                     pairs = text.find("\n  refuted  tower - ");
   EXPECT_TRUE(counts < first && first < then && then < pairs && pairs < text.npos) << text;
-  scene.left_out.clear();
-  const SceneStudy known = study_scene(scene, q);
-  EXPECT_EQ(study_text(scene, q, known).find("counterweight, \"Never\""), text.npos);
-  EXPECT_NE(
-      study_text(scene, q, known, true).find("\n  never    hook - counterweight, \"Never\" in the SRDF: at"),
-      text.npos);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ std::string why_unknown(const Scene& scene, const SceneStudy& s) {
   std::vector<std::string> named;
   std::size_t count = 0;
   for (const PairStudy& pair : s.pairs)
-    if (!is_known(scene, pair) && ++count <= named_cap)
+    if (is_open(pair) && ++count <= named_cap)
       named.push_back(fmt::format("{} - {}", body(scene, pair.a), body(scene, pair.b)));
   if (count == 0) return "";
   if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
@@ -119,10 +119,10 @@ struct Draws {
 Draws draws_of(const Scene& scene, const SceneStudy& s) {
   Draws draws{.clear = s.far};
   for (const PairStudy& pair : s.pairs)
-    ++(pair.within == 0              ? draws.clear
-       : !is_known(scene, pair)      ? draws.unknown
-       : pair.within == pair.samples ? draws.always
-                                     : draws.sometimes);
+    ++(pair.within == 0           ? draws.clear
+       : is_open(pair)            ? draws.unknown
+       : pair.met == pair.samples ? draws.always
+                                  : draws.sometimes);
   return draws;
 }
 
@@ -157,7 +157,7 @@ std::string models_table(const Scene& scene, const SceneStudy& s, double tolerat
   text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
                       "false alarm", "missed");
   for (const Level level : enum_values<Level>) {
-    const Total t = total_of(scene, s, level, tolerated);
+    const Total t = total_of(s, level, tolerated);
     text += fmt::format(fmt::runtime(row), to_string(level), count_text(t.decided),
                         fmt::format("{:.0f}", s.alone_ns[index_of(level)]), t.suffices, count_text(t.wrong),
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
@@ -180,28 +180,26 @@ std::string cascade_words(const Cascade& cascade) {
 std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::vector<const PairStudy*> pairs;
   for (const PairStudy& pair : s.pairs)
-    if (is_known(scene, pair) && !suffices(pair, Level::sphere, q.tolerated) &&
+    if (is_known(pair) && !suffices(pair, Level::sphere, q.tolerated) &&
         !suffices(pair, Level::outer, q.tolerated))
       pairs.push_back(&pair);
   const auto alarms = [](const PairStudy& pair) -> const Score& {
     return pair.alone[index_of(Level::outer)];
   };
   std::ranges::stable_sort(pairs, std::greater(), [&](const PairStudy* pair) {
-    return std::tuple(pair->cascade.last, alarms(*pair).wrong, alarms(*pair).alarm.length);
+    return std::tuple(pair->cascade.last, alarms(*pair).wrong, alarms(*pair).alarm);
   });
   std::string text;
   for (const PairStudy* pair : pairs)
     text += fmt::format("\n  {} - {}: {} (capsules: {}, up to {:.3g})", body(scene, pair->a),
                         body(scene, pair->b), cascade_words(pair->cascade),
-                        counted(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm.length);
+                        counted(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm);
   return text;
 }
 
 /// Returns how rare errors are that no configuration showed.
 std::string surely(const Scene& scene, const SceneStudy& s) {
-  const auto rests_on_draws = [&](const PairStudy& pair) {
-    return is_known(scene, pair) && is_statistical(pair);
-  };
+  const auto rests_on_draws = [&](const PairStudy& pair) { return is_known(pair) && is_statistical(pair); };
   if (std::ranges::none_of(s.pairs, rests_on_draws)) return "";
   return fmt::format(" (each wrong in less than {} of all configurations, at 95 % confidence)",
                      rate_text(s.configurations));
@@ -210,7 +208,7 @@ std::string surely(const Scene& scene, const SceneStudy& s) {
 std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::size_t balls = s.far, capsules = s.far, all = s.far;
   for (const PairStudy& pair : s.pairs) {
-    if (!is_known(scene, pair)) continue;
+    if (!is_known(pair)) continue;
     ++all;
     const bool ball = suffices(pair, Level::sphere, q.tolerated);
     balls += ball;
@@ -230,14 +228,14 @@ std::string plural_of(Level level, const Scene& scene) {
   const auto is_other = [](const Body& body) { return kind_of(body.solid) != SolidKind::cylinder; };
   if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_other)) return "the shapes themselves";
   return std::array{
-      "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
+      "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs", "boxes"}[index_of(level)];
 }
 
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
   if (s.far > 0) last[Level::sphere] = s.far;
   for (const PairStudy& pair : s.pairs)
-    if (is_known(scene, pair)) ++last[pair.cascade.last];
+    if (is_known(pair)) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), counted(count, "pair")));

@@ -62,7 +62,7 @@ CauseRecord cause_of(const Subject& s, const GroupedMethods& methods, Asker& ask
   constexpr Mechanism none = Mechanism::unclassified;
   if (!s.can_be_classified()) return {s.record->id, key_of(s, methods, none), none, ""};
   const Failing failing = s.failing();
-  const Classification c = classify(methods.methods, {&failing, 1}, asker)[0];
+  const Classification c = classify(methods.methods, failing, asker);
   return {s.record->id, key_of(s, methods, c.mechanism), c.mechanism, mechanism_labels(c, methods.methods)};
 }
 

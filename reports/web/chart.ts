@@ -99,8 +99,8 @@ interface Key {
   colour: string;
 }
 
-/** A plot in a file of its own: a title, and the colours with their names below. Its background is white, or dark if
- *  the reader prefers that. A program that knows no media query shows it white. */
+/** A plot in a file of its own: a title, and the colours with their names below. It is white, or dark if the reader
+ *  prefers that. A program that knows no media query shows it white. */
 function framed(plot: Element, title: string, keys: Key[], notes: string[] = []): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
   const columns = Math.max(1, Math.floor(w! / 150)),

@@ -272,8 +272,11 @@ std::optional<Solid> capsule_in_hull(Points points, const Bound& bound) {
 // radius c sqrt(1 - d^2 / (a^2 - c^2)).
 void bound_ellipsoid(Body& body, const Vector3& half, const Pose& pose) {
   int longest = 0;
-  const double a = half.maxCoeff(&longest), c = half.minCoeff(), b = half.sum() - a - c,
-               beyond = a * a - c * c, d = std::min(std::sqrt(beyond / 2), beyond / a);
+  half.maxCoeff(&longest);
+  Vector3 sorted = half;
+  std::ranges::sort(sorted);
+  const double a = sorted[2], b = sorted[1], c = sorted[0], beyond = a * a - c * c,
+               d = std::min(std::sqrt(beyond / 2), beyond / a);
   body.solid = {pose.translation(), pose.linear().col(longest), 0, 2 * (a - b), b + bound_error * a};
   body.box = BoxShape{"ellipsoid", pose, 2 * half};
   body.inner = body.solid;

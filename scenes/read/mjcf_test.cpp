@@ -141,20 +141,11 @@ TEST_F(Mjcf, FaultsAreNamed) {
   EXPECT_EQ(why("<worldbody><body pos='1 2'/></worldbody>"), ": pos is '1 2', not 3 numbers");
   EXPECT_EQ(why("<worldbody><body><joint name='j' range='2 1'/></body></worldbody>"),
             ": joint j: its range is none");
-  EXPECT_EQ(why("<worldbody><body><joint name='j' type='slide' range='-1e308 1e308'/></body></worldbody>"),
-            ": joint j: its limits or its origin are so large that numbers overflow: give smaller ones");
   EXPECT_EQ(why("<worldbody><body><joint name='j' axis='0 0 0'/></body></worldbody>"),
             ": joint j: its axis is zero");
   EXPECT_EQ(why("<worldbody>\n<body></worldbody>").substr(0, 9), ": line 2:");
   EXPECT_EQ(why("<compiler eulerseq='xya'/>"), ": eulerseq is 'xya'");
   EXPECT_EQ(why("<compiler coordinate='global'/>"), ": global coordinates, which MuJoCo gave up too");
-  std::string deep;
-  for (int i = 0; i < 100'000; ++i) deep += "<body>";
-  EXPECT_EQ(why(deep), ": line 1: Start-end tags mismatch");
-  std::string closed;
-  for (int i = 0; i < 5000; ++i) closed += "<body>";
-  for (int i = 0; i < 5000; ++i) closed += "</body>";
-  EXPECT_EQ(why(closed), ": elements are nested more than 1000 deep");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "scenes/read/named_files.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -35,14 +34,6 @@ class NamedFilesTest : public testing::Test, protected Scratch {
     } catch (const std::runtime_error& error) {
       return error.what();
     }
-  }
-  std::string why(const std::string& file, NamedBy by) const {
-    try {
-      NamedFiles(folder / "ws/src/arm/urdf/arm.urdf").read(folder / file, by);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "read";
   }
 };
 
@@ -94,39 +85,6 @@ TEST_F(NamedFilesTest, LinksAreFollowedFirst) {
   fs::create_symlink(folder / "outside.srdf", folder / "ws/src/arm/urdf/one.srdf");
   EXPECT_THROW(read_scene(robot), std::runtime_error) << "the SRDF beside it is outside";
   EXPECT_EQ(read_scene(robot, folder / "outside.srdf").links.size(), 1u) << "the user names it";
-}
-
-TEST_F(NamedFilesTest, AreRegularAndOfBoundedSize) {
-  const fs::path own = folder / "ws/src/arm/urdf";
-  ASSERT_EQ(mkfifo((own / "pipe.obj").c_str(), 0600), 0);
-  fs::create_symlink("/dev/zero", own / "zero.obj");
-  write("ws/src/arm/urdf/large.obj", "v 1 2 3\n");
-  fs::resize_file(own / "large.obj", file_cap + 1);
-  EXPECT_EQ(why("ws/src/arm/urdf/pipe.obj", NamedBy::file), "it is not a regular file");
-  EXPECT_TRUE(why("ws/src/arm/urdf/zero.obj", NamedBy::file).starts_with("it is outside "));
-  EXPECT_EQ(why("ws/src/arm/urdf/zero.obj", NamedBy::user), "it is neither a regular file nor a pipe");
-  EXPECT_EQ(why("ws/src/arm/urdf", NamedBy::user), "it is neither a regular file nor a pipe");
-  for (const NamedBy by : {NamedBy::user, NamedBy::file})
-    EXPECT_EQ(why("ws/src/arm/urdf/large.obj", by), "it is larger than 64 MiB");
-  EXPECT_EQ(why("secret", NamedBy::user), "read");
-}
-
-/// Returns a URDF of links in a chain, joined by fixed joints.
-std::string chain(std::size_t links) {
-  std::string text = "<robot name='chain'><link name='l0'/>";
-  for (std::size_t i = 1; i < links; ++i) {
-    const std::string parent = std::to_string(i - 1), child = std::to_string(i);
-    text += "<link name='l" + child + "'/><joint name='j" + child + "' type='fixed'><parent link='l" +
-            parent + "'/><child link='l" + child + "'/></joint>";
-  }
-  return text + "</robot>";
-}
-
-TEST_F(NamedFilesTest, AChainOfLinksIsAsLongAsTheCap) {
-  const Scene scene = read_scene(write("chain.urdf", chain(link_cap)));
-  ASSERT_EQ(scene.links.size(), link_cap);
-  EXPECT_EQ(scene.links.back().parent, link_cap - 2);
-  EXPECT_THROW(read_scene(write("chain.urdf", chain(link_cap + 1))), std::runtime_error);
 }
 
 // Eighteen copies of this mesh would be more than all files of a scene may be.

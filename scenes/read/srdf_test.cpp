@@ -3,8 +3,6 @@
 
 #include "base/scratch_test.hpp"
 #include "scenes/read/scene_files.hpp"
-#include "scenes/study/motion_proof.hpp"
-#include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 namespace {
@@ -37,31 +35,6 @@ TEST(Srdf, WhatCannotBeReadIsSaid) {
   const Scratch scratch;
   for (const char* text : {"<robot><disable_collisions", "<sdf/>"})
     EXPECT_THROW(read_scene(crane, scratch.write("bad.srdf", text)), std::runtime_error);
-}
-
-// The trolley meets the tower in about 1 of 100 configurations. A planner with this file never looks there.
-TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
-  const Scratch scratch;
-  const std::string planted =
-      scratch.write("planted.srdf",
-                    "<robot name='crane'><disable_collisions link1='trolley' link2='tower' reason='Never'/>"
-                    "<disable_collisions link1='hook' link2='counterweight' reason='Never'/>"
-                    "<disable_collisions link1='hook' link2='ground' reason='User'/>"
-                    "<disable_collisions link1='counterweight' link2='ground' reason='Never'/></robot>");
-  const Scene scene = read_scene(crane, planted);
-  const MotionStudy study = prove_motions(scene, {}, {}, {});
-  ASSERT_EQ(study.exemptions.size(), 3u);
-  const ExemptionProof& refuted = study.exemptions[0];
-  EXPECT_EQ(refuted.verdict, MotionVerdict::refuted);
-  ASSERT_EQ(refuted.bodies.size(), 1u);
-  const auto placed = place(scene, joints_in(scene, refuted.bodies[0]));
-  EXPECT_EQ(referee_within({placed[refuted.bodies[0].a], placed[refuted.bodies[0].b]}, 0), true);
-  const ExemptionProof& proved = study.exemptions[1];
-  EXPECT_EQ(proved.verdict, MotionVerdict::never);
-  EXPECT_EQ(proved.bodies.size(), 2u) << "both of the counterweight";
-  const ExemptionProof& bounded = study.exemptions[2];
-  EXPECT_FALSE(bounded.not_looked_at) << "the ground's box has a bound";
-  EXPECT_EQ(bounded.verdict, MotionVerdict::never);
 }
 
 }  // namespace

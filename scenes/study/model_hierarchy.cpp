@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/study/model_hierarchy.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -41,25 +42,34 @@ ProxyModels models_of_box(const Solid& c) noexcept {
     return prepare({c.center, {ax, ay, az}, 0, height, rounding});
   };
   const double inside = std::min(y, z);
+  Solid box = c;
+  for (double& edge : box.edges) edge += 2 * (c.rounding + margin);
+  box.rounding = 0;
   return {prepare(c), model(0, std::hypot(x, y, z) / 2 + c.rounding + margin),
           model(x, std::hypot(y, z) / 2 + c.rounding + margin),
-          model(x - inside, inside / 2 + c.rounding - margin)};
+          model(x - inside, inside / 2 + c.rounding - margin), prepare(box)};
 }
 
 }  // namespace
 
 ProxyModels make_models(const Solid& c) noexcept {
   if (is_box(c)) return models_of_box(c);
-  if (is_half_space(c)) return {prepare(c), prepare(c), prepare(c), prepare(c)};
+  if (is_half_space(c)) return {prepare(c), prepare(c), prepare(c), prepare(c), prepare(c)};
   const double margin = model_margin * (c.radius + c.height + c.rounding);
   const double inside = std::min(c.radius, c.height / 2);
   const auto model = [&](double height, double rounding) {
     return prepare({c.center, c.axis, 0, height, rounding});
   };
+  const double wide = 2 * (c.radius + c.rounding + margin);
+  const auto q = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), c.axis.stableNormalized());
   return {prepare(c),
           model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
           model(c.height, c.radius + c.rounding + margin),
-          model(c.height - 2 * inside, inside + c.rounding - margin)};
+          model(c.height - 2 * inside, inside + c.rounding - margin),
+          prepare({.center = c.center,
+                   .shape = Shape::box,
+                   .edges = {wide, wide, c.height + 2 * (c.rounding + margin)},
+                   .quaternion = {q.w(), q.x(), q.y(), q.z()}})};
 }
 
 std::vector<ProxyModels> models_of(std::span<const Solid> placed) {
@@ -83,6 +93,8 @@ Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, dou
       return proximity_of(cyl::within(a.solid, b.solid, clearance));
     case Level::distance:
       return proximity_of(distance(a.solid, b.solid), clearance);
+    case Level::box:
+      return only(Proximity::apart, cyl::within(a.box, b.box, wide));
     case Level::certified:
       break;
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A hierarchy of models that replace a solid, cheapest first: a ball and a capsule around it, and a capsule
-// inside it. All are rounded solids, which the solver answers like the solid itself. A half-space is a model
-// of itself. Each level decides whether two solids are within a clearance, or leaves that to a later level.
+// inside it. A box around it is only compared with them. All are rounded solids, which the solver answers
+// like the solid itself. A half-space is a model of itself. Each level decides whether two solids are within
+// a clearance, or leaves that to a later level.
 #pragma once
 
 #include <array>
@@ -15,15 +16,16 @@
 namespace cyl {
 
 enum class Level : unsigned char {
-  sphere,    ///< the ball around the solid: decides apart
-  outer,     ///< the capsule around it: decides apart
-  inner,     ///< the capsule inside it: decides within
-  cylinder,  ///< yes or no, of the solids themselves
-  distance,  ///< the distance with its error bound
-  certified  ///< a proof
+  sphere,     ///< the ball around the solid: decides apart
+  outer,      ///< the capsule around it: decides apart
+  inner,      ///< the capsule inside it: decides within
+  cylinder,   ///< yes or no, of the solids themselves
+  distance,   ///< the distance with its error bound
+  certified,  ///< a proof
+  box         ///< the box around the solid: decides apart, in no cascade
 };
 constexpr auto words_of(Level) noexcept {
-  return std::array{"sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified"};
+  return std::array{"sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified", "box"};
 }
 inline constexpr std::size_t level_count = enum_words<Level>.size();
 constexpr std::size_t index_of(Level level) noexcept { return static_cast<std::size_t>(level); }
@@ -42,6 +44,7 @@ inline constexpr double model_margin = 0x1p-42;
 struct ProxyModels {
   Prepared solid, ball, outer;
   Prepared inner;  ///< invalid if nothing is inside: for a segment, a disk, a point
+  Prepared box;    ///< along the axis or the edges
 };
 ProxyModels make_models(const Solid& c) noexcept;
 std::vector<ProxyModels> models_of(std::span<const Solid> placed);

@@ -58,6 +58,8 @@ TEST(ModelHierarchy, NoLevelIsWrongAtTouch) {
   EXPECT_GT(tried.apart[0], 50);
   EXPECT_GT(tried.apart[1], 100);
   EXPECT_GT(tried.within[2], 100);
+  EXPECT_GT(tried.apart[index_of(Level::box)], 100);
+  EXPECT_EQ(tried.within[index_of(Level::box)], 0);
   EXPECT_EQ(tried.within[0] + tried.within[1] + tried.apart[2], 0);
 }
 

@@ -255,12 +255,12 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
   }
-  // What inner solids meet, the shapes meet. They prove nothing else.
-  const auto is_known = [](const Body& body) { return !body.box || body.inner; };
-  if (proof.bounded && holds && is_known(scene.bodies[a]) && is_known(scene.bodies[b])) {
+  // If inner solids meet, the shapes meet. They prove nothing else.
+  const auto has_inner = [](const Body& body) { return !body.box || body.inner; };
+  if (proof.bounded && holds && has_inner(scene.bodies[a]) && has_inner(scene.bodies[b])) {
     Scene inner = scene;
     for (Body* body : {&inner.bodies[a], &inner.bodies[b]})
-      if (body->box) std::tie(body->solid, body->box) = std::pair(*body->inner, std::nullopt);
+      std::tie(body->solid, body->box) = std::pair(inner_at(*body, body->solid), std::nullopt);
     MotionQuestion meet = question;
     meet.box_cap = 0;
     MotionProof found = prove_motion(inner, a, b, meet);

@@ -130,6 +130,30 @@ TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
   EXPECT_GT(path.travel({0, 1, 0}).length, std::sin(0.75) - std::sin(0.6)) << "0.15 rad on, at a length of 1";
 }
 
+// A chain that stays in a plane above a table. No joint changes the gap along the axes.
+TEST(MotionProof, ParallelAxesKeepAGap) {
+  Scene scene = still_scene({{"table", box_at(Pose::Identity(), {9, 9, 0.1})}});
+  const auto prove = [&](double tilt) {
+    scene.links.resize(1);
+    scene.bodies.resize(1);
+    for (std::size_t i = 1; i < 10; ++i) {
+      Link& link = scene.links.emplace_back();
+      link.joint = "j" + std::to_string(i);
+      link.parent = i - 1;
+      link.motion = Motion::turn;
+      link.origin = Pose(Eigen::Translation3d(0.2, 0, i == 1 ? 0.15 : 0));
+      link.axis = Vector3(i % 2 == 0 ? tilt : 0, 0, 1).normalized();
+      link.low = -1;
+      link.high = 1;
+    }
+    scene.bodies.push_back({"end", 9, {{0.1, 0, 0}, {1, 0, 0}, 0.04, 0.1}});
+    return prove_motion(scene, 0, 1, {});
+  };
+  EXPECT_EQ(prove(0).verdict, MotionVerdict::never);
+  EXPECT_EQ(prove(0).boxes, 1u);
+  EXPECT_EQ(prove(0.5).verdict, MotionVerdict::refuted) << "it comes down";
+}
+
 // If a proof is incomplete, the part that is not proved has a share.
 TEST(MotionProof, ShowsWhatIsLeftOpen) {
   MotionQuestion q;

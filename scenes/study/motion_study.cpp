@@ -11,7 +11,7 @@
 
 #include "base/stopwatch.hpp"
 #include "scenes/study/joint_path.hpp"
-#include "scenes/study/motion_proof.hpp"
+#include "scenes/study/scene_study.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -149,6 +149,28 @@ void conclude(ExemptionProof& proof) {
 
 bool has_unknown_shapes(const Scene& scene, std::size_t link) {
   return std::ranges::find(scene.left_out, scene.links[link].name, &LeftOut::link) != scene.left_out.end();
+}
+
+std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair) {
+  std::vector<std::size_t> links;
+  // A parent comes before its link. The later of the two goes up until they meet.
+  std::size_t a = scene.bodies[pair.a].link, b = scene.bodies[pair.b].link;
+  while (a != b) {
+    std::size_t& later = a > b ? a : b;
+    if (!drawn_in_full(scene, later)) links.push_back(later);
+    if (!scene.links[later].parent) break;
+    later = *scene.links[later].parent;
+  }
+  return links;
+}
+
+std::vector<std::string> joints_held_between(const Scene& scene, const SceneStudy& study) {
+  std::set<std::size_t> between;
+  for (const PairStudy& pair : study.pairs)
+    for (const std::size_t link : joints_held_between(scene, pair)) between.insert(link);
+  std::vector<std::string> joints;
+  for (const std::size_t link : between) joints.push_back(scene.links[link].joint);
+  return joints;
 }
 
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, std::span<const double> seen,

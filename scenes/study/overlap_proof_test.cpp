@@ -31,6 +31,7 @@ TEST(OverlapProof, OfARotorInItsTrunk) {
   };
   EXPECT_TRUE(always(disk, 0.5));
   EXPECT_FALSE(always(disk, 0.8)) << "apart";
+  EXPECT_TRUE(prove_motion(rotor(trunk, disk, {1.02, 0.3, 0}), 0, 1, {}).always) << "its middle is outside";
   EXPECT_FALSE(always(arm, 0.5)) << "it swings out";
   EXPECT_FALSE(always(disk, 0.5, true)) << "its joint moves in another way";
 }

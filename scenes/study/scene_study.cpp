@@ -171,26 +171,34 @@ class Study {
             level == Level::inner      ? said == Proximity::within
             : level == Level::distance ? !(d.value > q_.clearance)
                                        : said != Proximity::apart,
-            is_within, d.value, configuration);
+            is_within, d.value);
     }
     pair.least = pair.samples == 0 ? d.value : std::min(pair.least, d.value);
     pair.greatest = pair.samples == 0 ? d.value : std::max(pair.greatest, d.value);
     ++pair.samples;
     pair.within += is_within;
+    pair.met += is_within && shapes_meet(pair, placed);
     if (!samples.closest || miss(d.value) < miss(samples.closest->distance))
       samples.closest =
           ClosestCall{pair.a, pair.b, configuration, d.value, size_of({placed[pair.a], placed[pair.b]})};
     samples.within.push_back(is_within);
   }
 
+  /// Whether shapes that two solids stand for are within the clearance, if the solids are.
+  bool shapes_meet(const PairStudy& pair, const std::vector<Solid>& placed) const {
+    const Body &a = scene_.bodies[pair.a], &b = scene_.bodies[pair.b];
+    if (!a.box && !b.box) return true;
+    if ((a.box && !a.inner) || (b.box && !b.inner)) return false;
+    return referee_within({inner_at(a, placed[pair.a]), inner_at(b, placed[pair.b])}, q_.clearance) == true;
+  }
+
   double miss(double distance) const { return std::fabs(distance - q_.clearance); }
 
-  void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
+  void score(Score& s, bool said, bool is_within, double d) const {
     if (said == is_within) return;
     ++s.wrong;
-    const double by = is_within ? q_.clearance - d : d - q_.clearance;
-    Extreme& worst = is_within ? s.missed : s.alarm;
-    if (by > worst.length) worst = {by, configuration};
+    double& worst = is_within ? s.missed : s.alarm;
+    worst = std::max(worst, is_within ? q_.clearance - d : d - q_.clearance);
   }
 
   // Compares what is recommended with the truths found above. The referee judges some of it anew.
@@ -323,23 +331,23 @@ std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, 
   return joints_at(scene, question.at);
 }
 
-Total total_of(const Scene& scene, const SceneStudy& study, Level level, double tolerated) {
+Total total_of(const SceneStudy& study, Level level, double tolerated) {
   Total t;
   for (const PairStudy& pair : study.pairs) {
     const Score& score = pair.alone[index_of(level)];
     t.decided += pair.decided[index_of(level)];
-    t.suffices += is_known(scene, pair) && suffices(pair, level, tolerated);
+    t.suffices += is_known(pair) && suffices(pair, level, tolerated);
     t.wrong += score.wrong;
     t.wrong_pairs += score.wrong > 0;
-    t.alarm = std::max(t.alarm, score.alarm.length);
-    t.missed = std::max(t.missed, score.missed.length);
+    t.alarm = std::max(t.alarm, score.alarm);
+    t.missed = std::max(t.missed, score.missed);
   }
   return t;
 }
 
 bool suffices(const PairStudy& pair, Level level, double tolerated) {
   const Score& s = pair.alone[index_of(level)];
-  return s.wrong == 0 || (s.missed.length == 0 && s.alarm.length > 0 && s.alarm.length <= tolerated);
+  return s.wrong == 0 || (s.missed == 0 && s.alarm > 0 && s.alarm <= tolerated);
 }
 
 bool is_statistical(const PairStudy& pair) {

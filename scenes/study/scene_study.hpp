@@ -34,16 +34,11 @@ struct SceneOptions {
 /// The most recommended answers that the referee judges, evenly spread: about 0.03 s.
 inline constexpr std::size_t verified_cap = 10'000;
 
-/// The sample that an accepted model is most wrong about.
-struct Extreme {
-  double length = 0;  ///< from the clearance
-  std::size_t configuration = 0;
-};
 /// An accepted model on the samples of a pair.
 struct Score {
   std::size_t wrong = 0;  ///< of the samples
-  Extreme alarm;          ///< the farthest pair beyond the clearance that it calls within
-  Extreme missed;         ///< the deepest pair below the clearance that it calls apart
+  double alarm = 0;       ///< how far the farthest pair that it calls within is beyond the clearance
+  double missed = 0;      ///< how far the deepest pair that it calls apart is below the clearance
 };
 
 /// One pair over all configurations.
@@ -51,6 +46,7 @@ struct PairStudy {
   std::size_t a = 0, b = 0;        ///< bodies
   std::size_t samples = 0;         ///< the study's configurations
   std::size_t within = 0;          ///< samples that are within the clearance
+  std::size_t met = 0;             ///< of these, those that hold for the shapes, not only for bounding solids
   double least = 0, greatest = 0;  ///< distance
   std::array<Score, level_count> alone{};
   std::array<std::size_t, level_count> decided{};  ///< samples that a level is the first to decide
@@ -97,8 +93,10 @@ inline constexpr std::size_t near_cap = 1'000'000;
 bool is_far(const SceneStudy& study, std::size_t a, std::size_t b, double clearance);
 
 /// Returns whether the samples describe the pair itself. They do not if one body is a bound of a mesh or
-/// ellipsoid and comes within the clearance.
-bool is_known(const Scene& scene, const PairStudy& pair);
+/// ellipsoid that comes within the clearance, while a solid in the shape does not.
+inline bool is_known(const PairStudy& pair) { return pair.met == pair.within; }
+/// Returns whether it is not known if the shapes come within the clearance in any sample.
+inline bool is_open(const PairStudy& pair) { return pair.within > 0 && pair.met == 0; }
 
 /// Returns the links whose joints are held here, move in truth and lie between the two.
 std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair);
@@ -112,7 +110,7 @@ struct Total {
   std::size_t decided = 0, suffices = 0, wrong = 0, wrong_pairs = 0;
   double alarm = 0, missed = 0;
 };
-Total total_of(const Scene& scene, const SceneStudy& study, Level level, double tolerated);
+Total total_of(const SceneStudy& study, Level level, double tolerated);
 
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);

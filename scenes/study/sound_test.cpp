@@ -87,13 +87,6 @@ TEST(Sound, AFollowerOfAHeldJointIsHeld) {
   }
 }
 
-TEST(Sound, MimicsInACircleAreRefused) {
-  EXPECT_THROW(robot("<link name='base'/><link name='one'/><link name='two'/>" +
-                     joint("a", "continuous", "base", "one", "<mimic joint='b'/>") +
-                     joint("b", "continuous", "base", "two", "<mimic joint='a'/>")),
-               std::runtime_error);
-}
-
 // If this were read as a tree, one link would stand in two places, and the other in none.
 TEST(Sound, LinksThatAreNoTreeAreRefused) {
   const std::string links = ball("base", "0 0 -1") + ball("one", "1 0 0") + ball("two", "-1 0 0");
@@ -160,15 +153,6 @@ TEST(Sound, OnlyWhatFitsWithinTheDecimalsIsACapsule) {
       ended("0.9999999992", "3.4999999996");  // apart by 4e-10, though the capsule overlaps
   ASSERT_EQ(narrower.folded, 1u);
   EXPECT_EQ(proof_of(narrower).verdict, MotionVerdict::open);
-}
-
-TEST(Sound, NearIsNotRefuted) {
-  const Scene scene = geared("continuous", "continuous", "1", "-1.3 0 0");
-  const MotionProof near = proof_of(scene, 0.15), proved = proof_of(scene, 0.05);
-  EXPECT_EQ(near.verdict, MotionVerdict::within);
-  EXPECT_NEAR(near.least, 0.1, 1e-3);
-  EXPECT_EQ(proved.verdict, MotionVerdict::never);
-  EXPECT_EQ(proof_of(geared("continuous", "continuous", "1"), 0.5).verdict, MotionVerdict::refuted);
 }
 
 TEST(Sound, AnExemptionIsAboutContact) {

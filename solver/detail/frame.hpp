@@ -19,8 +19,11 @@ namespace cyl {
 // A solid is `moderate` if its lengths are 0 or within 2^-200 to 2^200, and its coordinates 0 or within
 // 2^-250 to 2^250.
 inline constexpr int moderate_exponent = 200, center_exponent = 50;
-// Sets `moderate` of a solid without a defect, and what depends on it.
-void mark_moderate(Prepared& p) noexcept;
+// Sets the traits of a solid without a defect.
+void mark_traits(Prepared& p) noexcept;
+inline bool both_are(Prepared::Trait t, const Prepared& a, const Prepared& b) noexcept {
+  return (a.traits & b.traits & t) != 0;
+}
 
 // 2^exponent for -1022 <= exponent <= 1023.
 constexpr double power_of_two(int exponent) noexcept {
@@ -91,7 +94,7 @@ inline Scaled as_it_is(const Prepared& a, const Prepared& b) noexcept {
 
 // `room`: a length that must not overflow in the unit either.
 inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexcept {
-  if (a.ordinary & b.ordinary) return as_it_is(a, b);
+  if (both_are(Prepared::ordinary, a, b)) return as_it_is(a, b);
   const double widest = larger(larger(larger(a.radius, b.radius), larger(a.height, b.height)), room);
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));

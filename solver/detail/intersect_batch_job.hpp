@@ -9,7 +9,7 @@ inline constexpr unsigned batch_chunk = 1024;
 
 /// A record is a Prepared: eight doubles, flags, and more (intersect_batch.cpp checks it).
 inline constexpr unsigned long long record_bytes = 128;
-inline constexpr unsigned long long record_ordinary = 65;  ///< the position of the flag `ordinary`
+inline constexpr unsigned long long record_traits = 65;  ///< their position; bit 0 is `ordinary`
 
 struct BatchJob {
   const unsigned char *a, *b;  ///< the sets' first records

@@ -152,7 +152,7 @@ const double* record(const unsigned char* set, unsigned index) {
 }
 
 unsigned is_ordinary(const double* record) {
-  return reinterpret_cast<const unsigned char*>(record)[record_ordinary];
+  return reinterpret_cast<const unsigned char*>(record)[record_traits] & 1u;
 }
 
 struct Records {
@@ -190,7 +190,7 @@ Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
 template <bool steep>
 void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
-    // not covered: the gate asks batches of one pair, and intersect_batch_test asks all sizes
+    // not covered: the gate asks batches of one pair, and batches_test asks all sizes
     const unsigned n =
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);

@@ -17,12 +17,21 @@ inline double clamped(double x, double most) noexcept { return larger(-most, sma
 inline Prepared core_of(const Prepared& c) noexcept {
   Prepared core = c;
   core.rounding = 0;
-  core.ordinary = c.moderate & (c.shape == Shape::cylinder);
+  if (c.shape == Shape::cylinder && (c.traits & Prepared::moderate) != 0) core.traits |= Prepared::ordinary;
   return core;
 }
 
 // Below that, the square of the sine does not locate the nearest points of two segments well enough.
 inline constexpr double level_square = 0x1p-10;
+
+inline bool one_is_ball(const Prepared& a, const Prepared& b) noexcept {
+  return ((a.traits | b.traits) & Prepared::ball) != 0;
+}
+// The other solid than the ball. A table, because a branch would be unpredictable.
+inline const Prepared& not_ball(const Prepared& a, const Prepared& b) noexcept {
+  const Prepared* const solids[] = {&a, &b};
+  return *solids[a.traits / Prepared::ball];
+}
 
 struct NearestParameters {
   double s, t;  // of the points c0 + s w0 and c1 + t w1
@@ -56,10 +65,9 @@ inline NearestParameters nearest_of_segments(const Scaled& p) noexcept {
   const Vector3 delta = b.center - a.center;
   Vector3 e = delta;
   bool reliable = true;
-  if (!(a.ball & b.ball)) {
-    if (a.ball | b.ball) {
-      const Prepared* const solids[] = {&a, &b};
-      const Prepared& segment = *solids[a.ball];
+  if (!both_are(Prepared::ball, a, b)) {
+    if (one_is_ball(a, b)) {
+      const Prepared& segment = not_ball(a, b);
       e -= clamped(dot(delta, segment.unit_axis), 0.5 * segment.height) * segment.unit_axis;
     } else {
       const NearestParameters nearest =
@@ -82,7 +90,7 @@ inline Prepared shrunk(Prepared c) noexcept {
   c.radius *= huge_shrink;
   c.height *= huge_shrink;
   c.rounding *= huge_shrink;
-  c.ordinary = c.moderate = c.thin = c.ball = false;
+  c.traits = 0;
   return c;
 }
 

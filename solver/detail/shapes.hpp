@@ -12,6 +12,10 @@ namespace cyl {
 /// A bound on the rounding error of f(D) over |D|, and of the distance of a point from a facet, if a box
 /// takes part. The unit is the reach (boxes.md, section 6).
 inline constexpr double box_error = 64 * unit_roundoff_error;
+/// The same if the certificate is not measured in the scene, but as seen from the first box.
+inline constexpr double quick_error = 4 * box_error;
+/// The same of f(n) if the other solid is not a box.
+inline constexpr double plane_error = 16 * unit_roundoff_error;
 /// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
 /// By how much decide() shrinks cores before it looks for a common point, of the reach.
@@ -26,19 +30,42 @@ inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
 
 /// The roles in a fixed order: a half-space first, else a box, and of two boxes the one with the lesser
 /// numbers. True if b comes first.
-bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept;
+bool boxes_out_of_order(const Prepared& a, const Prepared& b) noexcept;
+inline bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
+  constexpr unsigned ranks = 0b01'00'10;  // of the shapes, two bits each
+  if (a.shape == b.shape) return boxes_out_of_order(a, b);
+  return (ranks >> 2 * static_cast<int>(a.shape) & 3) > (ranks >> 2 * static_cast<int>(b.shape) & 3);
+}
 
 /// A pair in its order and in a unit in which nothing overflows.
 struct ShapePair {
-  Prepared a, b;
+  const Prepared &a, &b;
   double contact;  ///< both roundings and the clearance
   int exponent;    ///< one unit is 2^exponent units of the scene
 };
-/// The first centre goes to 0 if it is not of a half-space, and the largest length is in [1, 2). That length
-/// may be less beside a half-space whose point is more than 2^900 of it away.
-ShapePair in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept;
+/// The solids and the numbers of a ShapePair. The first centre goes to 0 if it is not of a half-space, and
+/// the largest length is in [1, 2). That length may be less beside a half-space whose point is more than
+/// 2^900 of it away.
+struct PairInUnit {
+  Prepared a, b;
+  double contact;
+  int exponent;
+};
+PairInUnit in_unit(const Prepared& a, const Prepared& b, double clearance) noexcept;
 inline bool is_in_range(const Prepared& a, const Prepared& b, double contact) noexcept {
-  return a.moderate & b.moderate & (contact <= power_of_two(moderate_exponent));
+  return both_are(Prepared::moderate, a, b) & (contact <= power_of_two(moderate_exponent));
+}
+
+/// Returns the result of `ask` for the ShapePair of two solids. `swapped`: whether b comes first.
+template <class Ask>
+[[gnu::always_inline]] inline auto ask_in_order(const Prepared& a, const Prepared& b, double clearance,
+                                                bool swapped, Ask ask) noexcept {
+  const Prepared* const roles[] = {&a, &b};  // a table, because a branch would be unpredictable
+  const Prepared &first = *roles[swapped], &second = *roles[!swapped];
+  const double contact = contact_distance_of(a, b, clearance);
+  if (is_in_range(first, second, contact)) return ask(ShapePair{first, second, contact, 0});
+  const PairInUnit p = in_unit(first, second, clearance);
+  return ask(ShapePair{p.a, p.b, p.contact, p.exponent});
 }
 
 /// A bound of the length that needs neither a square nor a root.
@@ -48,21 +75,23 @@ inline double length_bound(const Vector3& x) noexcept {
 
 /// The support of a core about its centre, and a bound of it for unit vectors.
 double core_support(const Prepared& c, const Vector3& d) noexcept;
-double core_size(const Prepared& c) noexcept;
+inline double core_size(const Prepared& c) noexcept {
+  return c.radius + 0.5 * (c.height + c.edges[0] + c.edges[1] + c.edges[2]);
+}
 /// A point of the core that is farthest along n, from its centre.
 Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
 
-Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept;
-/// -f(n), the signed distance of a core from the plane, and a bound of its error. `contact`: the number that
-/// it is compared with.
+/// `a` is a box, `b` not a half-space.
+Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept;
+/// The signed distance from the plane of a centre, n.Delta, and of its core, -f(n), with a bound of their
+/// errors. If `contact` is within that of `gap`, more digits are used.
 struct AbovePlane {
-  AbovePlane(const Prepared& plane, const Prepared& c, double contact) noexcept;
-  double gap, error;
-
- private:
-  static double precisely(const Prepared& plane, const Prepared& c) noexcept;
+  double center, gap, error;
 };
-void decide_half_space(const ShapePair& p, const Vector3& normal, Answer& answer) noexcept;
+AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept;
+/// `normal`: of the plane, exactly. `of_second`: the centre of the other solid in the scene.
+void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
+                       Answer& answer) noexcept;
 
 /// The edges of a box have these directions.
 struct Edges {
@@ -80,8 +109,8 @@ struct BoxView {
   double support(const Vector3& d) const noexcept;
   /// -f(d), if d points to the other core.
   double gap(const Vector3& d) const noexcept;
-  /// The point of the other core that is nearest to x.
-  Vector3 nearest_to(const Vector3& x) const noexcept;
+  /// The point of the other core that is nearest to x. The core is made smaller by `less` on all sides.
+  Vector3 nearest_to(const Vector3& x, double less = 0) const noexcept;
   /// The second derivative along g of half the square of the distance of x from the other core.
   double bend(const Vector3& x, const Vector3& g) const noexcept;
 
@@ -104,6 +133,10 @@ inline Vector3 clamped(const Vector3& x, const Vector3& half) noexcept {
 inline constexpr int box_axes = 15, cylinder_axes = 8;
 /// Returns the first that separates, or -1.
 int separating_axis(const BoxView& v) noexcept;
+/// The same for the normals of the boxes, or of the box and the caps, if the gap is more than `slack`.
+int separating_normal(const BoxView& v, double slack) noexcept;
+/// The same for the others.
+int separating_product(const BoxView& v) noexcept;
 Vector3 axis_of(const BoxView& v, int index) noexcept;
 
 /// The point of a clipped edge or of the section of a facet and a cap that is nearest to the axis.
@@ -130,10 +163,17 @@ int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
 struct SegmentPoint {
   double t;
   Vector3 way;  ///< from the box
+  double gap;   ///< -f(way), if asked with a contact
   bool near;
 };
 SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept;
+/// A box and a point, or a box and a segment with a contact > 0.
+Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double contact) noexcept;
+/// Returns false if a verdict is not proved by `error`. For pairs in the unit of the scene.
+bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexcept;
 
+/// Whether the other core holds the point by `slack`.
+bool holds(const BoxView& v, const Vector3& at, double slack) noexcept;
 /// A point of both cores, if there is one beyond rounding.
 bool find_common_point(const BoxView& v, Vector3& at) noexcept;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Section 7 and the end of section 8 of the text of 2017: any direction, found by minimising G. The text
+// Section 7 and the end of section 8 of the text of 2017: any direction, found by minimising G. G is f on the
+// triangle that spans an octant of directions, and it is smooth in convex cells of that triangle. The text
 // leaves two points open, and this file settles them.
 //
 // A cell is searched along its sides first, each a convex function of one variable. From the lowest point
@@ -9,16 +10,135 @@
 // A search ends if convexity proves that it is in vain. As G(y) >= G(x) + g.(y - x), G > 0 in the whole cell
 // as soon as this bound is > 0 at its corners.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "solver/detail/frame.hpp"
 #include "solver/literature/bisection.hpp"
-#include "solver/literature/octant_2017.hpp"
 #include "solver/literature/separation_2017.hpp"
 
 namespace cyl::literature {
 namespace {
+
+using Point = Eigen::Vector2d;  ///< (s, t)
+
+/// Sign(L_0), Sign(L_1) in a cell; 0 is the sign at the point itself.
+struct Signs {
+  double l0 = 0, l1 = 0;
+};
+
+double own_sign(double given, double x) noexcept { return given != 0 ? given : x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+/// f on D(s, t) = s U + t V + (1-s-t) W, all coordinates with respect to (U, V, W), W along Delta. With the
+/// signs of the octant in U and V.
+struct Octant {
+  Vector3 w0, w1;         ///< (a_i, b_i, c_i)
+  double r0, h0, r1, h1;  ///< half heights
+  double length;          ///< |Delta|
+  bool printed_roots;     ///< Q_i = |D|^2 - L_i^2 as in the text
+  bool printed_gradient;  ///< its 0/0 at an axis too
+
+  static Vector3 at(const Point& x) noexcept { return {x.x(), x.y(), 1 - x.x() - x.y()}; }
+  /// L_i, linear: D along axis i.
+  double along(int i, const Point& x) const noexcept { return dot(at(x), i == 0 ? w0 : w1); }
+  /// |P_i D(x)|.
+  double across(int i, const Point& x) const noexcept { return cyl::length(at(x).cross(i == 0 ? w0 : w1)); }
+
+  /// G with the given signs of the L_i, or their own signs if those are 0.
+  double value(const Point& x, Signs signs) const noexcept {
+    const Vector3 d = at(x);
+    const double l0 = dot(d, w0), l1 = dot(d, w1);
+    return r0 * eta(w0, d) + r1 * eta(w1, d) + h0 * own_sign(signs.l0, l0) * l0 +
+           h1 * own_sign(signs.l1, l1) * l1 - d.z() * length;
+  }
+
+  /// A subgradient of value().
+  Point gradient(const Point& x, Signs signs) const noexcept {
+    const Vector3 d = at(x);
+    const Vector3 g = rise(w0, r0, h0, signs.l0, d) + rise(w1, r1, h1, signs.l1, d);
+    return {g.x() - g.z() + length, g.y() - g.z() + length};
+  }
+
+  /// The direction in which G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it.
+  /// Without that term the gradient is g. 2 H is the second derivatives of Q_i. g.d/|P_i d| is least for H d
+  /// = -g.
+  Point off_axis(int i, const Point& x, Signs signs) const noexcept {
+    Octant rest = *this;
+    (i == 0 ? rest.r0 : rest.r1) = 0;
+    const Point g = rest.gradient(x, signs);
+    const Vector3& w = i == 0 ? w0 : w1;
+    const double ac = w.x() - w.z(), bc = w.y() - w.z();
+    const double ss = 2 - ac * ac, st = 1 - ac * bc,
+                 tt = 2 - bc * bc;  // determinant (a+b+c)^2, >= 1 in the octant
+    return {st * g.y() - tt * g.x(), st * g.x() - ss * g.y()};
+  }
+
+ private:
+  double eta(const Vector3& w, const Vector3& d) const noexcept {
+    if (!printed_roots) return cyl::length(d.cross(w));
+    const double along = dot(d, w);
+    return std::sqrt(dot(d, d) - along * along);
+  }
+  /// Returns the gradient of r |P D| + h Sign(L) D.W with respect to D.
+  Vector3 rise(const Vector3& w, double r, double h, double sign, const Vector3& d) const noexcept {
+    const double root = eta(w, d);
+    const double side = own_sign(sign, dot(d, w));
+    if (!(root > 0) && !printed_gradient) return h * side * w;  // the tip of a cone: 0 is a subgradient
+    const Vector3 across = printed_roots ? Vector3(d - dot(d, w) * w) : w.cross(d.cross(w));
+    return r / root * across + h * side * w;
+  }
+};
+
+/// A convex polygon, anticlockwise: the triangle s, t >= 0, s + t <= 1, or the rest that lines cut off.
+struct Cell {
+  static constexpr int corner_cap = 5;  ///< a triangle and two cuts
+  Point corners[corner_cap] = {{0, 0}, {1, 0}, {0, 1}};
+  int count = 3;
+  Signs signs;
+
+  Point middle() const noexcept {
+    Point sum(0, 0);
+    for (int k = 0; k < count; ++k) sum += corners[k];
+    return sum / count;
+  }
+
+  /// The part with `sign` L_i >= 0; false if its interior is empty.
+  bool keep(const Octant& octant, int i, double sign) noexcept {
+    Point kept[2 * corner_cap];
+    int more = 0;
+    bool inside = false;
+    for (int k = 0; k < count; ++k) {
+      const Point& from = corners[k];
+      const Point& to = corners[(k + 1) % count];
+      const double here = sign * octant.along(i, from), there = sign * octant.along(i, to);
+      inside |= here > 0;
+      if (here >= 0) kept[more++] = from;
+      if (here * there < 0) kept[more++] = from + here / (here - there) * (to - from);
+    }
+    if (!inside) return false;
+    count = std::min(more, corner_cap);
+    std::copy_n(kept, count, corners);
+    (i == 0 ? signs.l0 : signs.l1) = sign;
+    return true;
+  }
+
+  /// The r for which x + r d is in the cell, x being in it.
+  struct Interval {
+    double low, high;
+  };
+  Interval chord(const Point& x, const Point& d) const noexcept {
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (int k = 0; k < count; ++k) {
+      const Point side = corners[(k + 1) % count] - corners[k], out = x - corners[k];
+      const double room = std::max(0.0, side.x() * out.y() - side.y() * out.x());
+      const double drift = side.x() * d.y() - side.y() * d.x();  // of the room, a unit of r
+      if (drift > 0) low = std::max(low, -room / drift);
+      if (drift < 0) high = std::min(high, room / -drift);
+    }
+    return {low, high};
+  }
+};
 
 /// |P D| for |D| >= 3^-1/2 below which an axis counts as near: a line more, none less.
 constexpr double near_axis_tol = 0x1p-3;

@@ -36,7 +36,7 @@ Separation separation_parallel(const Couple<double>& p, const Vector3& sum, Faul
 
 }  // namespace
 
-Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
+Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle,
                            const Options& options) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid, {0, 0, 0}};
   const Couple<double> couple = scale(a, b).couple();
@@ -55,8 +55,7 @@ Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circl
 
   Finder finder(solids);
   if (separated_on_circle(solids, 0, circle, options, finder) ||
-      separated_on_circle(solids, 1, circle, options, finder) ||
-      separated_inside(solids, critical, options, finder))
+      separated_on_circle(solids, 1, circle, options, finder) || separated_inside(solids, options, finder))
     return {Verdict::disjoint, finder.direction};
   return {Verdict::intersecting, {0, 0, 0}};
 }

@@ -14,12 +14,6 @@ enum class CircleWay : unsigned char {
   projection   ///< distance of a point to the other solid's projection, by a polynomial of degree 4
 };
 
-/// How section 11 solves for the critical points.
-enum class CriticalWay : unsigned char {
-  normalised,  ///< unit vectors eta_i, by the inverse of B0
-  adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
-};
-
 /// The text as printed, and the page of the book. equal_eigenvalues changes no verdict. sign_of_p0 is a way
 /// in which a reader may continue, but neither text has it. See errata.md.
 inline constexpr Faults printed_2008 = Faults(Fault::radius_not_squared) |
@@ -33,7 +27,7 @@ inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::e
 /// options allow. The square-root-free tests of section 7 are not checked, so with the fault
 /// radius_not_squared the direction may be wrong. Cost: a circle 0.5 us (projection) or 20 us
 /// (polynomial), critical points 3 us. Most pairs end in section 7.
-Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
+Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle,
                            const Options& options) noexcept;
 
 }  // namespace cyl::literature

@@ -1,12 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "solver/literature/separation_2008_circle.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-
-#include "solver/literature/real_roots.hpp"
+#include <array>
+#include <limits>
+#include <span>
 
 namespace cyl::literature {
 namespace {
+
+constexpr int degree_cap = 8;  ///< of a polynomial whose roots are asked for
+
+struct RealRoots {
+  std::array<double, degree_cap> x;
+  int count = 0;
+};
+
+/// Returns the real roots of c[0] + c[1] x + ... + c[n] x^n, n <= degree_cap, as eigenvalues of the companion
+/// matrix. A root counts as real if its imaginary part is at most `tolerance` times its size. Roots of
+/// multiplicity m come m times, but 0 once, with an error of about 2^(-53/m). Returns none if a coefficient
+/// is not finite, or if all are 0. Nothing is allocated.
+RealRoots real_roots(std::span<const double> c, double tolerance) noexcept {
+  RealRoots roots;
+  for (double coefficient : c)
+    if (!(std::fabs(coefficient) <= std::numeric_limits<double>::max())) return roots;
+  int low = 0, high = static_cast<int>(c.size()) - 1;
+  while (low < high && c[static_cast<std::size_t>(low)] == 0) ++low;
+  while (low < high && c[static_cast<std::size_t>(high)] == 0) --high;
+  if (low > 0 && c[static_cast<std::size_t>(low)] != 0) roots.x[static_cast<std::size_t>(roots.count++)] = 0;
+  const int n = high - low;
+  if (n == 0) return roots;
+
+  // x = 2^shift y makes the outer coefficients about equal, the roots' geometric mean about 1.
+  const auto at = [&](int k) { return c[static_cast<std::size_t>(low + k)]; };
+  const int shift = (std::ilogb(at(0)) - std::ilogb(at(n))) / n;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, degree_cap, degree_cap> companion(n, n);
+  companion.setZero();
+  companion.diagonal(-1).setOnes();
+  for (int k = 0; k < n; ++k) companion(k, n - 1) = -std::scalbn(at(k) / at(n), (k - n) * shift);
+  if (!companion.allFinite()) return roots;
+
+  const Eigen::EigenSolver<decltype(companion)> solver(companion, false);
+  if (solver.info() != Eigen::Success) return roots;
+  for (int k = 0; k < n; ++k) {
+    const auto root = solver.eigenvalues()[k];
+    if (std::fabs(root.imag()) <= tolerance * std::abs(root))
+      roots.x[static_cast<std::size_t>(roots.count++)] = std::scalbn(root.real(), shift);
+  }
+  return roots;
+}
 
 template <std::size_t n, std::size_t m>
 std::array<double, n + m - 1> product(const std::array<double, n>& a,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solver/literature/separation_2008_interior.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace cyl::literature {
@@ -19,15 +18,6 @@ bool negative_by_squares(const SmoothGap& g, const Vector3& d) noexcept {
   const Solids& p = g.solids;
   const Vector3 x0 = p.r[0] * d.cross(p.w[0]), x1 = p.r[1] * d.cross(p.w[1]);
   return below_by_squares(dot(x0, x0), dot(x1, x1), dot(g.phi, g.phi));
-}
-
-CriticalPairs critical_pairs(const CriticalSystem& s, CriticalWay way, Faults faults) noexcept {
-  if (s.det0 == 0 || s.det1 == 0) return solve_singular(s, way == CriticalWay::normalised);
-  // These faults are printed in this form.
-  if (way == CriticalWay::adjugate || faults.has(Fault::wrong_b_squared) || faults.has(Fault::sign_of_p0))
-    return solve_adjugate(s, faults);
-  if (s.r0 > 0 && s.r1 > 0) return solve_normalised(s, faults);
-  return {};
 }
 
 // Newton's steps on the convex g0 as long as it falls: the etas of nearly singular systems are blurred.
@@ -116,27 +106,7 @@ Vector3 SmoothGap::newton_step(const Vector3& d) const noexcept {
   return step.x() * u + step.y() * v;
 }
 
-CriticalPairs solve_normalised(const CriticalSystem& s, Faults faults) noexcept {
-  CriticalPairs pairs;
-  const Matrix2 m = s.r1 / s.r0 * (s.b0.inverse() * s.b1);
-  const Eigen::SelfAdjointEigenSolver<Matrix2> eigen(m.transpose() * m);
-  const double e1 = eigen.eigenvalues()[1], det = s.r1 * s.r1 * s.det1 / (s.r0 * s.r0 * s.det0);
-  const double e0 = det * det / e1;
-  if (!faults.has(Fault::equal_eigenvalues) && !(e1 - e0 > equal_eigenvalues_tol * e1)) {
-    pairs.equal = true;
-    return pairs;
-  }
-  // a^2 + b^2 = 1, e0 a^2 + e1 b^2 = 1.
-  const double a2 = (e1 - 1) / (e1 - e0), b2 = (1 - e0) / (e1 - e0);
-  if (!(a2 >= 0) || !(b2 >= 0)) return pairs;
-  for (const double sign : {1.0, -1.0}) {
-    const Vector2 eta1 = eigen.eigenvectors() * Vector2(sign * std::sqrt(a2), std::sqrt(b2));
-    pairs.add(-m * eta1, eta1);
-  }
-  return pairs;
-}
-
-bool separated_inside(const Solids& p, CriticalWay way, const Options& options, Finder& finder) noexcept {
+bool separated_inside(const Solids& p, const Options& options, Finder& finder) noexcept {
   for (const double sign0 : {1.0, -1.0}) {
     for (const double sign1 : {1.0, -1.0}) {
       const SmoothGap g(p, sign0, sign1);
@@ -146,7 +116,8 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
       // segment. The solids are separated if and only if |phi|^2 > (r0 + r1)^2. No other case of signs
       // contradicts this.
       if (s.det0 == 0 && s.det1 == 0) return finder.separates(g.w);
-      const CriticalPairs pairs = critical_pairs(s, way, options.faults);
+      const CriticalPairs pairs =
+          s.det0 == 0 || s.det1 == 0 ? solve_singular(s) : solve_adjugate(s, options.faults);
       if (pairs.equal && finder.separates(g.w)) return true;
       for (int i = 0; i < pairs.count; ++i) {
         Vector3 d = options.literal ? g.direction_by_equations(pairs.eta0[i], pairs.eta1[i])

@@ -30,11 +30,8 @@ struct SmoothGap {
   CriticalSystem system;
 };
 
-/// Section 11, normalised: eta0 = -(r1/r0) B0^-1 B1 eta1. Needs r0 and both determinants not 0.
-CriticalPairs solve_normalised(const CriticalSystem& system, Faults faults) noexcept;
-
 /// Whether a direction in the inside of one of the eight sign cases separates. Critical points outside the
 /// case's own signs need not be rejected, as f itself is asked there; literally they are.
-bool separated_inside(const Solids& solids, CriticalWay way, const Options& options, Finder& finder) noexcept;
+bool separated_inside(const Solids& solids, const Options& options, Finder& finder) noexcept;
 
 }  // namespace cyl::literature

@@ -5,15 +5,12 @@
 
 #include <algorithm>
 
-#include "solver/literature/real_roots.hpp"
 #include "solver/literature/separation_2008_circle.hpp"
 #include "solver/literature/separation_2008_interior.hpp"
 
 namespace cyl::literature {
 namespace {
 
-constexpr CircleWay circle_ways[] = {CircleWay::polynomial, CircleWay::projection};
-constexpr CriticalWay critical_ways[] = {CriticalWay::normalised, CriticalWay::adjugate};
 constexpr Options careful{.faults = {}, .step_cap = 60, .tolerance = 1e-3};
 
 Solids solids_of(const Solid& a, const Solid& b) {
@@ -21,21 +18,19 @@ Solids solids_of(const Solid& a, const Solid& b) {
   return Solids(p, Axes({p.w0x, p.w0y, p.w0z}, {p.w1x, p.w1y, p.w1z}));
 }
 
-Verdict ask(const Solid& a, const Solid& b, CircleWay circle, CriticalWay critical, const Options& options) {
-  return separation_2008(prepare(a), prepare(b), circle, critical, options).verdict;
+Verdict ask(const Solid& a, const Solid& b, CircleWay circle, const Options& options) {
+  return separation_2008(prepare(a), prepare(b), circle, options).verdict;
 }
 
 /// All ways agree, in either order, and the direction separates.
 void expect(Verdict verdict, const Solid& a, const Solid& b) {
-  for (const CircleWay circle : circle_ways) {
-    for (const CriticalWay critical : critical_ways) {
-      const Separation found = separation_2008(prepare(a), prepare(b), circle, critical, careful);
-      EXPECT_EQ(found.verdict, verdict) << static_cast<int>(circle) << static_cast<int>(critical);
-      EXPECT_EQ(ask(b, a, circle, critical, careful), verdict);
-      if (verdict != Verdict::disjoint) continue;
-      EXPECT_LT(solids_of(a, b).gap(found.direction), 0);
-      EXPECT_GT(found.direction.dot(b.center - a.center), 0);
-    }
+  for (const CircleWay circle : {CircleWay::polynomial, CircleWay::projection}) {
+    const Separation found = separation_2008(prepare(a), prepare(b), circle, careful);
+    EXPECT_EQ(found.verdict, verdict) << static_cast<int>(circle);
+    EXPECT_EQ(ask(b, a, circle, careful), verdict);
+    if (verdict != Verdict::disjoint) continue;
+    EXPECT_LT(solids_of(a, b).gap(found.direction), 0);
+    EXPECT_GT(found.direction.dot(b.center - a.center), 0);
   }
 }
 
@@ -47,8 +42,7 @@ TEST(Separation2008, GapThatVanishesAtU0) {
 }
 
 Verdict literally(const Solid& a, const Solid& b, Faults faults) {
-  return ask(a, b, CircleWay::polynomial, CriticalWay::normalised,
-             {.faults = faults, .tolerance = 1e-3, .literal = true});
+  return ask(a, b, CircleWay::polynomial, {.faults = faults, .tolerance = 1e-3, .literal = true});
 }
 
 // For two segments in one plane, G' is 0 all along the line, and its polynomial has no roots. So V0 has to
@@ -100,17 +94,15 @@ TEST(Separation2008, EqualEigenvalues) {
     const Solid a{{0, 0, 0}, w0, 1, 2}, b{w0 + w1 + Vector3(0, 0, distance), w1, 1, 2};
     const Solids solids = solids_of(a, b);
     const SmoothGap g(solids, 1, 1);
-    for (const CriticalPairs& pairs : {solve_normalised(g.system, {}), solve_adjugate(g.system, {})}) {
-      EXPECT_TRUE(pairs.equal);
-      EXPECT_EQ(pairs.count, 0);
-    }
+    const CriticalPairs pairs = solve_adjugate(g.system, {});
+    EXPECT_TRUE(pairs.equal);
+    EXPECT_EQ(pairs.count, 0);
     const double least = g.value(g.w), at_w0 = g.value(solids.w[0] / dot(solids.w[0], g.w));
     EXPECT_NEAR(least, at_w0, 1e-14 * (1 + std::fabs(least)));
     for (double x = -2; x <= 2; x += 0.25)
       for (double y = -2; y <= 2; y += 0.25) EXPECT_GE(g.value(g.w + x * g.u + y * g.v), least - 1e-14);
-    EXPECT_EQ(
-        ask(a, b, CircleWay::projection, CriticalWay::normalised, careful),
-        ask(a, b, CircleWay::projection, CriticalWay::adjugate, with(careful, Fault::equal_eigenvalues)));
+    EXPECT_EQ(ask(a, b, CircleWay::projection, careful),
+              ask(a, b, CircleWay::projection, with(careful, Fault::equal_eigenvalues)));
   }
 }
 
@@ -159,7 +151,7 @@ TEST(Separation2008, CriticalPointsComeWithEitherSign) {
   const auto count = [&](const Solids& p) {
     for (const double sign1 : {1.0, -1.0}) {
       const SmoothGap g(p, 1, sign1);
-      const CriticalPairs pairs = solve_normalised(g.system, {});
+      const CriticalPairs pairs = solve_adjugate(g.system, {});
       for (int i = 0; i < pairs.count; ++i) {
         Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
         EXPECT_LT((d - g.direction(-pairs.eta0[i], -pairs.eta1[i])).norm(), 1e-14);
@@ -182,15 +174,6 @@ TEST(Separation2008, CriticalPointsComeWithEitherSign) {
     count(solids_of({{0, 0, 0}, {-0.7, 0.64, -0.4}, 3.2, 0.1}, {{2.5, -0.8, z}, {1, 0.05, 0.03}, 2, 0.1}));
   EXPECT_GT(positive, 0);
   EXPECT_GT(negative, 0);
-}
-
-TEST(RealRoots, OfAProductOfLinearFactors) {
-  // x (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient.
-  const auto roots = real_roots(std::array<double, 7>{0, -2, 1, -1, 1, 1, 0}, 1e-6);
-  ASSERT_EQ(roots.count, 3);
-  EXPECT_EQ(roots.x[0], 0);
-  EXPECT_NEAR(std::min(roots.x[1], roots.x[2]), -2, 1e-14);
-  EXPECT_NEAR(std::max(roots.x[1], roots.x[2]), 1, 1e-14);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "solver/detail/frame.hpp"
-#include "solver/literature/octant_2017.hpp"
 #include "solver/solver_test.hpp"
 
 namespace cyl::literature {

@@ -8,7 +8,7 @@
 
 namespace cyl::literature {
 
-CriticalPairs solve_singular(const CriticalSystem& system, bool unit) noexcept {
+CriticalPairs solve_singular(const CriticalSystem& system) noexcept {
   CriticalPairs pairs;
   CriticalSystem s = system;
   const bool swapped = s.det1 != 0;
@@ -19,8 +19,7 @@ CriticalPairs solve_singular(const CriticalSystem& system, bool unit) noexcept {
   // Now det(B1) = 0: psi spans its columns, zeta^T B1 = 0.
   const Vector2 psi = s.b1.col(s.b1.col(0).squaredNorm() < s.b1.col(1).squaredNorm() ? 1 : 0);
   const Vector2 zeta = perpendicular(psi);
-  Vector2 eta0 = perpendicular(s.b0.transpose() * zeta);
-  if (unit) eta0.normalize();
+  const Vector2 eta0 = perpendicular(s.b0.transpose() * zeta);
   // A line and a circle: normal . eta1 = offset, |eta1| = |eta0|.
   const Vector2 normal = s.r1 * (s.b1.transpose() * psi);
   const double offset = -s.r0 * (s.b0.transpose() * psi).dot(eta0), square = normal.squaredNorm();

@@ -37,9 +37,8 @@ inline constexpr double equal_eigenvalues_tol = 0x1p-50;
 /// (a, b)^perp = (b, -a).
 inline Vector2 perpendicular(const Vector2& v) noexcept { return {v.y(), -v.x()}; }
 
-/// det(B0) = 0 and det(B1) != 0 or the reverse (not both 0). `unit`: eta_0 is normalised. Else P_i = |B0^T
-/// zeta| eta_i.
-CriticalPairs solve_singular(const CriticalSystem& system, bool unit) noexcept;
+/// det(B0) = 0 and det(B1) != 0 or the reverse (not both 0): P_i = |B0^T zeta| eta_i.
+CriticalPairs solve_singular(const CriticalSystem& system) noexcept;
 /// det(B0) and det(B1) not 0: P_0 = -C P_1 with C = Adj(B0) B1, |P_0| = r0 |det(B0)|, |P_1| = r1. If det(B0)
 /// < 0, P_0 = r0 det(B0) eta_0 points against eta_0. Then it is reversed, except with the fault.
 CriticalPairs solve_adjugate(const CriticalSystem& system, Faults faults) noexcept;

@@ -102,6 +102,13 @@ export interface SpeedPoint extends Doer, Counts<"ns" | "asked" | "wrong_disjoin
   digits: number | null;
   digits_low: number | null;
 }
+/** Along a path of pairs through touching or through a special position of the axes, the worst of two seeds. */
+export interface PathStability extends Counts<"steps" | "flips"> {
+  method: string;
+  path: string;
+  distance_jump: number | null;
+  direction_jump_degrees: number | null;
+}
 export interface Report {
   run: Record<"id" | "seed" | "started" | "status" | "build" | "folder", string> &
     Counts<"pairs" | "seconds">;
@@ -115,5 +122,6 @@ export interface Report {
   maps: FailureMap[];
   calibration: Calibration[];
   speed: SpeedPoint[];
+  paths: PathStability[];
   speed_on?: string; // the machine, compiler and date of these times
 }

@@ -13,11 +13,15 @@ export const glossary: Record<string, string> = {
   claim: "The tolerance of a method.",
   "claims to be": "The claim of the method: it is right above this distance, or its distances err by no more.",
   "common point": "A certificate: a point in both solids proves that they intersect.",
+  "direction by": "The largest jump of the direction between two steps, in degrees.",
   disjoint: "The solids have no common point.",
+  "distance jumps by":
+    "The largest jump between two steps: the excess over the jump of the true distance, divided by the size.",
   core: "A solid without its rounding. The rounding is the length by which the solid grows on all sides.",
   family: "The generator of the pairs, for example nearly parallel axes.",
   findings: "Wrong answers, crashes and hangs, one for each method and pair.",
   "first seen": "The first run that has the cause.",
+  flips: "The number of changes of the verdict along the path.",
   from: "The methods that gave this answer. Red marks an answer that failed or contradicts the truth.",
   gone: "A cause of earlier runs that this run does not have.",
   intersecting: "The solids overlap: they have common points, and do not only touch.",
@@ -33,6 +37,7 @@ export const glossary: Record<string, string> = {
   new: "A cause that no earlier run has.",
   "of ours": "The number of our own methods among them.",
   "pairs judged": "The number of pairs that the methods were asked about.",
+  path: "A sequence of pairs, each a little different from the previous one.",
   "near points": "A certificate: a point in each core. Their distance is at most the sum of the roundings.",
   "point near both":
     "A certificate for touching: a point at most 2^-200 times the size away from either solid. Along the direction, " +
@@ -45,6 +50,7 @@ export const glossary: Record<string, string> = {
   "since earlier runs": "The comparison of the cause with earlier runs: new, known or gone.",
   size: "The sum of the radii, heights, edges and roundings of both solids.",
   stated: "The library itself states the claim, and the page names the line.",
+  steps: "The number of pairs on the path.",
   touching: "The solids have a common point, and their signed distance is exactly 0.",
   truth: "The proved answer to the pair.",
   "truth undecided": "Pairs for which the referee proved no truth.",

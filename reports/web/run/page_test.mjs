@@ -99,8 +99,8 @@ const answersBeforeTriage = () =>
   read(untriaged(), async (page) => {
     assert.match(await textOf(page, ".band"), /^\d libraries are wrong beyond the claim: [a-z0-9, ]+.*The worst finding: \w/s);
     assert.match(await textOf(page, "#new .missing code"), /^\.\/daylight triage runs\/sample$/);
-    assert.match(await textOf(page, "#charts .missing"), /daylight chart runs\/sample --bench bench.json$/);
-    for (const chart of ["speed", "maps", "calibration"])
+    assert.match(await textOf(page, "#charts .missing"), /daylight chart runs\/sample --bench bench.json --stability$/);
+    for (const chart of ["speed", "maps", "calibration", "stability"])
       assert.equal(await page.locator(`section#${chart}`).count(), 0, `${chart} without data takes no room`);
     assert.doesNotMatch(await page.locator("body").innerText(), /undefined|NaN|\[object/);
   });
@@ -188,6 +188,7 @@ async function readsACause(page, report) {
 
 async function drawsEveryPlot(page) {
   await go(page, "#/charts");
+  assert.ok((await page.locator("#stability tbody tr").count()) > 24, "24 paths of each method");
   for (const id of ["speed", "maps", "calibration"]) {
     await page.locator(`#${id} .plot svg`).first().waitFor();
     const ticks = await page.locator(`#${id} .plot`).evaluate((plot) =>

@@ -50,7 +50,7 @@ const noCounts = {
   ...{ failed: 0, undecided: 0, declined: 0 },
 };
 
-/** The rows of a map of angle and margin. What touches is in the last decade. */
+/** The rows of a map of angle and margin. Touching pairs are in the last decade. */
 function calibrationOf({ method, library, y, cells }: FailureMap): Calibration {
   const decades = group(cells, (c) => Math.min(c.y, y.labels.length - 2));
   const bins = sort(decades, ([decade]) => decade).map(([decade, of]) => ({
@@ -97,6 +97,7 @@ export function expand({ cases, ...packed }: Packed): Report {
     tallies: packed.tallies.map(withLibrary),
     calibration: maps.filter((m) => m.plane === "angle-margin").map(calibrationOf),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
+    paths: packed.paths ?? [],
   };
 }
 

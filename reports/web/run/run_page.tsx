@@ -9,6 +9,7 @@ import { Findings } from "./findings.tsx";
 import { glossary } from "./glossary.ts";
 import { Maps } from "./maps.tsx";
 import { Speed } from "./speed.tsx";
+import { Stability } from "./stability.tsx";
 import { Summary } from "./summary.tsx";
 
 const sections = [
@@ -38,13 +39,14 @@ const Header = ({ report: { run } }: { report: Report }) => (
 );
 
 /** The commands that add the charts that a run has no data for. */
-function NotInThisRun({ report: { run, maps, speed } }: { report: Report }) {
-  if ([maps, speed].every((data) => data.length > 0)) return null;
+function NotInThisRun({ report: { run, maps, speed, paths } }: { report: Report }) {
+  if ([maps, speed, paths].every((data) => data.length > 0)) return null;
   return (
     <p class="missing">
       This run has no data for some charts. These commands add them:{" "}
       <code>
         ./daylight bench --curves --json bench.json && ./daylight chart {shellQuoted(run.folder)} --bench bench.json
+        --stability
       </code>
     </p>
   );
@@ -128,6 +130,7 @@ export function RunPage({ report }: { report: Report }) {
           <Speed report={report} />
           <Maps report={report} />
           <Calibration report={report} />
+          <Stability report={report} />
           <NotInThisRun report={report} />
         </div>
         <Words />

@@ -7,7 +7,7 @@
 //     daylight campaign --methods $M --families $F --pairs 600 --cases '' --seed 1 --out runs/sample
 //     daylight triage runs/sample --for 20s
 //     daylight bench --curves --methods $M --min-time 0.005 --passes 1 --pairs 200 --json bench.json
-//     daylight chart runs/sample --bench bench.json --out charts
+//     daylight chart runs/sample --bench bench.json --stability --out charts
 //     reports/web/page_data.py runs/sample/report.html | gzip -9n >reports/web/run/run.json.gz
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
@@ -17,7 +17,7 @@ const text = gunzipSync(readFileSync(new URL("run.json.gz", import.meta.url))).t
 export const sample = () => JSON.parse(text);
 /** The same before triage. */
 export const untriaged = () => {
-  const report = { ...sample(), causes: [], maps: [], speed: [] };
+  const report = { ...sample(), causes: [], maps: [], speed: [], paths: [] };
   for (const finding of report.findings) finding.cause = null;
   return report;
 };

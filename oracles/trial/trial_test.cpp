@@ -1,21 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checks every certificate of many pairs again in wide and rational arithmetic. Compares every verdict with
-// the verdicts of the methods that carry proofs. A daily run has few pairs.
-// DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n makes a long run.
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <string>
-
-#include "base/from_environment_test.hpp"
-#include "corpus/pairs/families.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/truth_io.hpp"
-#include "oracles/referee/certificate_check.hpp"
-#include "oracles/referee/decide_exactly.hpp"
-#include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"
-#include "solver/decide.hpp"
+
+#include <gtest/gtest.h>
 
 namespace cyl {
 namespace {
@@ -26,9 +12,7 @@ Pair upright_pair(double apart) {
 
 TEST(Proofs, OffersWitnessesOfItsOwnPairAlone) {
   const Pair own = upright_pair(3), other = upright_pair(4);
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = Verdict::disjoint;
+  MethodAnswer answer = answered(Verdict::disjoint);
   answer.set_direction(Vector3(1, 0, 0));
   Proofs proofs(own, {&answer, 1});
   EXPECT_TRUE(proofs.of(own).truth.witnessed);
@@ -41,6 +25,20 @@ TEST(Proofs, ReachAClaimOrNot) {
   EXPECT_TRUE(beyond_claim(proofs.of(pair), {.relative = 1e-13, .source = "the test"}));
   EXPECT_TRUE(beyond_claim(proofs.of(pair), {.absolute = 0.99, .source = "the test"}));
   EXPECT_FALSE(beyond_claim(proofs.of(pair), {.relative = 0.5, .source = "the test"}));
+}
+
+TEST(WitnessSet, OurCertificateIsOfferedWhoeverIsAsked) {
+  const std::vector<std::unique_ptr<Method>> nobody;
+  WitnessSet offers(nobody);
+  const auto offered = offers.with_own_witness(upright_pair(9), {});
+  ASSERT_EQ(offered.size(), 1u);
+  EXPECT_EQ(offered[0].witness, CertificateKind::direction);
+}
+
+TEST(WitnessSet, ItIsNotOfferedTwice) {
+  const auto methods = own_methods();
+  const std::vector<MethodAnswer> said(methods.size());
+  EXPECT_EQ(WitnessSet(methods).with_own_witness(upright_pair(9), said).size(), methods.size());
 }
 
 }  // namespace
