@@ -342,11 +342,6 @@ TEST(Summary, JsonHasEveryField) {
   EXPECT_EQ(json[1]["method"], "good \"x\"");
 }
 
-TEST(Summary, TableForPeople) {
-  const BenchRow row = row_of("intersect", "margin_1e-01", "verdict", 10);
-  EXPECT_NE(format_bench_table({&row, 1}).find("intersect"), std::string::npos);
-}
-
 TEST(Families, AMarginIsWhatItsNameSays) {
   ASSERT_EQ(margin_families().size(), 15u);
   for (const Family& family : margin_families()) {

@@ -30,8 +30,6 @@ double share_of(const BoxView& v, int i) noexcept {
 }  // namespace
 
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept {
-  if (b.radius == 0 && b.shape == Shape::cylinder && (contact > 0 || b.height == 0))
-    return intersect_thin_and_box(a, b, contact);
   const BoxView v(a, b);
   if (contact == 0 || v.box) {
     if (!v.box && v.r > 0 && holds(v, clamped(v.d, v.half), 0)) return Verdict::intersecting;

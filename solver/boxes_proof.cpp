@@ -23,11 +23,12 @@ double reach_of(const ShapePair& p) noexcept {
 // Projections from box to solid and back in search of a common point. Most that have one need one or two.
 constexpr int quick_steps = 4;
 
-// Most pairs, in the unit of the scene. The directions and points are those of intersect(). They have to
-// serve by `quick_error`, which also bounds the rounding of what is seen from the first box (boxes.md,
-// section 6).
-bool prove_quickly(const ShapePair& p, const BoxView& v, double error, const Vector3& head,
+// Most pairs. Returns whether there is a proof, or can be none. The directions and
+// points are those of intersect(). They have to serve by `quick_error`, which also bounds the rounding of
+// what is seen from the first box (boxes.md, section 6).
+bool prove_quickly(const ShapePair& p, const BoxView& v, double reach, const Vector3& head,
                    Answer& answer) noexcept {
+  const double error = quick_error * reach + underflow_error;
   const int normal = separating_normal(v, p.contact + error);
   if (normal >= 0) {
     const Vector3 n = normal < 3 ? v.edges.e[normal] : v.box ? Edges(p.b).e[normal - 3] : p.b.unit_axis;
@@ -39,7 +40,9 @@ bool prove_quickly(const ShapePair& p, const BoxView& v, double error, const Vec
   Vector3 at = clamped(v.d, inner);
   for (int i = 0; i < quick_steps; ++i) {
     if (holds(v, at, error)) {
-      hand_out(Proof::point, head, v.edges.world(at), Hull::space, Hull::space, answer);
+      Vector3 tail;
+      if (!brought_to_scene(v.edges.world(at), p.exponent, tail)) return false;
+      hand_out(Proof::point, head, tail, Hull::space, Hull::space, answer);
       return true;
     }
     if (p.contact > 0) return false;
@@ -50,6 +53,9 @@ bool prove_quickly(const ShapePair& p, const BoxView& v, double error, const Vec
       hand_out(v.edges.world(way * power_of_two(-exponent_of(max_abs(way)))), answer);
       return true;
     }
+    // Nothing can be proved if a normal leaves so little in common that the smaller cores are apart.
+    if (i == 0 && separating_normal(v, 0) < 0 && separating_normal(v, -2 * box_slack_tol * reach) >= 0)
+      return v.box;
     at = clamped(v.nearest_to(at, error), inner);
   }
   return false;
@@ -210,19 +216,24 @@ Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noe
     if (p.a.shape == Shape::half_space) {
       decide_half_space(p, first.second_axis, (swapped ? a : b).center, answer);
     } else {
-      const double error = quick_error * reach_of(p) + underflow_error;
-      const bool quick = p.exponent == 0, thin = p.b.shape == Shape::cylinder && p.b.radius == 0;
-      if (quick && thin && prove_thin_and_box(p, error, answer)) return;
+      const double reach = reach_of(p);
+      const bool thin = p.b.shape == Shape::cylinder && p.b.radius == 0;
+      if (thin && prove_thin_and_box(p, quick_error * reach + underflow_error, answer)) return;
       const BoxView view(p.a, p.b);
-      if (!(quick && !thin && prove_quickly(p, view, error, first.center, answer)))
+      if (thin || !prove_quickly(p, view, reach, first.center, answer))
         prove_in_full(p, view, first.center, answer);
     }
   });
-  if (swapped) {
-    if (answer.proof == Proof::direction) answer.direction = -answer.direction;
-    if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
-    std::swap(answer.hull_a, answer.hull_b);
-  }
+  // Tables, because branches would be unpredictable. A direction that proves nothing stays +0.
+  constexpr double turns[] = {1, -1};
+  const bool points = swapped & (answer.proof == Proof::points);
+  const Vector3 ends[] = {answer.point_head, answer.point_tail};
+  const Hull hulls[] = {answer.hull_a, answer.hull_b};
+  answer.direction = turns[swapped & (answer.proof == Proof::direction)] * answer.direction;
+  answer.point_head = ends[points];
+  answer.point_tail = ends[!points];
+  answer.hull_a = hulls[swapped];
+  answer.hull_b = hulls[!swapped];
   return answer;
 }
 

@@ -72,20 +72,27 @@ bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexce
   const Vector3 half = 0.5 * p.a.edges, d = edges.seen(p.b.center - p.a.center),
                 w = edges.seen(p.b.unit_axis);
   const SegmentPoint found = look_on_segment<true>(half, d, w, h, p.contact);
+  const double square_of_way = dot(found.way, found.way);
   if (!found.near) {
-    const Vector3& way = found.way;
-    if (!((found.gap > 0) & (found.gap * found.gap > beyond * beyond * dot(way, way)))) return false;
-    hand_out(edges.world(way * power_of_two(-exponent_of(max_abs(way)))), answer);
-    return true;
+    if ((found.gap > 0) & (found.gap * found.gap > beyond * beyond * square_of_way)) {
+      hand_out(edges.world(found.way * power_of_two(-exponent_of(max_abs(found.way)))), answer);
+      return true;
+    }
+  } else {
+    const Vector3 inner = half - Vector3(error, error, error);
+    if ((smaller(smaller(inner[0], inner[1]), inner[2]) <= 0) | ((h > 0) & (h <= error))) return false;
+    const double t = h > 0 ? clamped(found.t, h - error) : 0;
+    const Vector3 on1 = d + t * w, on0 = clamped(on1, inner), way = on1 - on0;
+    Vector3 head, tail;
+    if (dot(way, way) <= within * within && brought_to_scene(edges.world(on0), p.exponent, head) &&
+        brought_to_scene(t * p.b.unit_axis, p.exponent, tail)) {
+      hand_out(Proof::points, head, tail, Hull::space, h > 0 ? Hull::line : Hull::center, answer);
+      return true;
+    }
   }
-  const Vector3 inner = half - Vector3(error, error, error);
-  if ((smaller(smaller(inner[0], inner[1]), inner[2]) <= 0) | ((h > 0) & (h <= error))) return false;
-  const double t = h > 0 ? clamped(found.t, h - error) : 0;
-  const Vector3 on1 = d + t * w, on0 = clamped(on1, inner), way = on1 - on0;
-  if (!(dot(way, way) <= within * within)) return false;
-  hand_out(Proof::points, edges.world(on0), t * p.b.unit_axis, Hull::space, h > 0 ? Hull::line : Hull::center,
-           answer);
-  return true;
+  // Nothing can be proved if the points are so near, and the way between them separates so much.
+  const double least = error * (box_error / quick_error), size = std::sqrt(square_of_way);
+  return (p.contact > least) & (size <= p.contact + 0.5 * least) & (found.gap > (p.contact - least) * size);
 }
 
 }  // namespace cyl

@@ -114,7 +114,10 @@ AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact)
 // Here, because the half-space has the shortest path.
 Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
   return ask_in_order(a, b, clearance, shapes_out_of_order(a, b), [](const ShapePair& p) {
-    if (p.a.shape != Shape::half_space) return intersect_box(p.a, p.b, p.contact);
+    if (p.a.shape == Shape::box && p.b.shape == Shape::cylinder && p.b.radius == 0 &&
+        (p.contact > 0 || p.b.height == 0))
+      return intersect_thin_and_box(p.a, p.b, p.contact);
+    if (p.a.shape == Shape::box) return intersect_box(p.a, p.b, p.contact);
     return p.b.shape == Shape::half_space ? Verdict::invalid
                                           : verdict_of(above(p.a, p.b, p.contact, 1).gap <= p.contact);
   });

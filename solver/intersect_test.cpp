@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "solver/decide.hpp"
+#include "solver/distance.hpp"
 #include "solver/solver_test.hpp"
 
 namespace cyl {
@@ -70,6 +70,7 @@ TEST(Intersect, BadInputIsInvalidAndSaysWhy) {
     EXPECT_EQ(intersect(bad.c, good), Verdict::invalid);
     EXPECT_EQ(intersect(good, bad.c), Verdict::invalid);
     EXPECT_EQ(decide(good, bad.c).verdict, Verdict::invalid);
+    EXPECT_EQ(distance(good, bad.c).verdict, Verdict::invalid);
   }
 }
 

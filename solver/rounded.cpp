@@ -101,9 +101,10 @@ Prepared rescaled(Prepared c, int exponent) noexcept {
   c.radius = moved(c.radius), c.height = moved(c.height), c.rounding = moved(c.rounding);
   mark_traits(c);
   const auto lost = [](double x, double y) { return x == 0 && y != 0; };
-  if (lost(c.radius, before.radius) || lost(c.height, before.height) || lost(c.rounding, before.rounding) ||
-      (c.center.array() == 0 && before.center.array() != 0).any())
+  if (lost(c.radius, before.radius) || lost(c.height, before.height) || lost(c.rounding, before.rounding))
     c.traits = 0;
+  for (int i = 0; i < 3; ++i)
+    if (lost(c.center[i], before.center[i])) c.traits = 0;
   return c;
 }
 

@@ -43,30 +43,6 @@ Solid segment(const Vector3& from, const Vector3& to) {
   return {(from + to) / 2, along.isZero(0) ? Vector3(0, 0, 1) : along, 0, along.norm()};
 }
 
-TEST(Rounded, SegmentsAreMeasured) {
-  const Vector3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  const auto expect = [](const Solid& a, const Solid& b, double real) {
-    EXPECT_NEAR(distance(a, b).value, real, 2e-15) << format_pair({a, b});
-  };
-  expect(segment(-x, x), segment(z - y, z + y), 1);                       // crossing at a height
-  expect(segment(-x, x), segment(-y, y), 0);                              // crossing
-  expect(segment(o, x), segment(2 * x, 3 * x), 1);                        // in one line
-  expect(segment(o, 2 * x), segment(x, 3 * x), 0);                        // in one line, overlapping
-  expect(segment(o, x), segment(y, x + y), 1);                            // parallel
-  expect(segment(o, x), segment(y + 4 * x, y + 5 * x), std::sqrt(10.0));  // parallel, apart
-  expect(segment(o, x), segment(3 * x + y, 3 * x - y), 2);                // an end and an inside
-  expect(segment(o, x), segment(4 * x + 4 * y, 5 * x + 9 * y), 5);        // two ends
-  expect(segment(o, o), segment(3 * x + 4 * y, 3 * x + 4 * y), 5);        // two points
-  expect(segment(o, o), segment(2 * y - x, 2 * y + x), 2);                // a point and a segment
-  for (const double angle : {1e-4, 1e-8, 1e-12, 1e-15}) {                 // nearly parallel, crossing
-    const Vector3 p(1, 2, 3), d(1, 1, 1), e(1 + angle, 1 - angle, 1), off = Vector3(1, 1, -2) * 1e-3;
-    EXPECT_NEAR(distance(segment(p - d, p + 2 * d), segment(p - 2 * e, p + e)).value, 0, 1e-14) << angle;
-    EXPECT_NEAR(distance(segment(p - d, p + 2 * d), segment(p - 2 * e + off, p + e + off)).value,
-                1e-3 * std::sqrt(6.0), 1e-14)
-        << angle;
-  }
-}
-
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
 long double long_distance_to_segment(const Long3& x, const Long3& p0, const Long3& p1) {

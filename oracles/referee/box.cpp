@@ -6,7 +6,6 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/box_search.hpp"
-#include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "oracles/referee/rounded.hpp"
@@ -116,8 +115,9 @@ std::optional<Truth> prove_box_in_double(const Pair& pair, const Filter& filter,
 std::optional<Verdict> box_verdict_in_twins(const Pair& pair, const TwinFilter& filter) {
   // Makes the cores smaller by more than rounding carries a point out of them. Half of a tiny core is left.
   const auto smaller = [](const TwinInterval& length) {
-    constexpr double by = 0x1p-90;
-    return length.middle > Twin(2 * by) ? length.middle - Twin(by) : Twin(0.5) * length.middle;
+    constexpr double inward_tol = 0x1p-90;
+    return length.middle > Twin(2 * inward_tol) ? length.middle - Twin(inward_tol)
+                                                : Twin(0.5) * length.middle;
   };
   const auto in_twins = [&](const Terms<TwinInterval>& s) {
     Terms<Twin> t{middle(s.axis), smaller(s.radius), smaller(s.half), s.rounding.middle, s.rounded, s.box};

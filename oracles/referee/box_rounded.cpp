@@ -14,7 +14,6 @@
 namespace cyl {
 namespace {
 
-bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 bool at_most(const RootSum& a, const RootSum& b) { return (b - a).sign() >= 0; }
 RootSum magnitude(const RootSum& x) { return x.sign() < 0 ? RootSum(0) - x : x; }
 

@@ -7,13 +7,12 @@
 // 3. A box and a cylinder without roundings. The slab between the planes of the caps cuts a polytope out of
 //    the box. Seen along the axis, its distance from the axis is compared with the radius.
 // All numbers are rational, or have the one root |w| of the axis w.
-#include "oracles/referee/box_sign.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/box.hpp"
 #include "oracles/referee/box_search.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "oracles/referee/root_sum.hpp"
@@ -22,8 +21,6 @@
 
 namespace cyl {
 namespace {
-
-bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 bool is_polytope(const Solid& c) { return is_box(c) || c.radius == 0; }
 

@@ -14,7 +14,6 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/box_distance.hpp"
 #include "oracles/referee/box_search.hpp"
-#include "oracles/referee/box_sign.hpp"
 #include "oracles/referee/proof_check_test.hpp"
 #include "oracles/referee/witness_miss.hpp"
 
@@ -61,57 +60,50 @@ struct Known {
 
 TEST(Box, KnownVerdicts) {
   constexpr double long_number = 51234567890123 * 0x1p-46;  // its small multiples are exact
-  const Solid cube = box({0, 0, 0}, {2, 2, 2}), smooth = box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 1),
+  const Vector3 o(0, 0, 0), z(0, 0, 1);
+  constexpr std::array<double, 4> even{1, 0, 0, 0};
+  const Solid sheet = box(o, {2, 2, 0}), cube = box(o, {2, 2, 2}), smooth = box(o, {2, 2, 2}, even, 1),
               below{.axis = {0, 3, 4}, .shape = Shape::half_space};
   const std::array<double, 4> wild{1e200, 1e200, 1e200, 1e200};  // turns x to y to z
   const Known known[] = {
       // Ties of points, segments and boxes are drawn below. These differ from one by less than is drawn.
       {"next to it", {cube, box({2 + 0x1p-50, 0, 0}, {2, 2, 2})}, apart},
       {"into it", {cube, box({2 - 0x1p-50, 0, 0}, {2, 2, 2})}, meet},
-      {"turned by thirds, long", {box({0, 0, 0}, {2, 4, 6}, wild), box({4, 0, 0}, {2, 2, 2})}, touch},
+      {"turned by thirds, long", {box(o, {2, 4, 6}, wild), box({4, 0, 0}, {2, 2, 2})}, touch},
       {"far away", {box({1e15, 0, 0}, {2, 2, 2}), box({1e15 + 2, 0, 0}, {2, 2, 2})}, touch},
-      {"rectangles of parallel planes", {box({0, 0, 0}, {2, 2, 0}), box({0, 0, 1e-300}, {2, 2, 0})}, apart},
-      {"segments beside", {box({0, 0, 0}, {2, 0, 0}), box({0, 0x1p-1070, 0}, {2, 0, 0})}, apart},
-      {"sphere near a vertex", {cube, rod({2, 3, 3}, {0, 0, 1}, 0, 0, 3 - 0x1p-50)}, apart},
-      {"sphere in a vertex", {cube, rod({2, 3, 3}, {0, 0, 1}, 0, 0, 3 + 0x1p-50)}, meet},
+      {"rectangles of parallel planes", {sheet, box({0, 0, 1e-300}, {2, 2, 0})}, apart},
+      {"segments beside", {box(o, {2, 0, 0}), box({0, 0x1p-1070, 0}, {2, 0, 0})}, apart},
+      {"sphere near a vertex", {cube, rod({2, 3, 3}, z, 0, 0, 3 - 0x1p-50)}, apart},
+      {"sphere in a vertex", {cube, rod({2, 3, 3}, z, 0, 0, 3 + 0x1p-50)}, meet},
       {"capsule with an irrational end", {cube, rod({0, 0, 5}, {1, 1, 0}, 0, 1, 4)}, touch},
       {"segment beside an edge", {cube, rod({1, 1 + 0x1p-52, 0}, {1, -1, 5}, 0, 9)}, apart},
       {"rounded boxes apart",
-       {box({0, 0, 0}, {2, 2, 2}, {1, 0, 0, 0}, 2),
-        box({5, 6, 0x1p-40}, {2, 2, 2}, {1, 0, 0, 0}, 3 - 0x1p-50)},
+       {box(o, {2, 2, 2}, even, 2), box({5, 6, 0x1p-40}, {2, 2, 2}, even, 3 - 0x1p-50)},
        apart},
       {"beyond the largest double",
        {box({1.7e308, 0, 0}, {1e300, 1e300, 1e300}, wild), box({-1.7e308, 0, 0}, {1e300, 1e300, 1e300})},
        apart},
-      {"box in a tube", {box({0, 0, 0}, {6, 8, 2}), rod({0, 0, 0}, {0, 0, 1}, 5, 2)}, meet},
-      {"cap on a face", {cube, rod({0, 0, 2}, {0, 0, 1}, 3, 2)}, touch},
+      {"box in a tube", {box(o, {6, 8, 2}), rod(o, z, 5, 2)}, meet},
+      {"cap on a face", {cube, rod({0, 0, 2}, z, 3, 2)}, touch},
       {"side on a face", {cube, rod({3, 0, 0}, {0, 1, 5}, 2, 9)}, touch},
       {"side on an edge", {cube, rod({4, 5, 0}, {0, 0, 3}, 5, 1)}, touch},
       {"side across an edge", {cube, rod({4, 5, 0}, {4, -3, 5}, 5, 1)}, touch},
       {"side beside an edge", {cube, rod({4, 5, 0}, {0, 0, 3}, 5 - 0x1p-50, 1)}, apart},
       {"side in an edge", {cube, rod({4, 5, 0}, {0, 0, 3}, 5 + 0x1p-50, 1)}, meet},
-      {"rim on a vertex", {cube, rod({4, 5, 2}, {0, 0, 1}, 5, 2)}, touch},
+      {"rim on a vertex", {cube, rod({4, 5, 2}, z, 5, 2)}, touch},
       {"rim on a face", {cube, rod({5, 0, 0}, {4, 3, 0}, 5, 1.25)}, apart},
-      {"rim on a tilted face", {box({0, 0, 0}, {2, 9, 9}), rod({6, 0, 0}, {4, 3, 0}, 5, 5)}, touch},
-      {"disk on a face", {cube, rod({0, 0, 1}, {0, 0, 1}, 3, 0)}, touch},
+      {"rim on a tilted face", {box(o, {2, 9, 9}), rod({6, 0, 0}, {4, 3, 0}, 5, 5)}, touch},
+      {"disk on a face", {cube, rod({0, 0, 1}, z, 3, 0)}, touch},
       {"disk through", {cube, rod({0, 0, 0.5}, {0, 1, 1}, 3, 0)}, meet},
-      {"disk and rectangle of one plane",
-       {box({0, 0, 0}, {2, 2, 0}), rod({0, 0, 0}, {0, 0, 1}, 1, 0)},
-       touch},
-      {"disk and rectangle beside",
-       {box({0, 0, 0}, {2, 2, 0}), rod({2 + 0x1p-50, 0, 0}, {0, 0, 1}, 1, 0)},
-       apart},
-      {"disk and rectangle that cross", {box({0, 0, 0}, {2, 2, 0}), rod({0, 0, 0}, {1, 0, 0}, 1, 0)}, meet},
-      {"disk and a segment in its plane",
-       {box({0, 0, 0}, {2, 0, 0}), rod({0, 0, 0}, {0, 0, 1}, 1, 0)},
-       touch},
-      {"disk and a segment through it", {box({0.5, 0, 0}, {0, 0, 2}), rod({0, 0, 0}, {0, 0, 1}, 1, 0)}, meet},
-      {"a point on the rim", {box({3, 4, 0}, {0, 0, 0}), rod({0, 0, 0}, {0, 0, 1}, 5, 0)}, touch},
-      {"a point in a cylinder", {box({3, 3, 0}, {0, 0, 0}), rod({0, 0, 0}, {0, 0, 1}, 5, 1)}, meet},
-      {"a cap on a rectangle", {box({0, 0, 1}, {9, 9, 0}), rod({0, 0, 0}, {0, 0, 1}, 5, 2)}, touch},
-      {"a disk at an irrational height",
-       {box({0, 0, 0}, {2, 2, 2}), rod({1, 2, 3}, {1, 2, 3}, 0.1, 0)},
-       apart},
+      {"disk and rectangle of one plane", {sheet, rod(o, z, 1, 0)}, touch},
+      {"disk and rectangle beside", {sheet, rod({2 + 0x1p-50, 0, 0}, z, 1, 0)}, apart},
+      {"disk and rectangle that cross", {sheet, rod(o, {1, 0, 0}, 1, 0)}, meet},
+      {"disk and a segment in its plane", {box(o, {2, 0, 0}), rod(o, z, 1, 0)}, touch},
+      {"disk and a segment through it", {box({0.5, 0, 0}, {0, 0, 2}), rod(o, z, 1, 0)}, meet},
+      {"a point on the rim", {box({3, 4, 0}, {0, 0, 0}), rod(o, z, 5, 0)}, touch},
+      {"a point in a cylinder", {box({3, 3, 0}, {0, 0, 0}), rod(o, z, 5, 1)}, meet},
+      {"a cap on a rectangle", {box({0, 0, 1}, {9, 9, 0}), rod(o, z, 5, 2)}, touch},
+      {"a disk at an irrational height", {box(o, {2, 2, 2}), rod({1, 2, 3}, {1, 2, 3}, 0.1, 0)}, apart},
       {"oblique cap on a vertex", {box({-1, -1, -1}, {2, 2, 2}), rod({2, 1, 2}, {2, 1, 2}, 1, 6)}, touch},
       {"oblique cap on a vertex, irrational",
        {box({-1, -1, -1}, {2, 2, 2}), rod({2, 1, 2}, {2, 1, 1}, 1, 6)},
@@ -120,42 +112,36 @@ TEST(Box, KnownVerdicts) {
       {"on a half-space", {box({0, 1, 1}, {2, 2, 2}), below}, touch},
       {"above a half-space", {box({0, 1, 1 + 0x1p-52}, {2, 2, 2}), below}, apart},
       {"in a half-space", {box({0, 1, 1 - 0x1p-53}, {2, 2, 2}), below}, meet},
-      {"smooth above a half-space", {box({9, 1.5, 2}, {2, 2, 2}, {1, 0, 0, 0}, 1), below}, apart},
-      {"smooth in a half-space", {box({9, 1.5, 2}, {2, 2, 2}, {1, 0, 0, 0}, 1.25), below}, meet},
+      {"smooth above a half-space", {box({9, 1.5, 2}, {2, 2, 2}, even, 1), below}, apart},
+      {"smooth in a half-space", {box({9, 1.5, 2}, {2, 2, 2}, even, 1.25), below}, meet},
       {"deep in a half-space", {box({9, -27, -36}, {2, 2, 2}), below}, meet},
       // With rounded cylinders.
-      {"cap on a face", {cube, rod({0.5, 0, 4}, {0, 0, 1}, 2, 2, 2)}, touch},
-      {"cap on an edge",
-       {box({0, 0, 0}, {2, 50, 50}, {3, 4, 0, 0}), rod({0, 17, 33}, {0, 0, 1}, 2, 2, 1)},
-       touch},
-      {"cap on an edge of a smooth box", {smooth, rod({2, 0, 5}, {0, 0, 1}, 2, 2, 2)}, touch},
+      {"cap on a face", {cube, rod({0.5, 0, 4}, z, 2, 2, 2)}, touch},
+      {"cap on an edge", {box(o, {2, 50, 50}, {3, 4, 0, 0}), rod({0, 17, 33}, z, 2, 2, 1)}, touch},
+      {"cap on an edge of a smooth box", {smooth, rod({2, 0, 5}, z, 2, 2, 2)}, touch},
       {"side on a face", {cube, rod({6, 0.5, 0}, {0, 1, 1}, 2, 2, 3)}, touch},
       {"side on an edge", {cube, rod({4, 5, 0}, {0, 0, 3}, 2, 1, 3)}, touch},
       {"side across an edge", {cube, rod({4, 5, 0}, {4, -3, 5}, 2, 1, 3)}, touch},
       {"side across a smooth edge", {smooth, rod({4, 5, 0}, {4, -3, 5}, 2, 1, 2)}, touch},
-      {"side on a corner",
-       {box({0, 0, 0}, {2, 2, 2}, {1, 1, 0, 0}), rod({4, 5, 1}, {0, 0, 3}, 2, 1, 3)},
-       touch},
-      {"rim on a face", {box({0, 0, 0}, {2, 9, 9}), rod({7, 0, 0}, {4, 3, 0}, 5, 5, 1)}, touch},
-      {"rim on a corner", {cube, rod({10, 1, 6}, {0, 0, 1}, 5, 2, 4)}, apart},
-      {"rim on a corner 3-4-5", {cube, rod({10, 1, 5}, {0, 0, 1}, 5, 2, 5)}, touch},
-      {"rim on a corner obliquely", {cube, rod({3, 4, 5}, {0, 0, 1}, 2, 2, 3)}, apart},
-      {"rim on an edge 3-4-5", {cube, rod({9, 0, 6}, {0, 0, 1}, 5, 2, 5)}, touch},
-      {"rim on an edge, too far", {cube, rod({9, 0, 6 + 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, apart},
-      {"rim on an edge, too near", {cube, rod({9, 0, 6 - 0x1p-48}, {0, 0, 1}, 5, 2, 5)}, meet},
+      {"side on a corner", {box(o, {2, 2, 2}, {1, 1, 0, 0}), rod({4, 5, 1}, {0, 0, 3}, 2, 1, 3)}, touch},
+      {"rim on a face", {box(o, {2, 9, 9}), rod({7, 0, 0}, {4, 3, 0}, 5, 5, 1)}, touch},
+      {"rim on a corner", {cube, rod({10, 1, 6}, z, 5, 2, 4)}, apart},
+      {"rim on a corner 3-4-5", {cube, rod({10, 1, 5}, z, 5, 2, 5)}, touch},
+      {"rim on a corner obliquely", {cube, rod({3, 4, 5}, z, 2, 2, 3)}, apart},
+      {"rim on an edge 3-4-5", {cube, rod({9, 0, 6}, z, 5, 2, 5)}, touch},
+      {"rim on an edge, too far", {cube, rod({9, 0, 6 + 0x1p-48}, z, 5, 2, 5)}, apart},
+      {"rim on an edge, too near", {cube, rod({9, 0, 6 - 0x1p-48}, z, 5, 2, 5)}, meet},
       {"side beside a face by next to nothing",
-       {box({0, -1, 0}, {2, 2, 2}), rod({6, 0x1p-300, 0}, {0, 0, 1}, 2, 2, 3)},
+       {box({0, -1, 0}, {2, 2, 2}), rod({6, 0x1p-300, 0}, z, 2, 2, 3)},
        apart},
       {"rim on a corner, long numbers",
-       {cube, rod({4 + 3 * long_number, 1, 2 + 4 * long_number}, {0, 0, 1}, 3, 2, 5 * long_number)},
+       {cube, rod({4 + 3 * long_number, 1, 2 + 4 * long_number}, z, 3, 2, 5 * long_number)},
        touch},
-      {"disk on a face", {cube, rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)}, touch},
-      {"rectangle on a disk",
-       {box({0, 0, 0}, {2, 2, 0}, {1, 0, 0, 0}, 1), rod({0, 0, 3}, {0, 0, 1}, 3, 0, 2)},
-       touch},
-      {"a smooth box in a tube", {smooth, rod({0, 0, 0}, {0, 0, 1}, 5, 2)}, meet},
-      {"a smooth box beside a tube", {smooth, rod({7, 0.25, 0}, {0, 0, 1}, 5, 2)}, touch},
-      {"a smooth box below a tube", {smooth, rod({1, 0.25, 3}, {0, 0, 1}, 5, 2)}, touch},
+      {"disk on a face", {cube, rod({0, 0, 3}, z, 3, 0, 2)}, touch},
+      {"rectangle on a disk", {box(o, {2, 2, 0}, even, 1), rod({0, 0, 3}, z, 3, 0, 2)}, touch},
+      {"a smooth box in a tube", {smooth, rod(o, z, 5, 2)}, meet},
+      {"a smooth box beside a tube", {smooth, rod({7, 0.25, 0}, z, 5, 2)}, touch},
+      {"a smooth box below a tube", {smooth, rod({1, 0.25, 3}, z, 5, 2)}, touch},
   };
   for (const Known& k : known) {
     SCOPED_TRACE(k.what);
@@ -282,6 +268,11 @@ TEST(BoxWitness, ProvesOnlyWhatIsSo) {
   EXPECT_EQ(check_witness(smooth, offer(points, {1, 1, 0}, {2, 2, 0})), Verdict::intersecting);
   EXPECT_EQ(check_witness(smooth, offer(points, {1, 1, 0.5}, {2, 2, -1})), Verdict::undecided);
   EXPECT_EQ(check_witness(smooth, offer(points, {1.25, 1, 0}, {2, 2, 0})), Verdict::undecided);
+  const Pair in_plane{{.shape = Shape::half_space}, box({0, 0, 1.5}, {2, 2, 2}, {1, 0, 0, 0}, 1)};
+  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, -0.25}, {0, 0, 0.5})), Verdict::intersecting);
+  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, 0.25}, {0, 0, 0.5})), Verdict::undecided);
+  EXPECT_EQ(check_witness(in_plane, offer(points, {0, 0, -0.25}, {0, 0, 0.25})), Verdict::undecided);
+  EXPECT_EQ(check_witness(in_plane, offer(direction, {0, 0, 2})), Verdict::undecided);
 }
 
 TEST(BoxWitness, PointsOfFlatBoxesAreTakenInTheirHulls) {

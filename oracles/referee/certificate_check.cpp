@@ -85,8 +85,7 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
 
 bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits) {
   // not covered: our directions and the search's are not 0, but others may be
-  if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
-  return support_gap_sign(pair, direction, bits) < 0;
+  return !is_zero(direction) && support_gap_sign(pair, direction, bits) < 0;
 }
 
 namespace {
@@ -151,8 +150,6 @@ bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_
 mpq_class contact_distance_of(const Pair& pair) {
   return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding);
 }
-
-bool is_flat(const Solid& c) { return own_hull(c) != Hull::space; }
 
 Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull) {
   const Hull in = hull_within(c, hull);

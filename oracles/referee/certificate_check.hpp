@@ -17,6 +17,7 @@
 namespace cyl {
 
 using Rational3 = Vec3<mpq_class>;
+inline bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 /// The hulls that the caller requires to contain the point, one for each solid. The own hull of a flat solid
 /// is always required too: the plane of a disk, the line of a segment, or the point. A box
@@ -117,9 +118,6 @@ bool overlap_at(const Pair& pair, const Rational3& point);
 /// Returns the point of the hulls nearest to the one given, exactly. Returns nothing if the hulls have no
 /// common point.
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls = {});
-
-/// Returns whether the core lies in a plane.
-bool is_flat(const Solid& c);
 
 /// Returns the point of the solid's own hull and of `hull` that is nearest to the given point, exactly.
 Rational3 project_to_hull(const Solid& c, const Rational3& point, Hull hull = Hull::space);

@@ -138,11 +138,11 @@ bool is_inside(const Solid& c, const Rationals& point) {
   const Beyond by = beyond(c, point);
   return by.along <= 0 && by.across <= 0;
 }
-/// Returns whether the point stays inside if each length of the solid that is not 0 shrinks by `room`.
-bool has_room(Solid c, const Rationals& point, double room, bool level, bool thin) {
-  if ((!level && c.height <= 2 * room) || (!thin && c.radius <= room)) return false;
-  c.height -= 2 * room;
-  c.radius -= room;
+/// Returns whether the point stays inside if each length of the solid that is not 0 shrinks by `margin`.
+bool has_margin(Solid c, const Rationals& point, double margin, bool level, bool thin) {
+  if ((!level && c.height <= 2 * margin) || (!thin && c.radius <= margin)) return false;
+  c.height -= 2 * margin;
+  c.radius -= margin;
   const Beyond by = beyond(c, point);
   return (level || by.along <= 0) && (thin || by.across <= 0);
 }
@@ -197,9 +197,9 @@ void check_point(std::uint64_t index) {
   if (!exact) return;
   const Rationals point = sum_of(head, tail);
   const bool in_a = is_inside(scene->a, point), in_b = is_inside(scene->b, point);
-  const double room = filter_loss_error * std::ldexp(reach_of_pair(pair), exponent - 53);
+  const double margin = filter_loss_error * std::ldexp(reach_of_pair(pair), exponent - 53);
   const bool certain =
-      has_room(scene->a, point, room, false, false) && has_room(scene->b, point, room, false, false);
+      has_margin(scene->a, point, margin, false, false) && has_margin(scene->b, point, margin, false, false);
   const auto expect = [&](bool says, const char* who) {
     check_that(!says || (in_a && in_b), who, "proves a point that is outside:", *scene);
     check_that(says || !certain, who, "does not prove a point:", *scene);
@@ -305,9 +305,9 @@ void check_hulls(std::uint64_t index) {
     check_that(is_on(pair.a, hull_a, point) && is_on(pair.b, hull_b, point), "hulls: a point beside", pair);
     check_that(is_nearest(pair, hull_a, hull_b, minus(guess, point)), "hulls: a point far off", pair);
     in_both = is_inside(pair.a, point) && is_inside(pair.b, point);
-    const double room = 16 * filter_loss_error * reach_of_pair(pair) * 0x1p-53 / (steep ? 0.1 : 0x1p-53);
-    certain = surely_meet && has_room(pair.a, point, room, is_level(hull_a), is_thin(hull_a)) &&
-              has_room(pair.b, point, room, is_level(hull_b), is_thin(hull_b));
+    const double margin = 16 * filter_loss_error * reach_of_pair(pair) * 0x1p-53 / (steep ? 0.1 : 0x1p-53);
+    certain = surely_meet && has_margin(pair.a, point, margin, is_level(hull_a), is_thin(hull_a)) &&
+              has_margin(pair.b, point, margin, is_level(hull_b), is_thin(hull_b));
   }
   const auto expect = [&](bool says, bool owes, const char* who) {
     check_that(!says || in_both, who, "proves a point that is outside:", pair);

@@ -34,7 +34,19 @@ TEST(EnclosedDistance, OnEveryFamily) {
       const Enclosure truly = truth.verdict == Verdict::disjoint ? enclose_distance(pair, truth, 1e-14)
                                                                  : enclose_distance(pair, truth);
       const Distance said = distance(pair.a, pair.b);
-      const double size = size_of(pair);
+      const double size = size_of(pair), reach = size + (pair.b.center - pair.a.center).lpNorm<1>();
+      if (reach > 0x1p-200 && reach < 0x1p200) {                      // else f in double over- or underflows
+        const double width = 1e-6, rounding = 256 * 0x1p-53 * reach;  // twice the enclosure's slack
+        const AttainedDistance at = attain_distance(pair, truth, width);
+        ASSERT_TRUE(at.distance.hi - at.distance.lo <= width * size + rounding || at.cells >= cell_cap)
+            << format_pair(pair);
+        const double f =
+            support_gap(terms_of<double>(pair.a), terms_of<double>(pair.b),
+                        lifted<double>(Vector3(pair.b.center - pair.a.center)), lifted<double>(at.direction));
+        ASSERT_NEAR(f, -at.distance.lo, 16 * rounding) << format_pair(pair);
+        const auto [x, y, z] = at.direction;
+        ASSERT_NEAR(std::hypot(x, y, z), 1, 0x1p-50) << format_pair(pair);
+      }
       const double outside = std::max({0.0, truly.lo - said.value, said.value - truly.hi});
       ASSERT_LE(outside, 1e-13 * size) << format_pair(pair);
       if (size > 0) worst = std::max(worst, outside / size);

@@ -21,7 +21,7 @@ Truth met_at(ExactVector on_a, ExactVector on_b, Stage stage, int bits) {
 }
 
 /// Compares the distance between a point of each core with the contact distance.
-int compare_with_room(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
+int compare_with_contact(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
   const Rational3 between = on_b - on_a;
   const mpq_class contact_distance = contact_distance_of(pair);
   return cmp(mpq_class(dot(between, between)), mpq_class(contact_distance * contact_distance));
@@ -201,7 +201,7 @@ std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& o
     if (!tangency) tangency = prove_tangency(pair, simple_a, simple_b, simple_b - simple_a);
     if (!tangency) continue;
     if (!tangency->meet) return prove_disjoint(pair, tangency->direction, bits);
-    if (!in_each_exact(pair, simple_a, simple_b) || compare_with_room(pair, simple_a, simple_b) != 0)
+    if (!in_each_exact(pair, simple_a, simple_b) || compare_with_contact(pair, simple_a, simple_b) != 0)
       continue;
     return touching_at(simple_a, simple_b);
   }
@@ -225,7 +225,7 @@ std::pair<Rational3, Rational3> points_of(const Pair& pair, const MethodAnswer& 
 
 std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits) {
   const auto shown = [&](const Rational3& x, const Rational3& y) {
-    return in_each_exact(pair, x, y) && compare_with_room(pair, x, y) < 0;
+    return in_each_exact(pair, x, y) && compare_with_contact(pair, x, y) < 0;
   };
   constexpr int double_digits = 50;  // moves a point farther than rounding to double does
   const auto short_a = written_short(pair.a, pulled_in(pair.a, on_a, double_digits));
@@ -247,12 +247,12 @@ std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAn
 
 bool points_show_contact(const Pair& pair, const MethodAnswer& answer) {
   const auto [on_a, on_b] = points_of(pair, answer);
-  return in_each_exact(pair, on_a, on_b) && compare_with_room(pair, on_a, on_b) <= 0;
+  return in_each_exact(pair, on_a, on_b) && compare_with_contact(pair, on_a, on_b) <= 0;
 }
 
 std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& answer) {
   const auto [on_a, on_b] = points_of(pair, answer);
-  if (!in_each_exact(pair, on_a, on_b) || compare_with_room(pair, on_a, on_b) >= 0) return {};
+  if (!in_each_exact(pair, on_a, on_b) || compare_with_contact(pair, on_a, on_b) >= 0) return {};
   return met_at(exact_vector(on_a), exact_vector(on_b), Stage::exact, first_multiprecision_bits);
 }
 
@@ -269,7 +269,7 @@ std::optional<Truth> meet_by_filter(const Pair& pair, const Filter& filter, cons
   if (!filter.come_near(on_a, on_b, {})) return {};
   // For flat solids, the points meant are the nearest ones of their planes and lines.
   const auto written = [](const Solid& c, const ExactVector& v) {
-    if (!is_flat(c)) return exact_vector(v.head.data(), v.tail.data());
+    if (own_hull(c) == Hull::space) return exact_vector(v.head.data(), v.tail.data());
     return exact_vector(project_to_hull(c, exact(v)));
   };
   return met_at(written(pair.a, on_a), written(pair.b, on_b), Stage::filter, 53);

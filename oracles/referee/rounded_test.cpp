@@ -134,6 +134,17 @@ TEST_P(RefereeOfFamilies, EveryPairIsJudgedAndEveryAnswerOfOursHolds) {
     const Pair pair = family.generate(seed, i);
     const Truth truth = judge(pair);
     ASSERT_NE(truth.verdict, Verdict::undecided) << format_pair(pair);
+    ASSERT_EQ(judge_verdict(pair).verdict, truth.verdict) << format_pair(pair);
+    if (i < 200) {
+      const Enclosure e = enclose_distance(pair, truth);
+      const Distance d = distance(pair.a, pair.b);
+      const double size = size_of(pair) + (pair.b.center - pair.a.center).norm();
+      ASSERT_LE(e.lo, e.hi) << format_pair(pair);
+      ASSERT_GE(d.value > 0 ? d.value + d.error - e.lo : 0, 0) << format_pair(pair);
+      ASSERT_LE(d.value - d.error, e.hi) << format_pair(pair);
+      ASSERT_LE(truth.verdict == Verdict::disjoint ? e.hi - e.lo : 0, 4 * gap_width_tol * size)
+          << format_pair(pair);
+    }
     const Verdict yes_or_no = truth.verdict == Verdict::touching ? Verdict::intersecting : truth.verdict;
     const Answer said = decide(pair.a, pair.b);
     if (said.verdict == Verdict::undecided) {
@@ -163,25 +174,6 @@ TEST(RefereeOfRounded, SmallIntegersTouchAndAreProvedTo) {
     for (std::uint64_t i = 3; i < 4000; i += 8)
       touching += judge(family.generate(20261123, i)).verdict == Verdict::touching;
   EXPECT_GT(touching, 20u);
-}
-
-TEST_P(RefereeOfFamilies, TheDistanceIsEnclosed) {
-  const Family& family = rounded_families()[GetParam()];
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const Pair pair = family.generate(3, i);
-    const Truth truth = judge(pair);
-    const Enclosure e = enclose_distance(pair, truth);
-    const Distance d = distance(pair.a, pair.b);
-    ASSERT_LE(e.lo, e.hi) << format_pair(pair);
-    if (d.value > 0) {
-      ASSERT_GE(d.value + d.error, e.lo) << format_pair(pair);
-    }
-    ASSERT_LE(d.value - d.error, e.hi) << format_pair(pair);
-    if (truth.verdict == Verdict::disjoint) {
-      ASSERT_LE(e.hi - e.lo, 4 * gap_width_tol * (size_of(pair) + (pair.b.center - pair.a.center).norm()))
-          << format_pair(pair);
-    }
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, RefereeOfFamilies, testing::Range<std::size_t>(0, rounded_families().size()),

@@ -94,14 +94,14 @@ bool overlap(const Point2<R>& center, const Point2<R>& along, const Point2<R>& a
   for (int side = 0; side < 4; ++side) {
     const bool horizontal = side < 2, positive = side % 2 == 0;
     const R limit = (horizontal ? half_length : half_width) + slack;
-    auto room = [&](const Point2<R>& p) {
+    auto inside = [&](const Point2<R>& p) {
       const R& c = horizontal ? p.x : p.y;
       return positive ? limit - c : limit + c;
     };
     std::vector<Point2<R>> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point2<R>&from = corners[i], &to = corners[(i + 1) % corners.size()];
-      const R d0 = room(from), d1 = room(to), zero = R(0);
+      const R d0 = inside(from), d1 = inside(to), zero = R(0);
       if (d0 >= zero) kept.push_back(from);
       if ((d0 > zero && d1 < zero) || (d0 < zero && d1 > zero)) {
         const R t = d0 / (d0 - d1);

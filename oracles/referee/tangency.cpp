@@ -2,6 +2,7 @@
 #include "oracles/referee/tangency.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "corpus/pairs/pair_numbers.hpp"
@@ -12,11 +13,9 @@ namespace {
 
 using Root3 = Vec3<RootSum>;
 
-bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-Rational3 off(const Rational3& v, const Rational3& axis) {
-  const mpq_class share = dot(v, axis) / dot(axis, axis);
-  return v - share * axis;
+template <class R>
+Vec3<R> off(const Vec3<R>& v, const Vec3<R>& axis) {
+  return v - R(dot(v, axis) / dot(axis, axis)) * axis;
 }
 
 bool is_zero(const Root3& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
@@ -188,55 +187,38 @@ mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
 namespace {
 
 // The vectors from which the candidates are made. A candidate is a line. Its length and sense do not matter.
+//
+// The candidates are the normal of a cap, of two crossing walls, of two parallel walls, and of a wall at the
+// point that it meets. Others are perpendicular to the tangents of two rims, or to the tangent of a rim and
+// the axis of a wall or segment. If two segments lie on one line, any vector perpendicular to it serves. If
+// two points are in one place, any vector serves.
 template <class R>
 struct Guess {
   Vec3<R> w0, w1, delta, x0, x1, near_direction;
-
-  Vec3<R> off(const Vec3<R>& v, const Vec3<R>& axis) const {
-    return v - R(dot(v, axis) / dot(axis, axis)) * axis;
-  }
-
-  // The candidates are the normal of a cap, of two crossing walls, of two parallel walls, and of a wall at
-  // the point that it meets. Others are perpendicular to the tangents of two rims, or to the tangent of a
-  // rim and the axis of a wall or segment. If two segments lie on one line, any vector perpendicular to it
-  // serves. If two points are in one place, any vector serves.
-  Vec3<R> candidate(int i) const {
-    const R one(1), none(0);
-    switch (i) {
-      case 0:
-        return w0;
-      case 1:
-        return w1;
-      case 2:
-        return cross(w0, w1);
-      case 3:
-        return off(delta, w0);
-      case 4:
-        return off(delta, w1);
-      case 5:
-        return off(x0, w0);
-      case 6:
-        return off(x1, w1);
-      case 7:
-        return cross(cross(w0, x0), cross(w1, x1));
-      case 8:
-        return cross(w1, cross(w0, x0));
-      case 9:
-        return cross(w0, cross(w1, x1));
-      case 10:
-        return delta;
-      case 11:
-        return near_direction;
-      case 12:
-        return cross(w0, {one, none, none});
-      case 13:
-        return cross(w0, {none, one, none});
-      default:
-        return {one, none, none};
-    }
-  }
 };
-constexpr int candidate_count = 15;
+template <class R>
+Vec3<R> coordinate(int i) {
+  return {R(i == 0 ? 1 : 0), R(i == 1 ? 1 : 0), R(0)};
+}
+template <class R>
+using Candidate = Vec3<R> (*)(const Guess<R>&);
+template <class R>
+constexpr Candidate<R> candidates[] = {
+    [](const Guess<R>& g) { return g.w0; },
+    [](const Guess<R>& g) { return g.w1; },
+    [](const Guess<R>& g) { return cross(g.w0, g.w1); },
+    [](const Guess<R>& g) { return off(g.delta, g.w0); },
+    [](const Guess<R>& g) { return off(g.delta, g.w1); },
+    [](const Guess<R>& g) { return off(g.x0, g.w0); },
+    [](const Guess<R>& g) { return off(g.x1, g.w1); },
+    [](const Guess<R>& g) { return cross(cross(g.w0, g.x0), cross(g.w1, g.x1)); },
+    [](const Guess<R>& g) { return cross(g.w1, cross(g.w0, g.x0)); },
+    [](const Guess<R>& g) { return cross(g.w0, cross(g.w1, g.x1)); },
+    [](const Guess<R>& g) { return g.delta; },
+    [](const Guess<R>& g) { return g.near_direction; },
+    [](const Guess<R>& g) { return cross(g.w0, coordinate<R>(0)); },
+    [](const Guess<R>& g) { return cross(g.w0, coordinate<R>(1)); },
+    [](const Guess<R>&) { return coordinate<R>(0); }};
 
 }  // namespace
 
@@ -256,11 +238,11 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
   const Guess<Interval> roughly = enclosed_guess(filter);
   const Guess<TwinInterval> nearly = enclosed_guess(twins);
   std::vector<Rational3> seen;  // f > 0 there
-  for (int i = 0; i < candidate_count; ++i) {
-    if (surely_less(0.0, filter.support_gap(roughly.candidate(i)))) continue;
-    const TwinInterval gap = twins.support_gap(nearly.candidate(i));
+  for (std::size_t i = 0; i < std::size(candidates<Interval>); ++i) {
+    if (surely_less(0.0, filter.support_gap(candidates<Interval>[i](roughly)))) continue;
+    const TwinInterval gap = twins.support_gap(candidates<TwinInterval>[i](nearly));
     if (surely_less(0.0, gap)) continue;
-    Rational3 d = guess.candidate(i);
+    Rational3 d = candidates<mpq_class>[i](guess);
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
     const auto parallel = [&](const Rational3& o) {

@@ -6,10 +6,8 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "oracles/referee/certificate_check.hpp"
-#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/proofs.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/referee/search.hpp"
 
 namespace cyl {
 namespace {
@@ -135,12 +133,7 @@ TEST(Referee, FindsExtremeContactsInFewSlices) {
   for (const Pair& pair : extreme)
     for (int bits = 128; bits <= precision_cap; bits *= 2) {
       const PrecisionScope precision(bits);
-      const auto lift = [](const Vector3& v) { return Vec3<MpFloat>{v.x(), v.y(), v.z()}; };
-      const SearchPair<MpFloat> p{
-          lift(pair.a.axis), lift(pair.b.axis), lift(pair.b.center) - lift(pair.a.center),
-          pair.a.radius,     pair.a.height / 2, pair.b.radius,
-          pair.b.height / 2};
-      EXPECT_LE(search(p, bits).slices, 40) << bits << " " << format_pair(pair);
+      EXPECT_LE(search(multiprecision_pair(pair), bits).slices, 40) << bits << " " << format_pair(pair);
     }
 }
 

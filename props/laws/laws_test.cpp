@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests the table of laws, and that our own methods keep all of them.
+#include "props/laws/laws_test.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include "base/from_environment_test.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "props/laws/laws_test.hpp"
 
 namespace cyl {
 namespace {

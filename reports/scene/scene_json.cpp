@@ -64,7 +64,7 @@ json pair_json(const Scene& scene, const SceneOptions& q, const PairStudy& pair)
           {"recommended_wrong", pair.cascade_wrong}};
 }
 
-json model_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s, Level level) {
+json model_json(const SceneOptions& q, const SceneStudy& s, Level level) {
   const Total t = total_of(s, level, q.tolerated);
   return {{"model", to_string(level)}, {"decides", t.decided},         {"suffices", t.suffices},
           {"wrong", t.wrong},          {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
@@ -132,7 +132,7 @@ std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStu
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
   for (const Level level : enum_values<Level>) {
     alone[to_string(level)] = s.alone_ns[index_of(level)];
-    models.push_back(model_json(scene, q, s, level));
+    models.push_back(model_json(q, s, level));
   }
   for (const Body& body : scene.bodies) bodies.push_back(body_json(scene, body));
   json all{{"file", q.file},

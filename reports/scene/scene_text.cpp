@@ -116,7 +116,7 @@ struct Draws {
   std::size_t clear = 0, always = 0, sometimes = 0, unknown = 0;  ///< pairs within the clearance
 };
 
-Draws draws_of(const Scene& scene, const SceneStudy& s) {
+Draws draws_of(const SceneStudy& s) {
   Draws draws{.clear = s.far};
   for (const PairStudy& pair : s.pairs)
     ++(pair.within == 0           ? draws.clear
@@ -131,8 +131,8 @@ std::string configurations_words(const SceneOptions& q, const SceneStudy& s) {
                      q.clearance);
 }
 
-std::string draws_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  const Draws draws = draws_of(scene, s);
+std::string draws_words(const SceneOptions& q, const SceneStudy& s) {
+  const Draws draws = draws_of(s);
   return fmt::format("{}: {} clear in all, {} within it in some, {} in all, {} not known",
                      configurations_words(q, s), counted(draws.clear, "pair"), draws.sometimes, draws.always,
                      draws.unknown);
@@ -140,7 +140,7 @@ std::string draws_words(const Scene& scene, const SceneOptions& q, const SceneSt
 
 /// Returns what draws show. Only proofs may report "never".
 std::vector<std::string> draw_lines(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
-  const Draws draws = draws_of(scene, s);
+  const Draws draws = draws_of(s);
   return {
       fmt::format("clear    {} of {} in {} (--prove decides over all motions)", draws.clear,
                   counted(s.pairs.size() + s.far - draws.unknown, "known pair"), configurations_words(q, s)),
@@ -151,7 +151,7 @@ std::vector<std::string> draw_lines(const Scene& scene, const SceneOptions& q, c
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
 std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
 
-std::string models_table(const Scene& scene, const SceneStudy& s, double tolerated) {
+std::string models_table(const SceneStudy& s, double tolerated) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
   std::string text = "\n";
   text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
@@ -198,14 +198,14 @@ std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStu
 }
 
 /// Returns how rare errors are that no configuration showed.
-std::string surely(const Scene& scene, const SceneStudy& s) {
+std::string surely(const SceneStudy& s) {
   const auto rests_on_draws = [&](const PairStudy& pair) { return is_known(pair) && is_statistical(pair); };
   if (std::ranges::none_of(s.pairs, rests_on_draws)) return "";
   return fmt::format(" (each wrong in less than {} of all configurations, at 95 % confidence)",
                      rate_text(s.configurations));
 }
 
-std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
+std::string enough_words(const SceneOptions& q, const SceneStudy& s) {
   std::size_t balls = s.far, capsules = s.far, all = s.far;
   for (const PairStudy& pair : s.pairs) {
     if (!is_known(pair)) continue;
@@ -217,7 +217,7 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
   if (all == 0) return "";
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  counted(all, "pair"), capsules);
-  if (s.drawn && capsules > 0) text += surely(scene, s);
+  if (s.drawn && capsules > 0) text += surely(s);
   if (capsules == all) return text;
   return text + (all - capsules == 1 ? ". This one needs more"
                                      : fmt::format(". These {} need more", all - capsules));
@@ -302,10 +302,10 @@ TextLines advice(const Scene& scene, const SceneOptions& q, const SceneStudy& s,
   lines.insert(lines.end(), notes.begin(), notes.end());
   add(lines, pairs_words(scene, s));
   if (s.pairs.empty()) return lines;
-  if (s.motions) add(lines, draws_words(scene, q, s));
-  if (table) add(lines, models_table(scene, s, q.tolerated));
+  if (s.motions) add(lines, draws_words(q, s));
+  if (table) add(lines, models_table(s, q.tolerated));
   const std::string more = needs_more(scene, q, s);
-  add(lines, enough_words(scene, q, s) + (more.empty() ? "" : table ? ":" + more : " (--table lists them)"));
+  add(lines, enough_words(q, s) + (more.empty() ? "" : table ? ":" + more : " (--table lists them)"));
   add(lines, recommended_words(scene, s), "recommended: ");
   if (const TextLines held = joints_held_between(scene, s); !held.empty())
     add(lines, fmt::format("  NOT MOVED: {}", fmt::join(held, ", ")));

@@ -24,6 +24,12 @@ inline Vector3 times_power(const Vector3& x, int exponent) noexcept {
   return {std::ldexp(x.x(), exponent), std::ldexp(x.y(), exponent), std::ldexp(x.z(), exponent)};
 }
 
+// x in the scene's unit. False if it loses bits there.
+inline bool brought_to_scene(const Vector3& x, int exponent, Vector3& tail) noexcept {
+  tail = times_power(x, exponent);
+  return exponent == 0 || times_power(tail, -exponent) == x;
+}
+
 inline double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta); }
 
 // How much decide() grows and shrinks solids if rounding decides, relative to the reach. It is 64 units of

@@ -81,7 +81,7 @@ inline double core_size(const Prepared& c) noexcept {
 /// A point of the core that is farthest along n, from its centre.
 Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
 
-/// `a` is a box, `b` not a half-space.
+/// `a` is a box, `b` not a half-space, and not what intersect_thin_and_box() takes.
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept;
 /// The signed distance from the plane of a centre, n.Delta, and of its core, -f(n), with a bound of their
 /// errors. If `contact` is within that of `gap`, more digits are used.
@@ -169,7 +169,7 @@ struct SegmentPoint {
 SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept;
 /// A box and a point, or a box and a segment with a contact > 0.
 Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double contact) noexcept;
-/// Returns false if a verdict is not proved by `error`. For pairs in the unit of the scene.
+/// Returns whether a verdict is proved by `error`, or none can be proved.
 bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexcept;
 
 /// Whether the other core holds the point by `slack`.
