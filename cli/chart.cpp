@@ -51,7 +51,7 @@ std::vector<std::string> draw_charts(const RunData& data, const std::string& out
 void chart(const ChartArguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
-  RunData run = read_run(arguments.run, campaign_families());
+  RunData run = read_run(arguments.run);
   write_charts(run, rows);
   if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
   if (arguments.stability)

@@ -8,12 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -48,75 +45,67 @@ struct OneFailure {
 };
 
 struct ExportArguments {
-  std::string target, key, method, kind, out;
+  std::string target, key, method, out;
   GuestOptions guests;
 };
 
 /// The time limit for a build and for a program that does not end.
 constexpr std::chrono::minutes build_cap{5};
 
-FindingKind kind_of_word(const std::string& word) {
-  if (const auto kind = from_word<FindingKind>(word)) return *kind;
-  throw UsageError(fmt::format("'{}' is not a kind of finding", word));
-}
-
 /// Returns the cause that has that key in the last triage.
-nlohmann::json find_cause(const std::string& run, const std::string& key) {
+Cause find_cause(const std::string& run, const std::string& key) {
   if (!fs::is_directory(run)) throw UsageError(fmt::format("'{}' is not a run, so it has no causes", run));
   const nlohmann::json causes = causes_json(run);
   for (const nlohmann::json& cause : causes)
-    if (cause.at("key") == key) return cause;
+    if (cause.at("key") == key) return cause_from_json(cause);
   throw UsageError(fmt::format("{0} has no cause '{1}': `daylight triage {0}` lists its {2} causes", run, key,
                                causes.size()));
 }
 
-Pair pair_in(const nlohmann::json& shown) {
-  return parse_case(shown.at("pair").dump(), 1).value.value().pair;
+/// Asks the method again if export takes the failure. Returns nothing if it does not, or if the method is
+/// right.
+std::optional<Trial> asked_again(const OneFailure& f, std::span<const std::unique_ptr<Method>> methods) {
+  const auto m = position_of(methods, f.method);
+  if (!m || !refusal(f.method, f.kind, f.pair, methods[*m]->guest()).empty()) return {};
+  Trial now = try_method(methods[*m], f.pair);
+  return now.fails(f.kind) ? std::optional(std::move(now)) : std::nullopt;
 }
 
-/// Returns the first stored failure with the cause that fits.
-std::optional<OneFailure> stored_failure(const std::string& run, const nlohmann::json& cause,
-                                         const std::function<bool(const OneFailure&)>& fits) {
-  const auto ids = cause.at("findings").get<std::set<std::int64_t>>();
-  for (const FindingRecord& f : RunStore::open(run).findings())
-    if (ids.contains(f.id))
-      if (const CaseLine line = parse_case(f.pair, 1); line.value)
-        if (OneFailure found{f.method, f.kind, line.value->pair}; fits(found)) return found;
-  return {};
-}
-
-/// A cause stands for the failure of its shown method on pair_to_send(), or for one of --method. If export
-/// refuses that pair, it stands for the first stored failure that export takes.
+/// Returns the failure that stands for a cause: of its simplest pair, its worst and its stored findings the
+/// first that can be sent and recurs. A pair at the edge of the claim gives way to the worst.
 OneFailure failure_with_cause(const ExportArguments& options,
                               std::span<const std::unique_ptr<Method>> methods) {
   const std::string run = lasting_name(options.target);
-  const nlohmann::json cause = find_cause(run, options.key);
-  const auto names = cause.at("methods").get<std::vector<std::string>>();
-  OneFailure failure{cause.at("method"), kind_of_word(cause.at("kind")), pair_in(cause.at("simplest"))};
-  if (!options.method.empty()) {
-    if (std::ranges::find(names, options.method) == names.end())
-      throw UsageError(fmt::format("cause '{}' has the methods {}", options.key, fmt::join(names, ", ")));
-    failure.method = options.method;
-    const auto asked = position_of(methods, options.method);
-    if (asked && !try_method(methods[*asked], failure.pair).fails(failure.kind))
-      failure = stored_failure(run, cause, [&](const OneFailure& f) {
-                  return f.method == options.method;
-                }).value_or(failure);
+  const Cause cause = find_cause(run, options.key);
+  const std::string name = options.method.empty() ? cause.method : options.method;
+  if (!cause.methods.contains(name))
+    throw UsageError(
+        fmt::format("cause '{}' has the methods {}", options.key, fmt::join(cause.methods, ", ")));
+  std::optional<OneFailure> chosen;
+  for (const ShownCase& shown : {cause.simplest, cause.worst.value_or(cause.simplest)}) {
+    const OneFailure failure{name, cause.kind, shown.pair};
+    const auto now = asked_again(failure, methods);
+    if (!now) continue;
+    const bool clear = is_clear(*now, find_method(methods, name)->claim());
+    if (!chosen || clear) chosen = failure;
+    if (clear) break;
   }
-  const auto method = position_of(methods, failure.method);
-  if (const auto worst = cause.find("worst"); method && worst != cause.end() && worst->is_object())
-    failure.pair = pair_to_send(methods[*method], failure.kind, failure.pair, pair_in(*worst));
-  const auto can_be_sent = [&](const OneFailure& f) {
-    const auto m = position_of(methods, f.method);
-    return m && (options.method.empty() || f.method == options.method) &&
-           refusal(f.method, f.kind, f.pair, methods[*m]->guest()).empty() &&
-           try_method(methods[*m], f.pair).fails(f.kind);
-  };
-  if (!can_be_sent(failure)) failure = stored_failure(run, cause, can_be_sent).value_or(failure);
-  if (options.method.empty() && names.size() > 1)
+  const std::vector<FindingRecord> stored =
+      chosen ? std::vector<FindingRecord>{} : RunStore::open(run).findings();
+  for (std::size_t i = 0; i < stored.size() && !chosen; ++i) {
+    const FindingRecord& f = stored[i];
+    const CaseLine line = parse_case(f.pair, 1);
+    if (std::ranges::count(cause.findings, f.id) == 0 || !line.value ||
+        (!options.method.empty() && f.method != name))
+      continue;
+    if (const OneFailure found{f.method, f.kind, line.value->pair}; asked_again(found, methods))
+      chosen = found;
+  }
+  if (!chosen) chosen = {name, cause.kind, cause.simplest.pair};  // export states why it refuses it
+  if (options.method.empty() && cause.methods.size() > 1)
     fmt::print("the methods {} share this cause, and this is about {} (--method selects another)\n",
-               fmt::join(names, ", "), failure.method);
-  return failure;
+               fmt::join(cause.methods, ", "), chosen->method);
+  return *chosen;
 }
 
 /// Returns the failure that the command line names. Missing parts come from the stored finding, else from a
@@ -133,7 +122,6 @@ OneFailure failure_of(const ExportArguments& options, std::span<const std::uniqu
   const bool stored = target.finding && (options.method.empty() || options.method == target.finding->method);
   const std::string name = stored ? target.finding->method : options.method;
   if (name.empty()) throw UsageError("give the method with --method NAME");
-  if (!options.kind.empty()) return {name, kind_of_word(options.kind), target.pair};
   if (stored) return {name, target.finding->kind, target.pair};
   const Trial now = try_method(find_method(methods, name), target.pair);
   if (!now.finding())
@@ -212,8 +200,6 @@ void add_export(Program& program) {
   command.section("Methods");
   command.option("--method NAME", arguments->method, "the method that is wrong")
       .default_text("the method of the finding");
-  command.option("--kind KIND", arguments->kind, "kind of failure, such as wrong_disjoint")
-      .default_text("the finding's kind, or that of a fresh answer");
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
   command.section("Output");

@@ -30,7 +30,6 @@ holds 'what it says there' err 'is right on .*disjoint'
 expect 64 'two pairs at once' "$daylight" export cases.jsonl --method fcl-indep --out sent
 expect 64 'an empty line' "$daylight" export cases.jsonl:2 --method fcl-indep --out sent
 expect 64 'no method' "$daylight" export cases.jsonl:3 --out sent
-expect 64 'an unknown kind' "$daylight" export cases.jsonl:3 --method fcl-indep --kind tired --out sent
 expect 64 'a method of ours' "$daylight" export cases.jsonl:3 --method seedbook-printed --out sent
 expect 1 'nowhere to write' "$daylight" export cases.jsonl:3 --method fcl-indep --out cases.jsonl/sent
 expect 0 'replay takes lines too' "$daylight" replay cases.jsonl:3 --methods intersect

@@ -33,7 +33,7 @@ void point_latest_at(const fs::path& run) {
 }
 
 void show_run(const std::string& folder, bool table) {
-  RunData run = read_run(folder, campaign_families());
+  RunData run = read_run(folder);
   write_charts(run, {});
   write_page(run);
   if (table) fmt::print("{}{}", format_tallies(tally_methods(run.tallies)), format_shapes(run));

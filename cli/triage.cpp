@@ -68,7 +68,7 @@ int triage(const TriageArguments& arguments) {
                                               100 * p.classified / (p.classified + remaining));
   if (arguments.new_only) std::erase_if(result.causes, std::not_fn(is_new));
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.causes).dump(1) + '\n');
-  write_page(read_run(arguments.run, campaign_families(), std::move(result.findings)));
+  write_page(read_run(arguments.run, std::move(result.findings)));
   fmt::print("{}\n\n", changed);  // after the files, because a pager that ends takes this process with it
   fmt::print("{}{}, {}", format_causes(result.causes), counted(static_cast<std::uint64_t>(here), "cause"),
              counted(p.classified, "stored finding"));

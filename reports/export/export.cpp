@@ -216,15 +216,8 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
   return text + fmt::format("\n### Steps to reproduce\n\n{}\n", to.how) + to.closing;
 }
 
-/// A pair with less margin, in claims, is near the edge of the claim. Then the worst pair is sent instead.
+/// A pair with less margin, in claims, is near the edge of the claim.
 constexpr double edge_margin = 10;
-
-/// Whether the proved error is within the claim, or hardly more than the claim allows.
-bool at_edge(const Trial& p, const Claim& claim) {
-  if (within_claim(p)) return true;
-  const double size = size_of(p.pair);
-  return p.finding()->margin && p.finding()->margin->lo * size < edge_margin * reach(claim, size);
-}
 
 bool ends(const Trial& p) {
   return p.fails(FindingKind::crash) || p.fails(FindingKind::exception) || p.fails(FindingKind::hang);
@@ -334,15 +327,10 @@ std::string command_for(const std::string& daylight, const std::string& file, co
                      options_for(guest));
 }
 
-Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
-                  const Pair& worst) {
-  const auto is_clear = [&](const Pair& pair) {
-    if (!refusal(method->name(), kind, pair, method->guest()).empty()) return false;
-    const Trial asked = try_method(method, pair);
-    return asked.fails(kind) && asked.decided() && asked.finding()->margin &&
-           !at_edge(asked, method->claim());
-  };
-  return !is_clear(simplest) && is_clear(worst) ? worst : simplest;
+bool is_clear(const Trial& asked, const Claim& claim) {
+  const double size = size_of(asked.pair);
+  return asked.decided() && asked.finding() && !within_claim(asked) && asked.finding()->margin &&
+         asked.finding()->margin->lo * size >= edge_margin * reach(claim, size);
 }
 
 std::string refusal(std::string_view name, FindingKind kind, const Pair& pair, bool is_guest) {

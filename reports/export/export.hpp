@@ -33,10 +33,8 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
 /// Returns why make_export() refuses the pair without asking the method, or an empty text.
 std::string refusal(std::string_view method, FindingKind kind, const Pair& pair, bool is_guest);
 
-/// Returns the pair that stands for a cause: the simplest, or the worst if only the simplest is refused or at
-/// the edge of the claim.
-Pair pair_to_send(const std::unique_ptr<Method>& method, FindingKind kind, const Pair& simplest,
-                  const Pair& worst);
+/// Returns whether a failure convinces the maintainers: its proved error exceeds the claim by far.
+bool is_clear(const Trial& asked, const Claim& claim);
 
 /// Creates the folder if it does not exist, and overwrites an earlier export. Throws std::runtime_error that
 /// names a file that cannot be written.

@@ -256,16 +256,12 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
 }
 
 std::string announcement(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::exception:
-      return "  std::puts(\"calling the library: it throws\");\n  std::fflush(stdout);\n";
-    case FindingKind::crash:
-      return "  std::puts(\"calling the library: it aborts\");\n  std::fflush(stdout);\n";
-    case FindingKind::hang:
-      return "  std::puts(\"calling the library: it hangs\");\n  std::fflush(stdout);\n";
-    default:
-      return "";
-  }
+  const char* const ends = kind == FindingKind::exception ? "throws"
+                           : kind == FindingKind::crash   ? "aborts"
+                           : kind == FindingKind::hang    ? "hangs"
+                                                          : nullptr;
+  if (!ends) return "";
+  return fmt::format("  std::puts(\"calling the library: it {}\");\n  std::fflush(stdout);\n", ends);
 }
 
 }  // namespace
@@ -283,19 +279,10 @@ std::string literal(double x) {
 }
 
 bool program_shows(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::wrong_disjoint:
-    case FindingKind::wrong_intersecting:
-    case FindingKind::bad_witness:
-    case FindingKind::distance_outside:
-    case FindingKind::non_finite:
-    case FindingKind::exception:
-    case FindingKind::crash:
-    case FindingKind::hang:
-      return true;
-    default:
-      return false;
-  }
+  using enum FindingKind;
+  constexpr std::array shown{wrong_disjoint, wrong_intersecting, bad_witness, distance_outside,
+                             non_finite,     exception,          crash,       hang};
+  return std::ranges::count(shown, kind) > 0;
 }
 
 bool program_takes(std::string_view library, const Pair& pair) {

@@ -22,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_wrong_or_failed(const CellCounts& c) {
-  return c.wrong_disjoint + c.wrong_intersecting + c.failed > 0;
-}
-
 bool is_counted(FindingKind k) {
   return k == FindingKind::wrong_disjoint || k == FindingKind::wrong_intersecting || is_failure(k);
 }
@@ -50,28 +46,18 @@ std::map<MapPlace, std::int64_t> first_findings(const RunData& run) {
 nlohmann::json axis_json(const CellAxis& axis) { return {{"title", axis.title}, {"labels", axis.labels}}; }
 
 /// Leaves out counts of 0, because most counts are 0.
-nlohmann::json map_json(const FailureMap& map) {
-  nlohmann::json cells = nlohmann::json::array();
-  for (const MapCell& c : map.cells) {
-    nlohmann::json cell{{"x", c.at.x}, {"y", c.at.y}};
-    const CellCounts& n = c.counts;
-    for (const auto& [name, count] : {std::pair("asked", n.asked),
-                                      {"wrong_disjoint", n.wrong_disjoint},
-                                      {"wrong_intersecting", n.wrong_intersecting},
-                                      {"within_disjoint", n.within_disjoint},
-                                      {"within_intersecting", n.within_intersecting},
-                                      {"declined", n.declined},
-                                      {"failed", n.failed},
-                                      {"undecided", n.undecided}})
-      if (count != 0) cell[name] = count;
-    if (c.finding) cell["finding"] = *c.finding;
-    cells.push_back(std::move(cell));
-  }
-  return {{"method", map.method},
-          {"plane", to_string(map.plane)},
-          {"x", axis_json(x_axis(map.plane))},
-          {"y", axis_json(y_axis(map.plane))},
-          {"cells", std::move(cells)}};
+nlohmann::json cell_json(const CellRecord& r, const CellCounts& n) {
+  nlohmann::json cell{{"x", r.x}, {"y", r.y}};
+  for (const auto& [name, count] : {std::pair("asked", n.asked),
+                                    {"wrong_disjoint", n.wrong_disjoint},
+                                    {"wrong_intersecting", n.wrong_intersecting},
+                                    {"within_disjoint", n.within_disjoint},
+                                    {"within_intersecting", n.within_intersecting},
+                                    {"declined", n.declined},
+                                    {"failed", n.failed},
+                                    {"undecided", n.undecided}})
+    if (count != 0) cell[name] = count;
+  return cell;
 }
 
 nlohmann::json finite_json(double x) {
@@ -96,13 +82,6 @@ nlohmann::json speed_json(const SpeedPoint& p) {
           {"digits_low", finite_json(p.digits.low)}};
 }
 
-template <class Things, class ToJson>
-nlohmann::json list(const Things& things, ToJson to_json) {
-  nlohmann::json all = nlohmann::json::array();
-  for (const auto& thing : things) all.push_back(to_json(thing));
-  return all;
-}
-
 nlohmann::json read_json(const fs::path& file) try {
   std::ifstream in(file);
   return parse_foreign_json(std::string{std::istreambuf_iterator<char>(in), {}});
@@ -114,20 +93,26 @@ double measured(const nlohmann::json& x) { return x.is_null() ? not_measured : x
 
 }  // namespace
 
-std::vector<FailureMap> failure_maps(const RunData& run) {
+nlohmann::json failure_maps(const RunData& run) {
   const std::map<MapPlace, std::int64_t> findings = first_findings(run);
-  std::vector<FailureMap> maps;
+  nlohmann::json maps = nlohmann::json::array();
   for (std::size_t m = 0; m < run.methods.size(); ++m) {
     for (const Plane plane : planes) {
-      FailureMap map{run.methods[m].name, plane, {}};
+      nlohmann::json cells = nlohmann::json::array();
       for (const CellRecord& r : run.cells) {
         if (r.plane != to_string(plane) || m >= r.methods.size() || r.methods[m].asked == 0) continue;
-        MapCell cell{{r.x, r.y}, r.methods[m], {}};
-        const auto first = findings.find({map.method, static_cast<std::size_t>(plane), r.x, r.y});
-        if (first != findings.end() && is_wrong_or_failed(cell.counts)) cell.finding = first->second;
-        map.cells.push_back(cell);
+        const CellCounts& n = r.methods[m];
+        const auto first = findings.find({run.methods[m].name, static_cast<std::size_t>(plane), r.x, r.y});
+        cells.push_back(cell_json(r, n));
+        if (first != findings.end() && n.wrong_disjoint + n.wrong_intersecting + n.failed > 0)
+          cells.back()["finding"] = first->second;
       }
-      if (!map.cells.empty()) maps.push_back(std::move(map));
+      if (cells.empty()) continue;
+      maps.push_back({{"method", run.methods[m].name},
+                      {"plane", to_string(plane)},
+                      {"x", axis_json(x_axis(plane))},
+                      {"y", axis_json(y_axis(plane))},
+                      {"cells", std::move(cells)}});
     }
   }
   return maps;
@@ -179,10 +164,9 @@ void set_charts(RunData& run, const nlohmann::json& fields) {
 }
 
 void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
-  nlohmann::json fields = {{"maps", list(failure_maps(run), map_json)}};
-  std::vector<SpeedPoint> points = speed_points(bench);
-  std::erase_if(points, [](const SpeedPoint& p) { return p.query == "distance"; });
-  if (!bench.empty()) fields["speed"] = list(points, speed_json);
+  nlohmann::json fields = {{"maps", failure_maps(run)}};
+  for (const SpeedPoint& p : speed_points(bench))
+    if (p.query != "distance") fields["speed"].push_back(speed_json(p));
   set_charts(run, fields);
 }
 

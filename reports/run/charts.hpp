@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,21 +15,9 @@
 
 namespace cyl {
 
-struct MapCell {
-  Cell at;
-  CellCounts counts;
-  std::optional<std::int64_t> finding;  ///< the first stored finding that is counted as wrong or failed here
-};
-
-/// The cells of a plane in which a method was asked.
-struct FailureMap {
-  std::string method;
-  Plane plane;
-  std::vector<MapCell> cells;
-};
-
-/// By method, in the run's order, and plane; methods that no cell was asked of are left out.
-std::vector<FailureMap> failure_maps(const RunData& run);
+/// Returns a map for each method and plane in which it was asked, in the run's order: its axes, and its cells
+/// with their counts. A cell has the first stored finding that is counted as wrong or failed there.
+nlohmann::json failure_maps(const RunData& run);
 
 /// The rows in a file that `daylight bench --json` wrote. Throws InputError that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);

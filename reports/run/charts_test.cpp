@@ -85,32 +85,34 @@ class Charts : public testing::Test {
   fs::path folder;
 };
 
-const MapCell* cell_at(const FailureMap& map, const Pair& pair, Verdict truth) {
-  for (const MapCell& c : map.cells)
-    if (c.at == cells_of(pair, truth)[static_cast<std::size_t>(map.plane)]) return &c;
-  return nullptr;
+json cell_at(const json& map, const Pair& pair, Verdict truth) {
+  const Cell at = cells_of(pair, truth)[static_cast<std::size_t>(Plane::angle_margin)];
+  for (const json& c : map["cells"])
+    if (c["x"] == at.x && c["y"] == at.y) return c;
+  return {};
 }
 
 TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
-  const std::vector<FailureMap> maps = failure_maps(read_run(folder, {}));
+  const json maps = failure_maps(read_run(folder));
   ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent method was not asked
-  EXPECT_EQ(maps[0].method, "good");
-  EXPECT_EQ(maps[planes.size()].method, "bad");
-  EXPECT_EQ(maps[planes.size()].plane, Plane::angle_margin);
-  const MapCell* near = cell_at(maps[planes.size()], beside(3e-7), Verdict::disjoint);
-  ASSERT_TRUE(near);
-  EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));  // both sides of touching
-  EXPECT_EQ(near->finding, 3);                                    // not the distance, not the undecided pair
-  const MapCell* far = cell_at(maps[planes.size()], beside(1), Verdict::disjoint);
-  ASSERT_TRUE(far);
-  EXPECT_FALSE(far->finding);  // no failure was counted there, only seen in a dispute
-  EXPECT_FALSE(cell_at(maps[planes.size()], beside(0), Verdict::touching));
-  EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
+  EXPECT_EQ(maps[0]["method"], "good");
+  const json& bad = maps[planes.size()];
+  EXPECT_EQ(bad["method"], "bad");
+  EXPECT_EQ(bad["plane"], "angle-margin");
+  const json near = cell_at(bad, beside(3e-7), Verdict::disjoint);  // both sides of touching
+  EXPECT_EQ(near["asked"], 6);
+  EXPECT_EQ(near["wrong_disjoint"], 1);
+  EXPECT_EQ(near["wrong_intersecting"], 2);
+  EXPECT_EQ(near["finding"], 3);  // not the distance, not the undecided pair
+  EXPECT_FALSE(cell_at(bad, beside(1), Verdict::disjoint).contains("finding"))
+      << "no failure was counted there, only seen in a dispute";
+  EXPECT_TRUE(cell_at(bad, beside(0), Verdict::touching).is_null());
+  EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint).contains("finding"));
 }
 
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   std::ofstream(folder / "charts.json") << R"({"other":[1],"maps":[],"speed":[5]})";
-  RunData run = read_run(folder, {});
+  RunData run = read_run(folder);
   write_charts(run, {});
   EXPECT_EQ(charts()["other"], parse_json("[1]"));
   EXPECT_EQ(charts()["speed"], parse_json("[5]"));

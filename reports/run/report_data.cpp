@@ -13,6 +13,7 @@
 
 #include "base/files.hpp"
 #include "base/json.hpp"
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/stored_answers.hpp"
 #include "oracles/methods/method.hpp"
@@ -65,7 +66,7 @@ json methods_json(const RunData& run) {
   return all;
 }
 
-json families_json(const RunData& run, const std::vector<MethodTally>& tallies) {
+json families_json(const std::vector<MethodTally>& tallies) {
   std::set<std::string> asked;
   for (const MethodTally& m : tallies)
     for (const TallyRecord& t : m.families) asked.insert(t.family);
@@ -74,7 +75,7 @@ json families_json(const RunData& run, const std::vector<MethodTally>& tallies) 
     if (asked.erase(name) > 0) all.push_back({{"name", name}, {"summary", summary}});
   };
   tell(cases_family, "the case files, played first");
-  for (const Family& f : run.families) tell(std::string(f.name), f.summary);
+  for (const Family& f : campaign_families()) tell(std::string(f.name), f.summary);
   tell(fuzzed_family, "the corpus of a fuzzer, then changes of its pairs");
   for (const std::string& name : std::set(asked)) tell(name, "of another build");
   return all;
@@ -112,23 +113,8 @@ json margin_json(const std::optional<Enclosure>& margin) {
   return margin ? json{number_json(margin->lo), number_json(margin->hi)} : json();
 }
 
-/// Holds every name once, in the order of first use.
-class Names {
- public:
-  std::size_t index(const std::string& name) {
-    const auto [at, added] = index_.try_emplace(name, index_.size());
-    if (added) names_.push_back(name);
-    return at->second;
-  }
-  json list() const { return names_; }
-
- private:
-  std::unordered_map<std::string, std::size_t> index_;
-  json names_ = json::array();
-};
-
 /// Lists equal answers once, with all methods that gave them. Omits witnesses of methods without a finding.
-json said_on(const Shared& shared, Names& names) {
+json said_on(const Shared& shared) {
   json said = json::array();
   std::map<std::string, std::size_t> known;
   const auto place_of = [&](json reported) {
@@ -148,27 +134,26 @@ json said_on(const Shared& shared, Names& names) {
         }
         place = place_of(std::move(reported));
       }
-      said[*place][1].push_back(names.index(method));
+      said[*place][1].push_back(method);
     }
   });
   return said;
 }
 
 /// Returns null if the record does not hold a pair.
-json case_of(const Shared& shared, Names& names) {
+json case_of(const Shared& shared) {
   const std::optional<Case>& line = shared.pair->line;
   if (!line) return nullptr;
   json reported = {{"pair", pair_json(line->pair)},
                    {"truth", parsed(shared.first->truth)},
                    {"margin", margin_json(shared.margin)}};
   if (!reported["truth"].is_object()) reported["truth"] = {{"verdict", "undecided"}};
-  if (const auto verdict = shared.pair->truth)
-    add_distance(reported, case_distance(line->pair, *verdict, shared.margin));
+  if (const auto verdict = shared.pair->truth) add_distance(reported, line->pair, *verdict, shared.margin);
   std::string note;
   for (const std::string& part : {line->id, line->source, line->note})
     if (!part.empty()) note += (note.empty() ? "" : "; ") + part;
   if (!note.empty()) reported["note"] = std::move(note);
-  reported["said"] = said_on(shared, names);
+  reported["said"] = said_on(shared);
   return reported;
 }
 
@@ -193,11 +178,10 @@ void add_findings(json& report, const RunData& run) {
     case_at.push_back(at->second);
   }
 
-  Names names;
   json cases = json::array();
   std::vector<std::optional<std::size_t>> shown_at;
   for (const Shared& s : shared) {
-    json reported = case_of(s, names);
+    json reported = case_of(s);
     shown_at.push_back(reported.is_null() ? std::nullopt : std::optional(cases.size()));
     if (!reported.is_null()) cases.push_back(std::move(reported));
   }
@@ -222,7 +206,6 @@ void add_findings(json& report, const RunData& run) {
   report["findings"] = std::move(findings);
   report["findings_total"] = total;
   report["cases"] = std::move(cases);
-  report["names"] = names.list();
 }
 
 // Charts and the report
@@ -243,7 +226,7 @@ std::string report_json(const RunData& run) {
   const std::vector<MethodTally> tallies = tally_methods(run.tallies);
   json report = {{"run", run_json(run, tallies)},
                  {"methods", methods_json(run)},
-                 {"families", families_json(run, tallies)},
+                 {"families", families_json(tallies)},
                  {"tallies", tallies_json(tallies)},
                  {"causes", causes_json(run.folder)}};
   add_findings(report, run);

@@ -7,12 +7,10 @@
 #include "reports/run/charts.hpp"
 
 namespace cyl {
-RunData read_run(const std::string& folder, std::span<const Family> families,
-                 std::vector<FindingRecord> findings) {
+RunData read_run(const std::string& folder, std::vector<FindingRecord> findings) {
   const RunStore store = RunStore::open(folder);
   RunData run;
   run.folder = folder;
-  run.families = families;
   run.config = store.config();
   run.progress = store.progress();
   run.methods = store.methods();

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "base/json.hpp"
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"
 
@@ -21,8 +19,7 @@ struct FoundPair {
 };
 
 struct RunData {
-  std::string folder;                ///< as it was named
-  std::span<const Family> families;  ///< that this build draws from
+  std::string folder;  ///< as it was named
   Config config;
   Progress progress;
   std::vector<MethodRecord> methods;
@@ -36,7 +33,6 @@ struct RunData {
 
 /// Reads the run in a folder. Throws UsageError if there is none, and std::runtime_error that names a file
 /// that cannot be read. `findings`: those of the run, if they were read before.
-RunData read_run(const std::string& folder, std::span<const Family> families,
-                 std::vector<FindingRecord> findings = {});
+RunData read_run(const std::string& folder, std::vector<FindingRecord> findings = {});
 
 }  // namespace cyl

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "corpus/pairs/pair_json.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
@@ -14,7 +16,8 @@ constexpr double shown_depth_width_tol = 1e-6, shown_depth_width_share = 0.01;
 
 }  // namespace
 
-CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Enclosure> margin) {
+std::optional<Enclosure> add_distance(nlohmann::ordered_json& reported, const Pair& pair, Verdict verdict,
+                                      std::optional<Enclosure> margin) {
   double width = gap_width_tol;
   if (verdict == Verdict::intersecting) {
     width = shown_depth_width_tol;
@@ -25,17 +28,17 @@ CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Encl
   const AttainedDistance attained = attain_distance(pair, truth, width);
   Enclosure d = attained.distance;
   if (verdict == Verdict::disjoint || verdict == Verdict::touching) d.lo = std::max(d.lo, 0.0);
-  CaseDistance reported{d, margin, {}, {}};
-  if (!margin) {
-    const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
-    if (size > 0) reported.margin = Enclosure{near / size, far / size};
-  }
+  const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
+  if (!margin && size > 0) margin = Enclosure{near / size, far / size};
+  reported["truth"]["distance"] = {number_json(d.lo), number_json(d.hi)};
+  if (margin) reported["margin"] = {number_json(margin->lo), number_json(margin->hi)};
   if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
-    reported.direction = attained.direction;
+    reported["direction"] = attained.direction;
   const MeasuredDistance nearest = measure_with_points(pair);
   const Vector3 a = pair.a.center + nearest.on_a, b = pair.b.center + nearest.on_b;
-  if (!nearest.direction.isZero(0) && a.allFinite() && b.allFinite()) reported.nearest = {a, b};
-  return reported;
+  if (!nearest.direction.isZero(0) && a.allFinite() && b.allFinite())
+    reported["nearest"] = {{"a", vector_json(a)}, {"b", vector_json(b)}};
+  return margin;
 }
 
 }  // namespace cyl

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -19,12 +20,13 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/stored_answers.hpp"
+#include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/failure_key.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
-#include "reports/triage/cause_words.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"
 
@@ -77,7 +79,7 @@ std::optional<ShownPair> choose_simplest(CauseFindings& group,
     if (tried++ == tried_cap || (tried > 1 && out_of_time())) break;
     const auto blamed = failing_method_of(*c.of, methods);
     if (!blamed) continue;
-    ShownPair shown = shower.show(c.pair, {&*blamed, 1});
+    ShownPair shown = shower.show(c.pair, blamed);
     group.seen_again = shown.fails(*blamed);
     if (group.seen_again) group.simplest = c;
     if (group.seen_again || &c == &*fallback) of_simplest = std::move(shown);
@@ -86,27 +88,26 @@ std::optional<ShownPair> choose_simplest(CauseFindings& group,
   return of_simplest;
 }
 
-std::optional<CaseDistance> distance_of(const Trial& trial) {
-  if (!trial.decided()) return {};
+/// The margin, as narrowly as the trial has it.
+std::optional<Enclosure> margin_of(const Trial& trial) {
   const double size = size_of(trial.pair);
   const Enclosure& d = trial.distance;
-  std::optional<Enclosure> margin;
-  if (size > 0) margin = Enclosure{std::max({d.lo, -d.hi, 0.0}) / size, std::max(d.hi, -d.lo) / size};
-  return case_distance(trial.pair, trial.truth.verdict, margin);
+  if (!(size > 0)) return {};
+  return Enclosure{std::max({d.lo, -d.hi, 0.0}) / size, std::max(d.hi, -d.lo) / size};
 }
 
 /// `finding` is the finding with this pair, or nullptr. If its method is right now, the case has its answer
 /// in the run.
-ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& distance,
-                     const FindingRecord* finding, std::span<const std::unique_ptr<Method>> methods,
-                     const std::string& replayed) {
+ShownCase shown_case(const ShownPair& shown, const FindingRecord* finding,
+                     std::span<const std::unique_ptr<Method>> methods, const std::string& replayed) {
   const Trial& trial = shown.trial;
-  Json c;
+  nlohmann::ordered_json c;
   c["pair"] = pair_json(trial.pair);
   c["truth"] = truth_to_json(trial.truth);
   c["margin"] = nullptr;
-  if (distance) add_distance(c, *distance);
-  c["answers"] = Json::object();
+  std::optional<Enclosure> margin;
+  if (trial.decided()) margin = add_distance(c, trial.pair, trial.truth.verdict, margin_of(trial));
+  c["answers"] = nlohmann::ordered_json::object();
   for (std::size_t m = 0; m < methods.size(); ++m)
     if (shown.asked[m]) c["answers"][std::string(methods[m]->name())] = answer_to_json(trial.answers[m]);
   if (finding != nullptr) {
@@ -121,7 +122,7 @@ ShownCase shown_case(const ShownPair& shown, const std::optional<CaseDistance>& 
     });
   }
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
-  return {trial.pair, distance ? distance->margin : std::nullopt, c.dump()};
+  return {trial.pair, margin, c.dump()};
 }
 
 /// `simplest` is the pair as it was shown. The worst pair is often the same pair. A hang is not shown again,
@@ -131,13 +132,11 @@ void show_worst(Cause& b, const CauseFindings& group, const ShownPair& simplest,
   const auto line = parse_case(group.worst->pair, 1).value;
   const Pair& worst = line ? line->pair : group.simplest->pair;
   const auto blamed = failing_method_of(*group.worst, methods);
-  const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
   const bool is_simplest =
       numbers_of(worst) == numbers_of(group.simplest->pair) && group.first().method == group.worst->method;
   if (!is_simplest && blamed && blamed->kind == FindingKind::hang) return;
-  const ShownPair shown = is_simplest ? simplest : shower.show(worst, failing);
-  b.worst = shown_case(shown, distance_of(shown.trial), group.worst, methods,
-                       fmt::format("{}:{}", folder, group.worst->id));
+  const ShownPair shown = is_simplest ? simplest : shower.show(worst, blamed);
+  b.worst = shown_case(shown, group.worst, methods, fmt::format("{}:{}", folder, group.worst->id));
 }
 
 /// Fills in what is seen of the simplest pair.
@@ -146,14 +145,96 @@ void show_simplest(Cause& b, const CauseFindings& group, const ShownPair& shown,
   const Trial& now = shown.trial;
   const Pair& pair = group.simplest->pair;
   const std::string file = fmt::format("{}/causes/{}.jsonl", folder, file_name_of(b.key));
-  b.simplest = shown_case(shown, distance_of(now), group.simplest->as_found ? group.simplest->of : nullptr,
-                          methods, file);
+  b.simplest = shown_case(shown, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
   b.simplified = group.simplest->finished;
   b.seen_again = group.seen_again;
   const auto m = position_of(methods, b.method);
   if (!m || b.kind != FindingKind::bad_witness) return;
   if (const std::string miss = miss_in_words(pair, now.answers[*m]); !miss.empty())
     b.description += fmt::format("; on {} {}", shown_in_words(b), miss);
+}
+
+/// The most labels listed with a cause.
+constexpr std::size_t labels_cap = 6;
+
+/// Describes what a method does that fails in this way.
+const char* kind_in_words(FindingKind kind) {
+  constexpr std::array words{"answers disjoint for pairs that meet",
+                             "answers intersecting for disjoint pairs",
+                             "answers touching for pairs that do not touch",
+                             "answers invalid for valid pairs",
+                             "returns a witness that proves nothing",
+                             "returns a wrong distance",
+                             "returns a number that is infinite, the largest double, or not a number",
+                             "throws an exception",
+                             "crashes",
+                             "hangs",
+                             "returns a meaningless answer",
+                             "answers the same pair in two ways",
+                             "the truth is undecided",
+                             "is undecided on pairs that it claims to decide",
+                             "answers, but has a forbidden side effect",
+                             "fails after many pairs, but not on the pair alone",
+                             "failed"};
+  static_assert(words.size() == enum_values<FindingKind>.size());
+  return words[static_cast<std::size_t>(kind)];
+}
+
+/// Returns the description of a cause. `reasons` has the kinds of its findings, each with the method's own
+/// words on a failure, which may be empty.
+std::string cause_in_words(const std::string& key, Mechanism mechanism,
+                           const std::map<FindingKind, std::string>& reasons) {
+  const bool within = key.ends_with("/within-claim");
+  std::string said;
+  for (const auto& [kind, reason] : reasons) {
+    said += said.empty() ? "" : "; ";
+    said += kind_in_words(kind);
+    if (within && kind == FindingKind::bad_witness) said += ", by no more than the claim explains";
+    const bool thrown = kind == FindingKind::exception;
+    if (!reason.empty()) said += (thrown ? ", with the message: " : ": ") + escaped_controls(reason);
+  }
+  if (within) return "within its claim: " + said;
+  return mechanism == Mechanism::unclassified ? said : fmt::format("{} ({})", in_words(mechanism), said);
+}
+
+/// Returns the description and the labels of a cause: what applies to how many of its findings, and which
+/// other methods are wrong. `simplest_now` holds the answers to its simplest pair.
+std::vector<std::string> labels_of(const Cause& b, const CauseFindings& group, const ShownPair& simplest_now,
+                                   const GroupedMethods& of) {
+  const std::span<const std::unique_ptr<Method>> methods = of.methods;
+  std::vector<std::string> labels{b.description};
+  const auto own = position_of(methods, b.method);
+  const bool was_asked = !own || simplest_now.asked[*own];
+  if (!b.seen_again)
+    labels.push_back(fmt::format(
+        fmt::runtime(was_asked ? "not reproduced: {} does not fail in this way when it is asked alone"
+                               : "not asked again: no time was left for {}, which hangs"),
+        b.method));
+  if (depends_on_last_bit(b.method, b.kind, group.simplest->pair).value_or(false))
+    labels.push_back(shown_in_words(b) +
+                     " depends on the last bit of our support function: the method is right if its sums "
+                     "change their order");
+  std::string elsewhere;
+  if (own)
+    for (const std::size_t sharer : methods_sharing_algorithm(of, *own))
+      elsewhere += (elsewhere.empty() ? "" : ", ") + std::string(methods[sharer]->name());
+  if (!elsewhere.empty()) labels.push_back("shared code, judging by common errors: " + elsewhere);
+  std::vector<std::pair<std::size_t, std::string>> often;
+  for (const auto& [label, n] : group.labels) often.emplace_back(group.findings.size() - n, label);
+  std::sort(often.begin(), often.end());
+  if (often.size() > labels_cap) often.resize(labels_cap);
+  for (const auto& [rarity, label] : often)
+    labels.push_back(rarity == 0 ? label
+                                 : fmt::format("{} ({} of {})", label, group.findings.size() - rarity,
+                                               group.findings.size()));
+  std::string shared;
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    if (const auto& wrong = simplest_now.trial.findings[m];
+        methods[m]->name() != b.method && wrong && wrong->kind == b.kind)
+      shared += (shared.empty() ? "" : ", ") + std::string(methods[m]->name());
+  if (!shared.empty())
+    labels.push_back(fmt::format("wrong in the same way on {}: {}", shown_in_words(b), shared));
+  return labels;
 }
 
 /// Sums up the findings of a cause. `shown` is its simplest pair.
@@ -208,7 +289,7 @@ Cause make_cause(const std::string& key, const NewFault& fault, const GroupedMet
   CauseFindings group;
   group.findings = {&found};
   group.simplest = ShownCandidate{true, false, complexity(fault.pair), &found, fault.pair};
-  const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, {&failing, 1});
+  const ShownPair shown = PairShower(of.methods, out_of_time).show(fault.pair, failing);
   group.seen_again = shown.fails(failing);
   Cause b = sum_up(key, group, fault.pairs, shown, of, run_folder);
   b.findings.clear();
@@ -233,9 +314,7 @@ std::vector<Cause> make_causes(const TriageRecords& records, const GroupedMethod
     if (!group.simplest) continue;  // none of its pairs can be read
     choose_worst(group);
     const auto counted = counts.find(key);
-    const auto blamed = failing_method_of(group.first(), of.methods);
-    const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
-    if (!shown) shown = shower.show(group.simplest->pair, failing);
+    if (!shown) shown = shower.show(group.simplest->pair, failing_method_of(group.first(), of.methods));
     Cause b = sum_up(key, group, counted != counts.end() ? counted->second : group.findings.size(), *shown,
                      of, records.folder);
     show_worst(b, group, *shown, shower, of.methods, records.folder);

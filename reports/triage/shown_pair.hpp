@@ -16,15 +16,10 @@
 
 namespace cyl {
 
-/// A method that hangs once on a pair would hang again.
-inline constexpr Caps shown_caps = attended_caps(1);
-
 /// A method and its kind of failure.
 struct FailingMethod {
   std::size_t method;
   FindingKind kind;
-
-  bool operator==(const FailingMethod&) const = default;
 };
 
 struct ShownPair {
@@ -44,7 +39,7 @@ class PairShower {
   /// Once `out_of_time()`, only who is blamed is asked, unless it hangs.
   PairShower(std::span<const std::unique_ptr<Method>> methods, std::function<bool()> out_of_time);
 
-  ShownPair show(const Pair& pair, std::span<const FailingMethod> blamed);
+  ShownPair show(const Pair& pair, const std::optional<FailingMethod>& blamed);
 
  private:
   std::span<const std::unique_ptr<Method>> methods_;

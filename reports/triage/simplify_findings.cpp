@@ -105,7 +105,7 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
   const CaseLine begun = parse_case(earlier.pair, 1);
   const std::size_t cap = s.kind() == FindingKind::hang ? simplify_hang_cap : simplify_cap;
   const Simplified simple = simplify(begun.value ? begun.value->pair : s.pair, still_fails, cap);
-  return {s.record->id, format_pair(simple.pair), simple.questions, !cut};
+  return {s.record->id, format_pair(simple.pair), !cut};
 }
 
 }  // namespace

@@ -15,8 +15,7 @@ constexpr const char* note_table = "CREATE TABLE note(key TEXT PRIMARY KEY, valu
 constexpr const char* other_tables = R"(
 CREATE TABLE cause(finding INTEGER PRIMARY KEY, cause TEXT NOT NULL, mechanism TEXT NOT NULL,
   labels TEXT NOT NULL);
-CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL,
-  questions INTEGER NOT NULL, ended INTEGER NOT NULL);
+CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
 std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
@@ -103,7 +102,6 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 
 void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
 
-std::string TriageStore::summary() const { return note(*file_, "causes"); }
 void TriageStore::set_summary(const std::string& json, double part) {
   file_->transaction([&] {
     file_->replace(Note{"causes", {json}});

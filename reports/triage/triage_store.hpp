@@ -32,12 +32,11 @@ struct CauseRecord {
 /// A finding simplified.
 struct SimpleRecord {
   std::int64_t finding = 0;
-  std::string pair;  ///< one JSON line of corpus/pair_io
-  std::uint64_t questions = 0;
+  std::string pair;    ///< one JSON line of corpus/pair_io
   bool ended = false;  ///< by itself: not to be simplified again
 
   static constexpr const char* table = "simple";
-  static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.questions, s.ended); }
+  static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.ended); }
 };
 
 /// FOLDER/triage.sqlite. Several processes may write to it at once. Every call throws std::runtime_error that
@@ -56,9 +55,7 @@ class TriageStore {
   std::vector<SimpleRecord> simples() const;  ///< by finding
   void add(std::span<const CauseRecord> causes);
   void add(const SimpleRecord& simple);
-  /// The causes as JSON; empty if there are none yet.
-  std::string summary() const;
-  /// `part`: of the findings, looked at so far.
+  /// Sets the causes, as JSON. `part`: of the findings, looked at so far.
   void set_summary(const std::string& json, double part);
 
  private:

@@ -149,8 +149,8 @@ TEST(Triage, GoesOnWhereItWas) {
   {
     TriageStore store(folder, methods_line("test", quick_methods()));
     store.add(std::vector<CauseRecord>{{2, "known-before", Mechanism::unclassified, ""}});
-    store.add(SimpleRecord{1, "half done", 1, false});
-    store.add(SimpleRecord{3, "done", 1, true});
+    store.add(SimpleRecord{1, "half done", false});
+    store.add(SimpleRecord{3, "done", true});
   }
   const Triage all = triage(folder);
   EXPECT_TRUE(keys_of(all.causes).contains("known-before"));

@@ -2,15 +2,12 @@
 // Builds what is committed: page_template.html, the page of a run without its data.
 //     npm ci && node build.mjs            writes it
 //     node build.mjs --check              states whether these sources give it; exit status 1 if not
-// The same sources and package-lock.json give the same bytes. It carries the hash of what it was built from, which
-// data_test.mjs compares with the sources without npm.
+// The same sources and package-lock.json give the same bytes.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
-import { sourcesHash } from "./stamp.mjs";
 
 const here = new URL("./", import.meta.url);
-const stamp = sourcesHash();
 const common = {
   bundle: true,
   minify: true,
@@ -62,7 +59,6 @@ async function page() {
   const policy = ["default-src 'none'", `script-src 'sha256-${hash}'`, "style-src 'unsafe-inline'"].join("; ");
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
-    .replace("@@STAMP@@", () => stamp)
     .replace("@@POLICY@@", () => policy)
     .replace("@@LICENCES@@", () => program.licences)
     .replace("@@STYLE@@", () => style)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The tests of the page that need Node.js:
-#     run_test.sh data       the prover, the filters, the charts, and that what is built was built from these sources
+#     run_test.sh data       the prover, the filters and the charts
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail

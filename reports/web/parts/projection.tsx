@@ -5,21 +5,6 @@ import type { Vec } from "./data.ts";
 import type { Drawing } from "./drawing.ts";
 import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geometry.ts";
 
-/** The place of the eye, and the radius of the part that is in the picture. */
-interface View {
-  eye: Vec;
-  up: Vec;
-  radius: number;
-}
-
-/** Looking across the direction of the gap, a little from above; a lies left of b. */
-function viewOf(d: Drawing): View {
-  const along: Vec = d.direction ?? [1, 0, 0],
-    [u, v] = squareTo(along);
-  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
-  return { eye, up: v, radius: 1.12 * d.extent };
-}
-
 type Flat = [number, number];
 
 function rim(s: Solid, end: 1 | -1): Vec[] {
@@ -33,12 +18,19 @@ function rim(s: Solid, end: 1 | -1): Vec[] {
 
 type Flatten = (x: Vec) => Flat;
 
-/** To the unit of the picture: x right, y down. */
-function flatten(view: View): Flatten {
-  const forward = unit(scale(view.eye, -1)),
-    right = unit(cross(forward, view.up)),
-    up = cross(right, forward);
-  return (x) => [dot(x, right) / view.radius, -dot(x, up) / view.radius];
+/** The radius of the part that is in the picture. */
+const radiusOf = (d: Drawing) => 1.12 * d.extent;
+
+/** To the unit of the picture: x right, y down. One looks across the direction of the gap, a little from above; a lies
+ *  left of b. */
+function flatten(d: Drawing): Flatten {
+  const along: Vec = d.direction ?? [1, 0, 0],
+    [u, v] = squareTo(along),
+    forward = unit(add(add(scale(u, 0.85), scale(v, -0.4)), scale(along, -0.25))),
+    right = unit(cross(forward, v)),
+    up = cross(right, forward),
+    radius = radiusOf(d);
+  return (x) => [dot(x, right) / radius, -dot(x, up) / radius];
 }
 
 const path = (points: Flat[]) =>
@@ -62,10 +54,10 @@ function facesOf({ center, edges: [u, v, w] }: Solid): Vec[][] {
   return [face(u!, v!, w!), face(scale(u!, -1), v!, w!), face(v!, u!, w!), face(scale(v!, -1), u!, w!)];
 }
 
-function outline(of: Solid, flat: Flatten, view: View, name: string) {
+function outline(of: Solid, flat: Flatten, radius: number, name: string) {
   const isBox = of.edges.length > 0,
     faces = (isBox ? facesOf(of) : [rim(of, 1), rim(of, -1)]).map((points) => points.map(flat)),
-    around = polygonHull(swollen(faces.flat(), of.rounding / view.radius)) ?? [];
+    around = polygonHull(swollen(faces.flat(), of.rounding / radius)) ?? [];
   const lines = of.rounding > 0 || (!isBox && of.radius === 0) ? [around, ...(isBox ? faces : [])] : faces;
   return (
     <g class={name}>
@@ -78,8 +70,7 @@ function outline(of: Solid, flat: Flatten, view: View, name: string) {
 }
 
 export function Projection({ drawing: d, label }: { drawing: Drawing; label: string }) {
-  const view = viewOf(d),
-    flat = flatten(view);
+  const flat = flatten(d);
   const dotAt = (x: Vec, name: string) => {
     const [cx, cy] = flat(x);
     return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />;
@@ -95,8 +86,8 @@ export function Projection({ drawing: d, label }: { drawing: Drawing; label: str
   return (
     <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
       {trace}
-      {outline(d.a, flat, view, "solid-a")}
-      {outline(d.b, flat, view, "solid-b")}
+      {outline(d.a, flat, radiusOf(d), "solid-a")}
+      {outline(d.b, flat, radiusOf(d), "solid-b")}
       {d.near && (
         <>
           <path class="gap" d={path([flat(d.near.a), flat(d.near.b)])} />

@@ -81,20 +81,14 @@ export function CauseView({ report, named }: { report: Report; named: string }) 
 }
 
 export function FindingView({ report, named }: { report: Report; named: string }) {
-  const at = report.findings.findIndex(({ id }) => String(id) === named),
-    f = report.findings[at];
+  const f = report.findings.find(({ id }) => String(id) === named);
   if (!f) return <p class="missing">This page has no finding {safe(named)}.</p>;
-  const of = report.methods.find((m) => m.name === f.method),
-    beside = [report.findings[at - 1], report.findings[at + 1]] as const;
+  const of = report.methods.find((m) => m.name === f.method);
   return (
     <>
       <p class="crumbs">
         <a href="#/findings">Causes and findings</a>
         {f.cause && <a href={addressOf({ key: f.cause })}>{safe(f.cause)}</a>}
-        <span class="beside">
-          {beside[0] && <a href={`#/finding/${beside[0].id}`}>previous</a>}{" "}
-          {beside[1] && <a href={`#/finding/${beside[1].id}`}>next</a>}
-        </span>
       </p>
       <h2 tabIndex={-1}>
         #{f.id} <b>{safe(f.method)}</b> {safe(kindLabel(f.kind))} <Severity of={f.severity} />

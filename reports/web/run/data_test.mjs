@@ -3,18 +3,11 @@
 //     node --test data_test.mjs
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { charts, daylight } from "../chart.mjs";
-import { sourcesHash } from "../stamp.mjs";
 import { sample, untriaged } from "./sample.mjs";
 
 const { chosen, expand, full, glossary, pareto, prove, rowsOf, sentenceOf, shellQuoted } = daylight;
-
-test("the committed page was built from the committed sources", () => {
-  const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
-  assert.ok(head.includes(sourcesHash()), "page_template.html is older than its sources: run node build.mjs");
-});
 
 test("findings get back the pair, the answers and the command", () => {
   const packed = sample();
@@ -25,7 +18,7 @@ test("findings get back the pair, the answers and the command", () => {
       { pair, said } = packed.cases[at];
     assert.equal(f.replay, `./daylight replay 'a b'\\''c:${id}'`);
     assert.deepEqual([f.pair, f.margin], [pair, margin]);
-    const [[answer]] = said.filter(([, who]) => who.some((n) => packed.names[n] === method));
+    const [[answer]] = said.filter(([, who]) => who.includes(method));
     assert.deepEqual(f.answers[method], answer);
   }
 });

@@ -28,10 +28,10 @@ function withEnds(of: Packed): Packed {
   };
 }
 
-/** Each different answer stands once, with who gave it as indices of names. */
-function caseOf({ said, ...rest }: Packed, names: string[]): Packed {
+/** Each different answer stands once, with who gave it. */
+function caseOf({ said, ...rest }: Packed): Packed {
   const answers: Record<string, Answer> = Object.create(null);
-  for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
+  for (const [answer, who] of said) for (const name of who) answers[name] = answer;
   return { ...withEnds(rest), answers };
 }
 
@@ -63,11 +63,11 @@ function calibrationOf({ method, library, y, cells }: FailureMap): Calibration {
   return { method, library, bins };
 }
 
-export function expand({ cases, names, ...packed }: Packed): Report {
+export function expand({ cases, ...packed }: Packed): Report {
   const library = libraryOf(packed.methods),
     librariesOf = (of: string[]) => [...new Set(of.map(library))],
     withLibrary = (row: Packed) => ({ ...row, library: library(row.method) });
-  const unpacked = cases.map((c: Packed) => caseOf(c, names));
+  const unpacked = cases.map(caseOf);
   const findings: Finding[] = packed.findings.map(({ case: at, ...f }: Packed) => ({
     ...unpacked[at],
     ...withLibrary(f),
