@@ -12,7 +12,7 @@
 namespace cyl {
 
 /// Adds truth.distance, margin, direction and nearest to a Case of reports/web/run/data.ts, as far as known,
-/// and returns the margin. `truth` is decided. `margin`: the known one, or to be enclosed; two points have
+/// and returns the margin. `truth` is decided. A margin that is not given is enclosed, but two points have
 /// none. An overlap is enclosed only as narrowly as it needs. The nearest points are the solver's,
 /// approximate. Cost: some 0.1 ms.
 std::optional<Enclosure> add_distance(nlohmann::ordered_json& reported, const Pair& pair, Verdict truth,
