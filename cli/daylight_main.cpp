@@ -24,8 +24,8 @@ int run(int argc, char** argv) {
                        cyl::build_info().text());
   for (const auto add :
        {cyl::add_check, cyl::add_ask, cyl::add_judge, cyl::add_campaign, cyl::add_merge, cyl::add_fuzz,
-        cyl::add_worst, cyl::add_replay, cyl::add_triage, cyl::add_export, cyl::add_chart,
-        cyl::add_gate, cyl::add_bench, cyl::add_scene, cyl::add_families, cyl::add_vectors})
+        cyl::add_worst, cyl::add_replay, cyl::add_triage, cyl::add_export, cyl::add_chart, cyl::add_gate,
+        cyl::add_bench, cyl::add_scene, cyl::add_families, cyl::add_vectors})
     add(program);
   try {
     return program.run(argc, argv);

@@ -51,12 +51,12 @@ export const sentenceOfFinding = (f: Finding) =>
 
 type Told = Pick<Cause, "method" | "methods" | "methods_of_kind" | "libraries_of_kind" | "kind" | "margin" | "worst">;
 
-export function sentenceOf(b: Told, upTo = "up to about"): string {
+export function sentenceOf(b: Told, hedge = "up to about"): string {
   const [who, many] = whoOf(b),
     s = many ? "" : "s",
     solids = areCylinders(b.worst.pair) ? "cylinders" : "solids",
     largest = b.margin?.[1] ?? 0,
-    amount = Number.isFinite(largest) ? `${upTo} ${short(largest, 2)} of` : "more than 1e308 times",
+    amount = Number.isFinite(largest) ? `${hedge} ${short(largest, 2)} of` : "more than 1e308 times",
     said = (verdict: string) => `${who} report${s} \u201c${verdict}\u201d, but the ${solids}`;
   switch (b.kind) {
     case "wrong_intersecting":
