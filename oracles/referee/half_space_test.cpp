@@ -78,5 +78,16 @@ TEST(HalfSpace, OnlyItsNormalSeparates) {
   EXPECT_EQ(sign({ball, plane}, 0, -1), -1);
 }
 
+TEST(HalfSpace, ADeepestPointBeyondTheDoublesIsProvedToo) {
+  Pair pair;
+  pair.a = {Vector3(0, 0, 0), Vector3(1, 1, 0), 1.75e308, 1.75e308};
+  pair.b.shape = Shape::half_space;
+  pair.b.axis = Vector3(1, 0, 0);
+  ASSERT_TRUE(is_legal(pair)) << format_pair(pair);
+  const Truth truth = judge(pair);
+  EXPECT_EQ(truth.verdict, Verdict::intersecting);
+  EXPECT_NE(truth.certificate.kind, CertificateKind::none);
+}
+
 }  // namespace
 }  // namespace cyl
