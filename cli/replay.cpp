@@ -66,9 +66,7 @@ class Replayer {
     methods_ = methods_for_targets(arguments.guests, arguments.targets, arguments.methods).methods;
     if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
     const auto is_of_another = [&](const Target& target) {
-      return target.finding && std::ranges::none_of(methods_, [&](const auto& method) {
-               return method->name() == target.finding->method;
-             });
+      return target.finding && !position_of(methods_, target.finding->method);
     };
     for (const std::string& name : arguments.targets) {
       std::vector<Target> named = targets_of(name);

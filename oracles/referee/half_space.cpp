@@ -95,11 +95,9 @@ std::optional<Certificate> overlap_certificate(const Sided& s) {
       constexpr double pulled_in = 1 - 0x1p-45;
       const double tail[3] = {pulled_in * offset.x.get_d(), pulled_in * offset.y.get_d(),
                               pulled_in * offset.z.get_d()};
-      const bool in_range = std::ranges::all_of(tail, [](double x) { return std::isfinite(x); });
-      const auto c = in_range ? contact_at(s, center + Rational3{tail[0], tail[1], tail[2]}) : std::nullopt;
-      if (c) {
+      const double head[3] = {s.solid.center.x(), s.solid.center.y(), s.solid.center.z()};
+      if (const auto c = finite(tail) ? contact_at(s, sum(head, tail)) : std::nullopt) {
         Certificate written = *c;
-        const double head[3] = {s.solid.center.x(), s.solid.center.y(), s.solid.center.z()};
         const bool core_is_first = c->kind == CertificateKind::point || !s.first;
         (core_is_first ? written.vector : written.second) = exact_vector(head, tail);
         return written;

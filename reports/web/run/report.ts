@@ -97,7 +97,6 @@ export function expand({ cases, ...packed }: Packed): Report {
     tallies: packed.tallies.map(withLibrary),
     calibration: maps.filter((m) => m.plane === "angle-margin").map(calibrationOf),
     speed: packed.speed.filter((p: SpeedPoint) => p.family === "all").map(withLibrary),
-    paths: packed.paths ?? [],
   };
 }
 
