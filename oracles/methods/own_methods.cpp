@@ -7,7 +7,6 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/referee/decide_exactly.hpp"
-#include "oracles/referee/half_space.hpp"
 #include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
 
@@ -154,8 +153,11 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
   answer.error_bound = measured.error;
-  if (measured.verdict == Verdict::disjoint)
-    answer.set_direction(plane ? direction_of_half_space(pair) : measured.direction);
+  // Beside a half-space only exact multiples of the normal prove anything.
+  const Vector3 direction = is_half_space(pair.a)   ? prepare(pair.a).second_axis
+                            : is_half_space(pair.b) ? Vector3(-prepare(pair.b).second_axis)
+                                                    : measured.direction;
+  if (measured.verdict == Verdict::disjoint) answer.set_direction(direction);
   return answer;
 }
 
