@@ -39,9 +39,12 @@ inline constexpr double proof_slack_tol = 0x1p-46;
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
 // it.
 inline Hull hull_of(double r, double h, double reach) noexcept {
+  static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2);
   const bool thin = r <= proof_slack_tol * reach, low = h <= proof_slack_tol * reach;
-  return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
+  return static_cast<Hull>(2 * static_cast<int>(thin) + static_cast<int>(low));
 }
+inline bool in_plane(Hull hull) noexcept { return (static_cast<int>(hull) & 1) != 0; }
+inline bool on_line(Hull hull) noexcept { return (static_cast<int>(hull) & 2) != 0; }
 
 // Writes a proof into the answer.
 inline void hand_out(const Vector3& direction, Answer& answer) noexcept {
@@ -57,6 +60,47 @@ inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull
   answer.point_tail = tail;
   answer.hull_a = hull0;
   answer.hull_b = hull1;
+}
+
+// As a sum, because compilers make two branches of a test of two bools.
+inline bool none_of(bool x, bool y) noexcept { return static_cast<int>(x) + static_cast<int>(y) == 0; }
+
+// x if `yes`, else 0, without a branch.
+inline double only_if(bool yes, double x) noexcept {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & -static_cast<std::uint64_t>(yes));
+}
+inline Vector3 only_if(bool yes, const Vector3& x) noexcept {
+  return {only_if(yes, x.x()), only_if(yes, x.y()), only_if(yes, x.z())};
+}
+
+// One of two proofs: two points, or the way between them as a direction. Which of the two it is cannot be
+// predicted, so it is no branch. Neither is `swapped`: the first point and hull are of the second solid.
+[[gnu::always_inline]] inline Answer proof_of(bool points, const Vector3& direction, const Vector3& point0,
+                                              const Vector3& point1, Hull hull0, Hull hull1,
+                                              bool swapped = false) noexcept {
+  static_assert(static_cast<int>(Proof::direction) == 1 && static_cast<int>(Proof::points) == 3);
+  const bool as_it_is = points & !swapped, turned = points & swapped;
+  const auto one = [&](double x, double y) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(only_if(as_it_is, x)) |
+                                 std::bit_cast<std::uint64_t>(only_if(turned, y)));
+  };
+  const auto hull = [&](Hull x, Hull y) {
+    return static_cast<Hull>(as_it_is * static_cast<int>(x) | turned * static_cast<int>(y));
+  };
+  return {verdict_of(points),
+          static_cast<Proof>(1 + 2 * points),
+          only_if(!points, direction),
+          {one(point0[0], point1[0]), one(point0[1], point1[1]), one(point0[2], point1[2])},
+          {one(point1[0], point0[0]), one(point1[1], point0[1]), one(point1[2], point0[2])},
+          hull(hull0, hull1),
+          hull(hull1, hull0)};
+}
+
+// A direction has no unit. The way in one of about `size`, turned if `turns`.
+inline Vector3 without_unit(const Vector3& way, double size, bool turns = false) noexcept {
+  const double unit = power_of_two(-exponent_of(size));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(unit) | static_cast<std::uint64_t>(turns) << 63) *
+         way;
 }
 
 // The question, and the place of its certificate. Each is checked against these solids.
@@ -92,9 +136,8 @@ struct Place {
   double outside(double r, double h) const noexcept { return larger(along - h, across - r); }
   // With so much room left; within its hull a solid needs none across it.
   bool inside(double r, double h, Hull hull, double slack) const noexcept {
-    const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-    const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-    return (in_plane | (along + slack < h)) & (on_line | ((r - slack > 0) & (across < r - slack)));
+    return (in_plane(hull) | (along + slack < h)) &
+           (on_line(hull) | ((r - slack > 0) & (across < r - slack)));
   }
   double along, across, away;
 };
