@@ -116,7 +116,7 @@ class BoxDistance {
 };
 
 Distance distance_from_plane(const ShapePair& p) noexcept {
-  const AbovePlane above = above_plane(p.a, p.b, 0);
+  const AbovePlane above = above_plane(p.a, p.b, p.contact);
   const Vector3 delta = p.b.center - p.a.center;
   Distance out;
   out.value = above.gap;
@@ -130,9 +130,10 @@ Distance distance_from_plane(const ShapePair& p) noexcept {
 
 }  // namespace
 
-Distance distance_of_shapes(const Prepared& a, const Prepared& b) noexcept {
+Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact) noexcept {
   const bool swapped = shapes_out_of_order(a, b);
-  Distance out = ask_in_order(a, b, 0, swapped, [](const ShapePair& p) {
+  const bool plane = (a.shape == Shape::half_space) | (b.shape == Shape::half_space);
+  Distance out = ask_in_order(a, b, plane ? contact : 0, swapped, [](const ShapePair& p) {
     Distance found = p.a.shape == Shape::half_space ? distance_from_plane(p) : BoxDistance(p).run();
     found.verdict = found.value > 0 ? Verdict::disjoint : Verdict::intersecting;
     if (p.exponent != 0) bring_to_scene(found, p.exponent);

@@ -85,13 +85,16 @@ Vector3 farthest_on_cylinder(const Vector3& w, double r, double h, const Vector3
   return sum.hi / length(normal);
 }
 
+double error_of(const Prepared& c) noexcept {
+  return c.shape == Shape::box ? precise_plane_error : plane_error;
+}
+
 [[gnu::always_inline]] inline AbovePlane above(const Prepared& plane, const Prepared& c, double contact,
                                                double times) noexcept {
   const Vector3& n = plane.unit_axis;
   const Vector3 delta = c.center - plane.center;
   const double support = support_of(c, n), size = core_size(c) + contact, center = dot(n, delta);
-  const double error =
-      (c.shape == Shape::box ? precise_plane_error : plane_error) * (size + length_bound(delta));
+  const double error = error_of(c) * (size + length_bound(delta));
   if (std::fabs(center - support - contact) > times * error) return {center, center - support, error};
   const double precise = precisely_above(plane, c, size);
   // The last term is for products that underflow.
@@ -111,16 +114,22 @@ AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact)
   return above(plane, c, contact, 1);
 }
 
-// Here, because the half-space has the shortest path.
-Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  return ask_in_order(a, b, clearance, shapes_out_of_order(a, b), [](const ShapePair& p) {
-    if (p.a.shape == Shape::box && p.b.shape == Shape::cylinder && p.b.radius == 0 &&
-        (p.contact > 0 || p.b.height == 0))
-      return intersect_thin_and_box(p.a, p.b, p.contact);
-    if (p.a.shape == Shape::box) return intersect_box(p.a, p.b, p.contact);
-    return p.b.shape == Shape::half_space ? Verdict::invalid
-                                          : verdict_of(above(p.a, p.b, p.contact, 1).gap <= p.contact);
-  });
+Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept {
+  if (c.shape == Shape::half_space) return Verdict::invalid;
+  const Vector3& n = plane.unit_axis;
+  const Vector3 delta = c.center - plane.center;
+  double support = 0, size = 0.5 * c.height;
+  if ((c.traits & Prepared::thin) == 0) {
+    support = support_of(c, n);
+    size = core_size(c);
+  } else if ((c.traits & Prepared::ball) == 0) {
+    support = size * std::fabs(dot(n, c.unit_axis));
+  }
+  size += contact;
+  const double gap = dot(n, delta) - support;
+  if (std::fabs(gap - contact) > error_of(c) * (size + length_bound(delta)) - plane_tol * size)
+    return verdict_of(gap <= contact);
+  return verdict_of(precisely_above(plane, c, size) - support <= contact);
 }
 
 void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,

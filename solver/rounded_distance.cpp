@@ -64,13 +64,15 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     out.verdict = Verdict::invalid;
     return out;
   }
-  if (a.rounding + b.rounding == 0) return other ? distance_of_shapes(a, b) : distance_of_cores(a, b, false);
+  if (a.rounding + b.rounding == 0)
+    return other ? distance_of_shapes(a, b, 0) : distance_of_cores(a, b, false);
   // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
   // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
   // is far below the error.
   const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
   const Prepared core_a = core_in_unit(a, unit), core_b = core_in_unit(b, unit);
-  Distance out = other ? distance_of_shapes(core_a, core_b) : distance_of_cores(core_a, core_b, true);
+  Distance out = other ? distance_of_shapes(core_a, core_b, unit * (a.rounding + b.rounding))
+                       : distance_of_cores(core_a, core_b, true);
   grow(out, other ? way_between(core_a, core_b, out) : out.direction, unit * a.rounding, unit * b.rounding);
   if (unit != 1) {
     out.value = in_range(out.value / unit);

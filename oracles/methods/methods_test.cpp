@@ -280,5 +280,18 @@ TEST(OwnMethods, DistanceIsSureOfPointsVeryNearEachOther) {
     }
 }
 
+// A ball overlaps a plane by 0.2 of its radius; the point of the plane is 1e12 away. A box overlaps a rod.
+TEST(OwnMethods, DistanceReturnsNoNumberThatItDoesNotPromise) {
+  const Solid ball{{0, 225000000000.0, 900000000000.0}, {0, 0, 1}, 0, 0, 0.9},
+      plane{.center = {0, 0.95459, 0}, .axis = {1, -4, 1}, .shape = Shape::half_space},
+      box{.shape = Shape::box, .edges = {1, 1, 1}};
+  const auto method = std::move(select_methods(own_methods(), "distance").front());
+  for (const Pair& pair : {Pair{ball, plane}, Pair{box, {{0, 0, 0}, {0, 0, 1}, 1, 2}}}) {
+    EXPECT_EQ(method->ask(pair).verdict, Verdict::intersecting);
+    EXPECT_FALSE(method->ask(pair).has_distance);
+  }
+  EXPECT_EQ(method->ask({box, {.center = {0, 0, -1}, .shape = Shape::half_space}}).distance, 0.5);
+}
+
 }  // namespace
 }  // namespace cyl

@@ -96,9 +96,7 @@ class MeasureDistance final : public Method {
             .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  /// The depth of a box and a cylinder is not proved. A half-space may be far from its own point, and then
-  /// the error is far above 1e-13 of the size.
-  bool supports(SolidKind kind) const override { return kind < SolidKind::half_space; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
@@ -145,15 +143,21 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   MethodAnswer answer = answered(measured.verdict);
   answer.steps = measured.iterations;
   answer.step_cap = distance_step_cap;
-  // If its bounds stay apart, it reports that and returns no number.
+  // It returns no number if its bounds stay apart, if the depth of a box and a cylinder is not proved, and if
+  // a half-space is so far from its own point that its error is not relative to the size.
+  const bool plane = has_half_space(pair), overlap = measured.verdict == Verdict::intersecting;
   const Vector3 delta = pair.b.center - pair.a.center;
-  const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height + edges_of(pair.a) +
-                       edges_of(pair.b) + std::hypot(delta.x(), delta.y(), delta.z());
-  const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
+  const double reach = size_of(pair) + (plane ? 0 : std::hypot(delta.x(), delta.y(), delta.z()));
+  const bool sure =
+      overlap && !plane ? measured.least || !has_box(pair) : measured.error <= distance_tol * reach;
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
   answer.error_bound = measured.error;
-  if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
+  // Beside a half-space only exact multiples of the normal prove anything.
+  const Vector3 direction = is_half_space(pair.a)   ? prepare(pair.a).second_axis
+                            : is_half_space(pair.b) ? Vector3(-prepare(pair.b).second_axis)
+                                                    : measured.direction;
+  if (measured.verdict == Verdict::disjoint) answer.set_direction(direction);
   return answer;
 }
 

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
+#include "oracles/referee/half_space.hpp"
 
 namespace cyl {
 namespace {
@@ -29,6 +31,7 @@ long double outside(const Terms<long double>& s, const Wide& x) {
 }  // namespace
 
 Enclosure shown_distance(const Pair& pair, const MeasuredDistance& measured) {
+  if (has_half_space(pair)) return attain_half_space(pair).distance;
   const auto a = terms_of<long double>(pair.a), b = terms_of<long double>(pair.b);
   const Wide delta = lifted<long double>(pair.b.center) - lifted<long double>(pair.a.center),
              u = lifted<long double>(measured.direction), x = lifted<long double>(measured.on_a),

@@ -8,7 +8,8 @@
 
 namespace cyl {
 
-/// Returns bounds of the signed distance of a legal pair. `measured` has the points and the direction.
+/// Returns bounds of the signed distance of a legal pair. `measured` has the points and the direction. They
+/// are not used beside a half-space, for which a formula has the distance.
 /// 1. Apart: both bounds are shown.
 /// 2. Overlapping: `hi` is 0, so no depth is shown, but the depth is at most -lo.
 /// 3. The bounds are wide or not finite if the points or the direction are bad.

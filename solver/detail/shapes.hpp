@@ -18,12 +18,15 @@ inline constexpr double quick_error = 4 * box_error;
 inline constexpr double plane_error = 16 * unit_roundoff_error;
 /// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
+/// Of the size of a solid and a half-space: an error that intersect() may have, half of the least margin.
+inline constexpr double plane_tol = 0x1p-44;
 /// By how much decide() shrinks cores before it looks for a common point, of the reach.
 inline constexpr double box_slack_tol = 2.5 * box_error;
 
 Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
-Distance distance_of_shapes(const Prepared& a, const Prepared& b) noexcept;
+/// `contact`: by which the distance will be less. A half-space is measured in more digits near that.
+Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact) noexcept;
 inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
   return (a.shape != Shape::cylinder) | (b.shape != Shape::cylinder);
 }
@@ -32,9 +35,9 @@ inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
 /// numbers. True if b comes first.
 bool boxes_out_of_order(const Prepared& a, const Prepared& b) noexcept;
 inline bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
-  constexpr unsigned ranks = 0b01'00'10;  // of the shapes, two bits each
-  if (a.shape == b.shape) return boxes_out_of_order(a, b);
-  return (ranks >> 2 * static_cast<int>(a.shape) & 3) > (ranks >> 2 * static_cast<int>(b.shape) & 3);
+  const auto rank = [](const Prepared& c) { return -static_cast<unsigned>(c.shape) & 3; };
+  static_assert(static_cast<int>(Shape::half_space) == 1 && static_cast<int>(Shape::box) == 2);
+  return a.shape == b.shape ? boxes_out_of_order(a, b) : rank(b) > rank(a);
 }
 
 /// A pair in its order and in a unit in which nothing overflows.
@@ -81,6 +84,8 @@ inline double core_size(const Prepared& c) noexcept {
 /// A point of the core that is farthest along n, from its centre.
 Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
 
+/// The first is the half-space.
+Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept;
 /// `a` is a box, `b` not a half-space, and not what intersect_thin_and_box() takes.
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept;
 /// The signed distance from the plane of a centre, n.Delta, and of its core, -f(n), with a bound of their
