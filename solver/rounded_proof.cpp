@@ -109,8 +109,8 @@ template <class Otherwise>
   const bool near = dot(between, between) <= within * std::fabs(within);
   const bool apart = is_beyond(least, dot(e, e), contact_distance + error);
   if (none_of(near, apart) || !nearest.reliable) return otherwise();
-  return proof_of(!apart, without_unit(e, reach), times_power(on0, p.exponent), times_power(on1, p.exponent),
-                  hull0, hull1);
+  return proof_of(!apart, Proof::points, without_unit(e, reach), times_power(on0, p.exponent),
+                  times_power(on1, p.exponent), hull0, hull1, false);
 }
 
 // Two balls. One comparison shows nothing only within rounding of touching, which is that of 6 operations.
@@ -118,8 +118,8 @@ template <class Otherwise>
   const double square_of_way = dot(delta, delta), error = separation_error * contact_distance;
   const bool near = square_of_way < square(contact_distance - error);
   if (none_of(near, square_of_way > square(contact_distance + error))) return {};
-  return proof_of(near, without_unit(delta, contact_distance), {0, 0, 0}, {0, 0, 0}, Hull::center,
-                  Hull::center);
+  return proof_of(near, Proof::points, without_unit(delta, contact_distance), {0, 0, 0}, {0, 0, 0},
+                  Hull::center, Hull::center, false);
 }
 
 // A point and another core (rounded.md, section 2), `to` the point from its centre. If `swapped`, the point
@@ -149,8 +149,8 @@ template <class Otherwise>
       return otherwise();
     }
   }
-  return proof_of(near, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0}, hull,
-                  Hull::center, swapped);
+  return proof_of(near, Proof::points, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0},
+                  hull, Hull::center, swapped);
 }
 
 // By the points and directions of alternate_projections(), most pairs.

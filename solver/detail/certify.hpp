@@ -65,33 +65,39 @@ inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull
 // As a sum, because compilers make two branches of a test of two bools.
 inline bool none_of(bool x, bool y) noexcept { return static_cast<int>(x) + static_cast<int>(y) == 0; }
 
-// x if `yes`, else 0, without a branch.
-inline double only_if(bool yes, double x) noexcept {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & -static_cast<std::uint64_t>(yes));
+// One of two, or 0 if there is no other, without a branch.
+inline double either(bool first, double x, double y = 0) noexcept {
+  const std::uint64_t mask = -static_cast<std::uint64_t>(first);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & mask) |
+                               (std::bit_cast<std::uint64_t>(y) & ~mask));
 }
-inline Vector3 only_if(bool yes, const Vector3& x) noexcept {
-  return {only_if(yes, x.x()), only_if(yes, x.y()), only_if(yes, x.z())};
+inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}) noexcept {
+  return {either(first, x.x(), y.x()), either(first, x.y(), y.y()), either(first, x.z(), y.z())};
 }
 
-// One of two proofs: two points, or the way between them as a direction. Which of the two it is cannot be
-// predicted, so it is no branch. Neither is `swapped`: the first point and hull are of the second solid.
-[[gnu::always_inline]] inline Answer proof_of(bool points, const Vector3& direction, const Vector3& point0,
-                                              const Vector3& point1, Hull hull0, Hull hull1,
-                                              bool swapped = false) noexcept {
-  static_assert(static_cast<int>(Proof::direction) == 1 && static_cast<int>(Proof::points) == 3);
-  const bool as_it_is = points & !swapped, turned = points & swapped;
-  const auto one = [&](double x, double y) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(only_if(as_it_is, x)) |
-                                 std::bit_cast<std::uint64_t>(only_if(turned, y)));
+// One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
+// it is no branch. Neither is `swapped`: point 0 of `points` and hull 0 are of the second solid.
+[[gnu::always_inline]] inline Answer proof_of(bool meets, Proof kind, const Vector3& direction,
+                                              const Vector3& point0, const Vector3& point1, Hull hull0,
+                                              Hull hull1, bool swapped) noexcept {
+  static_assert(static_cast<int>(Proof::direction) == 1);
+  const bool turned = swapped & (kind == Proof::points);
+  const auto one = [&](const Vector3& x, const Vector3& y) -> Vector3 {
+    const auto of = [&](double p, double q) {
+      return std::bit_cast<double>(std::bit_cast<std::uint64_t>(either(meets & !turned, p)) |
+                                   std::bit_cast<std::uint64_t>(either(meets & turned, q)));
+    };
+    return {of(x.x(), y.x()), of(x.y(), y.y()), of(x.z(), y.z())};
   };
   const auto hull = [&](Hull x, Hull y) {
-    return static_cast<Hull>(as_it_is * static_cast<int>(x) | turned * static_cast<int>(y));
+    return static_cast<Hull>((meets & !swapped) * static_cast<int>(x) |
+                             (meets & swapped) * static_cast<int>(y));
   };
-  return {verdict_of(points),
-          static_cast<Proof>(1 + 2 * points),
-          only_if(!points, direction),
-          {one(point0[0], point1[0]), one(point0[1], point1[1]), one(point0[2], point1[2])},
-          {one(point1[0], point0[0]), one(point1[1], point0[1]), one(point1[2], point0[2])},
+  return {verdict_of(meets),
+          static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
+          either(!meets, direction),
+          one(point0, point1),
+          one(point1, point0),
           hull(hull0, hull1),
           hull(hull1, hull0)};
 }

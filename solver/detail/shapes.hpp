@@ -94,9 +94,8 @@ struct AbovePlane {
   double center, gap, error;
 };
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept;
-/// `normal`: of the plane, exactly. `of_second`: the centre of the other solid in the scene.
-void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
-                       Answer& answer) noexcept;
+/// The first is the half-space. `swapped`: it is the second solid of the answer.
+Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept;
 
 /// The edges of a box have these directions.
 struct Edges {
