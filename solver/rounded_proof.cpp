@@ -85,12 +85,6 @@ bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noe
 // Bounds what the points and ways in closed form are off by (rounded.md, section 4).
 double error_in_closed_form(double reach) noexcept { return 2 * membership_error * reach + underflow_error; }
 
-// Whether a way between the solids separates them by more than `beyond`: `least` is -f along it, times its
-// length.
-bool is_beyond(double least, double square_of_way, double beyond) noexcept {
-  return least * std::fabs(least) > beyond * beyond * square_of_way;
-}
-
 // Two segments. Their nearest points are known in closed form (rounded.md, section
 // 3). They serve as certificate, or by the vector between them. If they do not, the answer is `otherwise`.
 template <class Otherwise>

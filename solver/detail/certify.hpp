@@ -65,6 +65,12 @@ inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull
 // As a sum, because compilers make two branches of a test of two bools.
 inline bool none_of(bool x, bool y) noexcept { return static_cast<int>(x) + static_cast<int>(y) == 0; }
 
+// Whether a way between the solids separates them by more than `beyond`: `least` is -f along it, times its
+// length.
+inline bool is_beyond(double least, double square_of_way, double beyond) noexcept {
+  return least * std::fabs(least) > beyond * beyond * square_of_way;
+}
+
 // One of two, or 0 if there is no other, without a branch.
 inline double either(bool first, double x, double y = 0) noexcept {
   const std::uint64_t mask = -static_cast<std::uint64_t>(first);
