@@ -205,24 +205,21 @@ class BoxProof {
 }  // namespace
 
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  Answer answer;
-  if (a.shape == Shape::half_space && b.shape == Shape::half_space) {
-    answer.verdict = Verdict::invalid;
-    return answer;
-  }
   const bool swapped = shapes_out_of_order(a, b);
-  const Prepared& first = swapped ? b : a;
-  ask_in_order(a, b, clearance, swapped, [&](const ShapePair& p) {
-    if (p.a.shape == Shape::half_space) {
-      decide_half_space(p, first.second_axis, (swapped ? a : b).center, answer);
-    } else {
-      const double reach = reach_of(p);
-      const bool thin = p.b.shape == Shape::cylinder && p.b.radius == 0;
-      if (thin && prove_thin_and_box(p, quick_error * reach + underflow_error, answer)) return;
-      const BoxView view(p.a, p.b);
-      if (thin || !prove_quickly(p, view, reach, first.center, answer))
-        prove_in_full(p, view, first.center, answer);
-    }
+  const Prepared* const solids[] = {&a, &b};
+  const Prepared &first = *solids[swapped], &second = *solids[!swapped];
+  if (first.shape == Shape::half_space) return decide_half_space(first, second, clearance, swapped);
+  return second.shape == Shape::cylinder && second.radius == 0
+             ? decide_thin_and_box(first, second, clearance, swapped)
+             : decide_box(first, second, clearance, swapped);
+}
+
+Answer decide_box(const Prepared& box, const Prepared& c, double clearance, bool swapped) noexcept {
+  Answer answer;
+  ask_in_order(box, c, clearance, false, [&](const ShapePair& p) {
+    const BoxView view(p.a, p.b);
+    if ((!view.box && view.r == 0) || !prove_quickly(p, view, reach_of(p), box.center, answer))
+      prove_in_full(p, view, box.center, answer);
   });
   // Tables, because branches would be unpredictable. A direction that proves nothing stays +0.
   constexpr double turns[] = {1, -1};

@@ -52,6 +52,65 @@ template <bool asked>
 [[gnu::noinline]] Verdict search(Seen half, Seen d, Seen w, double h, double contact, double t) noexcept {
   return verdict_of(look_on_segment<true>(half, d, w, h, contact, t).near);
 }
+[[gnu::noinline]] SegmentPoint search_point(Seen half, Seen d, Seen w, double h, double contact) noexcept {
+  return look_on_segment<true>(half, d, w, h, contact, clamped(-dot(d, w), h));
+}
+
+// If there is no proof, the answer is `otherwise`.
+template <class Otherwise>
+[[gnu::always_inline]] inline Answer prove_thin_and_box(const ShapePair& p, bool swapped,
+                                                        Otherwise otherwise) noexcept {
+  const SeenFrom seen(p.a);
+  const Vector3 delta = p.b.center - p.a.center;
+  const Seen half = half_of(p.a), d = seen(delta);
+  const double h = 0.5 * p.b.height, reach = core_size(p.a) + h + p.contact + length_bound(delta),
+               error = quick_error * reach + underflow_error, within = p.contact - error;
+  const Seen inner = half - Seen(both(error), error);
+  Seen way = d - clamped(d, half), on1 = d;
+  double t = 0, square_of_way = dot(way, way), gap = square_of_way;
+  if (h > 0) {
+    // The step of intersect().
+    const Seen w = seen(p.b.unit_axis);
+    t = clamped(dot(clamped(d + clamped(-dot(d, w), h) * w, half) - d, w), h);
+    const Seen x = d + t * w;
+    way = x - clamped(x, half);
+    square_of_way = dot(way, way);
+    const double slope = dot(way, w);
+    gap = square_of_way - t * slope - h * std::fabs(slope);
+    if (none_of(square_of_way <= p.contact * p.contact, is_beyond(gap, square_of_way, p.contact))) {
+      const SegmentPoint found = search_point(half, d, w, h, p.contact);
+      t = found.t, way = Seen(found.way), square_of_way = dot(way, way), gap = found.gap;
+    }
+    t = clamped(t, h - error);
+    on1 = d + t * w;
+  }
+  const Seen on0 = clamped(on1, inner), between = on1 - on0;
+  const bool near = dot(between, between) <= within * std::fabs(within),
+             fits = (smaller(smaller(inner.xy[0], inner.xy[1]), inner.z) > 0) & (within > 0) &
+                    ((h == 0) | (h > error));
+  if (!fits || none_of(near, is_beyond(gap, square_of_way, p.contact + error))) {
+    // Nothing can be proved if the points are so near, and the way between them separates so much.
+    const double least = error * (box_error / quick_error);
+    const bool hopeless = (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &&
+                          is_beyond(gap, square_of_way, p.contact - least);
+    return fits & hopeless ? Answer{} : otherwise();
+  }
+  const Vector3 of_box = either(near, Vector3(on0), without_unit(Vector3(way), reach, swapped));
+  const Vector3 found = of_box[0] * p.a.unit_axis + of_box[1] * p.a.second_axis + of_box[2] * seen.last;
+  Vector3 head, tail;
+  if (!brought_to_scene(found, p.exponent, head) || !brought_to_scene(t * p.b.unit_axis, p.exponent, tail))
+    return otherwise();
+  return proof_of(near, Proof::points, found, head, tail, Hull::space, h > 0 ? Hull::line : Hull::center,
+                  swapped);
+}
+
+// Not inlined, to keep the common path small.
+[[gnu::noinline]] Answer prove_out_of_range(const Prepared& box, const Prepared& thin, double clearance,
+                                            bool swapped) noexcept {
+  const PairInUnit p = in_unit(box, thin, clearance);
+  return prove_thin_and_box({p.a, p.b, p.contact, p.exponent}, swapped,
+                            [&] { return decide_box(box, thin, clearance, swapped); });
+}
 
 }  // namespace
 
@@ -80,35 +139,12 @@ Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double cont
   return near + apart != 0 ? verdict_of(near != 0) : search(half, d, w, h, contact, t);
 }
 
-bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexcept {
-  if (!(p.contact > error)) return false;
-  const Edges edges(p.a);
-  const double h = 0.5 * p.b.height, beyond = p.contact + error, within = p.contact - error;
-  const Vector3 half = 0.5 * p.a.edges, d = edges.seen(p.b.center - p.a.center),
-                w = edges.seen(p.b.unit_axis);
-  const SegmentPoint found =
-      look_on_segment<true>(Seen(half), Seen(d), Seen(w), h, p.contact, clamped(-dot(d, w), h));
-  const double square_of_way = dot(found.way, found.way);
-  if (!found.near) {
-    if ((found.gap > 0) & (found.gap * found.gap > beyond * beyond * square_of_way)) {
-      hand_out(edges.world(found.way * power_of_two(-exponent_of(max_abs(found.way)))), answer);
-      return true;
-    }
-  } else {
-    const Vector3 inner = half - Vector3(error, error, error);
-    if ((smaller(smaller(inner[0], inner[1]), inner[2]) <= 0) | ((h > 0) & (h <= error))) return false;
-    const double t = h > 0 ? clamped(found.t, h - error) : 0;
-    const Vector3 on1 = d + t * w, on0 = clamped(on1, inner), way = on1 - on0;
-    Vector3 head, tail;
-    if (dot(way, way) <= within * within && brought_to_scene(edges.world(on0), p.exponent, head) &&
-        brought_to_scene(t * p.b.unit_axis, p.exponent, tail)) {
-      hand_out(Proof::points, head, tail, Hull::space, h > 0 ? Hull::line : Hull::center, answer);
-      return true;
-    }
-  }
-  // Nothing can be proved if the points are so near, and the way between them separates so much.
-  const double least = error * (box_error / quick_error), size = std::sqrt(square_of_way);
-  return (p.contact > least) & (size <= p.contact + 0.5 * least) & (found.gap > (p.contact - least) * size);
+Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,
+                           bool swapped) noexcept {
+  const double contact = contact_distance_of(box, thin, clearance);
+  if (!is_in_range(box, thin, contact)) return prove_out_of_range(box, thin, clearance, swapped);
+  return prove_thin_and_box({box, thin, contact, 0}, swapped,
+                            [&] { return decide_box(box, thin, clearance, swapped); });
 }
 
 }  // namespace cyl

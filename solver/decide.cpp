@@ -332,7 +332,9 @@ template <bool ordinary>
 }  // namespace
 
 Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  return both_are(Prepared::ordinary, a, b) ? decide_cores<true>(a, b) : decide_other(a, b);
+  if (both_are(Prepared::ordinary, a, b)) return decide_cores<true>(a, b);
+  if (!both_are(Prepared::moderate, a, b)) return decide_other(a, b);
+  return has_other_shape(a, b) ? decide_shapes(a, b, 0) : decide_rounded(a, b, 0);
 }
 
 Answer decide(const Solid& a, const Solid& b) noexcept { return decide(prepare(a), prepare(b)); }

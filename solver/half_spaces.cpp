@@ -89,16 +89,105 @@ double error_of(const Prepared& c) noexcept {
   return c.shape == Shape::box ? precise_plane_error : plane_error;
 }
 
-[[gnu::always_inline]] inline AbovePlane above(const Prepared& plane, const Prepared& c, double contact,
-                                               double times) noexcept {
-  const Vector3& n = plane.unit_axis;
+// `support` and `size` are of the core, `size` with the contact.
+[[gnu::always_inline]] inline AbovePlane above(const Prepared& plane, const Prepared& c, double support,
+                                               double size, double contact, double times) noexcept {
   const Vector3 delta = c.center - plane.center;
-  const double support = support_of(c, n), size = core_size(c) + contact, center = dot(n, delta);
-  const double error = error_of(c) * (size + length_bound(delta));
+  const double center = dot(plane.unit_axis, delta), error = error_of(c) * (size + length_bound(delta));
   if (std::fabs(center - support - contact) > times * error) return {center, center - support, error};
   const double precise = precisely_above(plane, c, size);
   // The last term is for products that underflow.
   return {precise, precise - support, precise_plane_error * (size + std::fabs(precise)) + 0x1p-1000};
+}
+
+// The lowest point of a core over a plane, moved inwards by twice `room`, from its centre.
+struct Lowest {
+  double support, depth;  // of the core, and of the point
+  Vector3 at;
+  Hull hull;
+  bool fits;  // there is such a point
+};
+
+[[gnu::always_inline]] inline Lowest lowest_on_box(const Prepared& c, const Vector3& n,
+                                                   double room) noexcept {
+  const Edges edges(c);
+  const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
+                size(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
+  const auto end = [&](int i) { return either(along[i] != 0, std::copysign(inner[i], -along[i])); };
+  return {dot(half, size), dot(inner, size), edges.world({end(0), end(1), end(2)}), Hull::space,
+          smaller(smaller(inner[0], inner[1]), inner[2]) > room};
+}
+
+// n x w is as long as what n has across w, which is w x (n x w).
+[[gnu::always_inline]] inline Lowest lowest_on_cylinder(const Prepared& c, const Vector3& n, double size,
+                                                        double room) noexcept {
+  const Vector3& w = c.unit_axis;
+  const double along = dot(n, w), half = 0.5 * c.height;
+  const Hull hull = hull_of(c.radius, half, size);
+  const double h = in_plane(hull) ? 0 : half - 2 * room;
+  Lowest lowest{half * std::fabs(along), h * std::fabs(along), std::copysign(h, -along) * w, hull,
+                in_plane(hull) || h > room};
+  if (c.radius == 0) return lowest;
+  const Vector3 turned = n.cross(w);
+  const double across = length(turned), r = c.radius - 2 * room;
+  lowest.support += c.radius * across;
+  if (on_line(hull)) return lowest;
+  lowest.depth += r * across;
+  lowest.at += r / larger(across, 0x1p-500) * turned.cross(w);
+  lowest.fits &= r > room;
+  return lowest;
+}
+
+// A half-space and a core with that lowest point. `plane` is the half-space, and `middle` the centre, in the
+// scene.
+[[gnu::always_inline]] inline Answer prove_half_space(const ShapePair& p, const Lowest& lowest, double size,
+                                                      double room, const Prepared& plane,
+                                                      const Vector3& middle, bool swapped) noexcept {
+  const auto [center, gap, error] = above(p.a, p.b, lowest.support, size, p.contact, 8);
+  const Vector3 tail = times_power(lowest.at, p.exponent), given = times_power(tail, -p.exponent);
+  const Vector3 &n = p.a.unit_axis, delta = p.b.center - p.a.center;
+  double height = center - lowest.depth, lost = 0;
+  bool fits = lowest.fits;
+  if (p.exponent != 0) {
+    height += dot(n, given - lowest.at);
+    fits &= length(given - lowest.at) <= room;
+  }
+  // A point of the half-space, at the lowest point or below it. Seen from the point of the plane, its
+  // coordinates are rounded three times.
+  const double rough = 4 * unit_roundoff_error * length_bound(delta),
+               down = positive(height + 3 * error + rough);
+  const Vector3 place = delta + given - down * n, head = times_power(place, p.exponent);
+  // In the scene's unit it may be subnormal, or too large.
+  if (p.exponent != 0) lost = length(times_power(head, -p.exponent) - place);
+  const bool apart = gap > p.contact + error, deep = fits & (height < -4 * error),
+             near = fits & (lost <= error) & (error + 2 * rough < p.contact) &
+                    (down + 2 * error + rough < p.contact);
+  constexpr double turns[] = {1, -1};
+  const Vector3 direction = turns[swapped] * plane.second_axis;
+  if (p.contact > 0 && !none_of(apart, near))
+    return proof_of(near, Proof::points, direction, head, tail, Hull::space, lowest.hull, swapped);
+  if (none_of(apart, deep)) return {};
+  return proof_of(deep, Proof::point, direction, middle, tail, Hull::space, lowest.hull, swapped);
+}
+
+[[gnu::always_inline]] inline Answer prove_half_space(const ShapePair& p, const Prepared& plane,
+                                                      const Vector3& middle, bool swapped) noexcept {
+  const Vector3& n = p.a.unit_axis;
+  const auto prove = [&](double size, double room, const Lowest& lowest) __attribute__((always_inline)) {
+    return prove_half_space(p, lowest, size, room, plane, middle, swapped);
+  };
+  if ((p.b.traits & Prepared::ball) != 0) return prove(p.contact, 0, {0, 0, {0, 0, 0}, Hull::center, true});
+  // The plane may be so far away that rounding is much more than `room`.
+  const double size = core_size(p.b) + p.contact, room = precise_plane_error * size + underflow_error;
+  if (p.b.shape == Shape::box) return prove(size, room, lowest_on_box(p.b, n, room));
+  return prove(size, room, lowest_on_cylinder(p.b, n, size, room));
+}
+
+// Not inlined, to keep the common path small.
+[[gnu::noinline]] Answer prove_out_of_range(const Prepared& plane, const Prepared& c, double clearance,
+                                            bool swapped) noexcept {
+  const PairInUnit p = in_unit(plane, c, clearance);
+  return prove_half_space({p.a, p.b, p.contact, p.exponent}, plane, c.center, swapped);
 }
 
 }  // namespace
@@ -111,7 +200,7 @@ Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
 }
 
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept {
-  return above(plane, c, contact, 1);
+  return above(plane, c, support_of(c, plane.unit_axis), core_size(c) + contact, contact, 1);
 }
 
 Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept {
@@ -132,49 +221,15 @@ Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double co
   return verdict_of(precisely_above(plane, c, size) - support <= contact);
 }
 
-void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
-                       Answer& answer) noexcept {
-  const Prepared& c = p.b;
-  const Vector3& n = p.a.unit_axis;
-  const auto [center, gap, error] = above(p.a, c, p.contact, 8);
-  if (gap > p.contact + error) {
-    hand_out(normal, answer);
-    return;
+Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept {
+  const double contact = contact_distance_of(plane, c, clearance);
+  if (c.shape == Shape::half_space) {
+    Answer none;
+    none.verdict = Verdict::invalid;
+    return none;
   }
-  if (!(gap < p.contact - 8 * error)) return;
-  // The lowest point of the core, moved inwards by twice `room`, which is more than it is off by. The plane
-  // may be so far away that `error` is much longer.
-  const double size = core_size(c) + p.contact, room = precise_plane_error * size + underflow_error;
-  const double inwards = 2 * room;
-  Hull hull = Hull::space;
-  Vector3 x;
-  if (c.shape == Shape::box) {
-    const Vector3 half = 0.5 * c.edges - Vector3(inwards, inwards, inwards);
-    if (!(smaller(smaller(half[0], half[1]), half[2]) > room)) return;
-    x = farthest_on_box(c, half, -n);
-  } else {
-    hull = hull_of(c.radius, 0.5 * c.height, size);
-    const bool line = (hull == Hull::line) | (hull == Hull::center);
-    const bool plane = (hull == Hull::plane) | (hull == Hull::center);
-    const double r = line ? 0 : c.radius - inwards, h = plane ? 0 : 0.5 * c.height - inwards;
-    if (!((line | (r > room)) & (plane | (h > room)))) return;
-    x = farthest_on_cylinder(c.unit_axis, r, h, -n);
-  }
-  const Vector3 tail = times_power(x, p.exponent), given = times_power(tail, -p.exponent);
-  const double height = center + dot(n, given);
-  if ((p.exponent != 0 && length(given - x) > room) || !(height < p.contact - 4 * error)) return;
-  // A point of the half-space, at x or below it. Seen from the point of the plane, its coordinates are
-  // rounded three times.
-  const Vector3 delta = c.center - p.a.center;
-  const double rough = 4 * unit_roundoff_error * length_bound(delta);
-  const Vector3 place = delta + given - larger(0, height + 3 * error + rough) * n,
-                head = times_power(place, p.exponent);
-  // In the scene's unit it may be subnormal, or too large.
-  const double lost = p.exponent == 0 ? 0 : length(times_power(head, -p.exponent) - place);
-  if ((lost <= error) & (larger(error, height + 5 * error) + 2 * rough < p.contact))
-    hand_out(Proof::points, head, tail, Hull::space, hull, answer);
-  else if (height < -4 * error)
-    hand_out(Proof::point, of_second, tail, Hull::space, hull, answer);
+  return is_in_range(plane, c, contact) ? prove_half_space({plane, c, contact, 0}, plane, c.center, swapped)
+                                        : prove_out_of_range(plane, c, clearance, swapped);
 }
 
 }  // namespace cyl

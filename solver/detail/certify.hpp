@@ -39,9 +39,12 @@ inline constexpr double proof_slack_tol = 0x1p-46;
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
 // it.
 inline Hull hull_of(double r, double h, double reach) noexcept {
+  static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2);
   const bool thin = r <= proof_slack_tol * reach, low = h <= proof_slack_tol * reach;
-  return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
+  return static_cast<Hull>(2 * static_cast<int>(thin) + static_cast<int>(low));
 }
+inline bool in_plane(Hull hull) noexcept { return (static_cast<int>(hull) & 1) != 0; }
+inline bool on_line(Hull hull) noexcept { return (static_cast<int>(hull) & 2) != 0; }
 
 // Writes a proof into the answer.
 inline void hand_out(const Vector3& direction, Answer& answer) noexcept {
@@ -57,6 +60,59 @@ inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull
   answer.point_tail = tail;
   answer.hull_a = hull0;
   answer.hull_b = hull1;
+}
+
+// As a sum, because compilers make two branches of a test of two bools.
+inline bool none_of(bool x, bool y) noexcept { return static_cast<int>(x) + static_cast<int>(y) == 0; }
+
+// Whether a way between the solids separates them by more than `beyond`: `least` is -f along it, times its
+// length.
+inline bool is_beyond(double least, double square_of_way, double beyond) noexcept {
+  return least * std::fabs(least) > beyond * beyond * square_of_way;
+}
+
+// One of two, or 0 if there is no other, without a branch.
+inline double either(bool first, double x, double y = 0) noexcept {
+  const std::uint64_t mask = -static_cast<std::uint64_t>(first);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & mask) |
+                               (std::bit_cast<std::uint64_t>(y) & ~mask));
+}
+inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}) noexcept {
+  return {either(first, x.x(), y.x()), either(first, x.y(), y.y()), either(first, x.z(), y.z())};
+}
+
+// One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
+// it is no branch. Neither is `swapped`: point 0 of `points` and hull 0 are of the second solid.
+[[gnu::always_inline]] inline Answer proof_of(bool meets, Proof kind, const Vector3& direction,
+                                              const Vector3& point0, const Vector3& point1, Hull hull0,
+                                              Hull hull1, bool swapped) noexcept {
+  static_assert(static_cast<int>(Proof::direction) == 1);
+  const bool turned = swapped & (kind == Proof::points);
+  const auto one = [&](const Vector3& x, const Vector3& y) -> Vector3 {
+    const auto of = [&](double p, double q) {
+      return std::bit_cast<double>(std::bit_cast<std::uint64_t>(either(meets & !turned, p)) |
+                                   std::bit_cast<std::uint64_t>(either(meets & turned, q)));
+    };
+    return {of(x.x(), y.x()), of(x.y(), y.y()), of(x.z(), y.z())};
+  };
+  const auto hull = [&](Hull x, Hull y) {
+    return static_cast<Hull>((meets & !swapped) * static_cast<int>(x) |
+                             (meets & swapped) * static_cast<int>(y));
+  };
+  return {verdict_of(meets),
+          static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
+          either(!meets, direction),
+          one(point0, point1),
+          one(point1, point0),
+          hull(hull0, hull1),
+          hull(hull1, hull0)};
+}
+
+// A direction has no unit. The way in one of about `size`, turned if `turns`.
+inline Vector3 without_unit(const Vector3& way, double size, bool turns = false) noexcept {
+  const double unit = power_of_two(-exponent_of(size));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(unit) | static_cast<std::uint64_t>(turns) << 63) *
+         way;
 }
 
 // The question, and the place of its certificate. Each is checked against these solids.
@@ -92,9 +148,8 @@ struct Place {
   double outside(double r, double h) const noexcept { return larger(along - h, across - r); }
   // With so much room left; within its hull a solid needs none across it.
   bool inside(double r, double h, Hull hull, double slack) const noexcept {
-    const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-    const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-    return (in_plane | (along + slack < h)) & (on_line | ((r - slack > 0) & (across < r - slack)));
+    return (in_plane(hull) | (along + slack < h)) &
+           (on_line(hull) | ((r - slack > 0) & (across < r - slack)));
   }
   double along, across, away;
 };

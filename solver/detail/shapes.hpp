@@ -94,9 +94,12 @@ struct AbovePlane {
   double center, gap, error;
 };
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept;
-/// `normal`: of the plane, exactly. `of_second`: the centre of the other solid in the scene.
-void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
-                       Answer& answer) noexcept;
+/// The first is the half-space. `swapped`: it is the second solid of the answer.
+Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept;
+/// The same for a box and a segment or a point, and for a box and anything.
+Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,
+                           bool swapped) noexcept;
+Answer decide_box(const Prepared& box, const Prepared& c, double clearance, bool swapped) noexcept;
 
 /// The edges of a box have these directions.
 struct Edges {
@@ -174,9 +177,6 @@ struct SegmentPoint {
 SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept;
 /// A box and a point, or a box and a segment with a contact > 0.
 Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double contact) noexcept;
-/// Returns whether a verdict is proved by `error`, or none can be proved.
-bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexcept;
-
 /// Whether the other core holds the point by `slack`.
 bool holds(const BoxView& v, const Vector3& at, double slack) noexcept;
 /// A point of both cores, if there is one beyond rounding.
