@@ -139,7 +139,8 @@ template <class Otherwise>
   if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
     const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
     if (!is_beyond(least, square_of_way, contact_distance + error)) {
-      if (within > 0) return {};
+      // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
+      if (within > 0 && square_of_way <= square(contact_distance + 3 * error)) return {};
       return otherwise();
     }
   }
