@@ -99,12 +99,9 @@ inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}
     return static_cast<Hull>((meets & !swapped) * static_cast<int>(x) |
                              (meets & swapped) * static_cast<int>(y));
   };
-  return {verdict_of(meets),
-          static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
-          either(!meets, direction),
-          one(point0, point1),
-          one(point1, point0),
-          hull(hull0, hull1),
+  return {verdict_of(meets),         static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
+          either(!meets, direction), one(point0, point1),
+          one(point1, point0),       hull(hull0, hull1),
           hull(hull1, hull0)};
 }
 
