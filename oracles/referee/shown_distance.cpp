@@ -44,17 +44,14 @@ Enclosure ShownBounds::in_scene(int exponent) const {
   return {lo.hi == 0 ? 0 : next_down(least), hi.hi == 0 ? 0 : next_up(most)};
 }
 
-Enclosure shown_distance(const Pair& pair, const MeasuredDistance& measured) {
+Enclosure shown_distance(const Pair& pair, MeasuredDistance measured) {
   if (has_half_space(pair)) return attain_half_space(pair).distance;
   int exponent = 0;
   const TermsPair<Twin> p = terms_in_unit<Twin>(pair, exponent);
-  const auto in_unit = [&](const Vector3& v) {
-    return Vec3<double>{std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent),
-                        std::ldexp(v.z(), -exponent)};
-  };
-  Enclosure shown =
-      shown_bounds(p, lifted<double>(measured.direction), in_unit(measured.on_a), in_unit(measured.on_b))
-          .in_scene(exponent);
+  for (Vector3* point : {&measured.on_a, &measured.on_b})
+    for (double& x : *point) x = std::ldexp(x, -exponent);
+  const auto on_a = lifted<double>(measured.on_a), on_b = lifted<double>(measured.on_b);
+  Enclosure shown = shown_bounds(p, lifted<double>(measured.direction), on_a, on_b).in_scene(exponent);
   if (!(measured.value > 0)) shown.hi = 0;
   if (std::isfinite(shown.lo) && std::isfinite(shown.hi)) return shown;
   return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

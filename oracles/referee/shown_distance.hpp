@@ -15,7 +15,7 @@ namespace cyl {
 /// 2. Overlapping: `hi` is 0, so no depth is shown, but the depth is at most -lo.
 /// 3. The bounds are wide or not finite if the points or the direction are bad.
 /// Cost: 1 us.
-Enclosure shown_distance(const Pair& pair, const MeasuredDistance& measured);
+Enclosure shown_distance(const Pair& pair, MeasuredDistance measured);
 
 /// The same for bounded solids, in the unit of terms_in_unit(). Each point is seen from the centre of its
 /// solid. How far it is outside the core is added. `hi` may be below 0.
