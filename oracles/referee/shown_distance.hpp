@@ -9,8 +9,8 @@
 
 namespace cyl {
 
-/// Returns bounds of the signed distance of a legal pair. `measured` has the points and the direction. Beside
-/// a half-space they are not used, since a formula has the distance.
+/// Returns bounds of the signed distance of a legal pair. `measured` has the points and the direction. They
+/// are not used if there is a half-space, since a formula has the distance.
 /// 1. Apart: both bounds are shown.
 /// 2. Overlapping: `hi` is 0, so no depth is shown, but the depth is at most -lo.
 /// 3. The bounds are wide or not finite if the points or the direction are bad.
