@@ -16,7 +16,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/contact.hpp"
-#include "oracles/trial/shown_distance.hpp"
+#include "oracles/referee/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
