@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace cyl {
 

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "base/number_text.hpp"
 
 namespace cyl {
 namespace {
@@ -65,11 +66,7 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.0f}", x
 std::optional<int> margin_of_family(std::string_view family) {
   constexpr std::string_view start = "margin_1e-";
   if (!family.starts_with(start)) return {};
-  family.remove_prefix(start.size());
-  int decade = 0;
-  const auto [rest, error] = std::from_chars(family.data(), family.data() + family.size(), decade);
-  if (error != std::errc() || rest != family.data() + family.size()) return {};
-  return decade;
+  return number_in<int>(family.substr(start.size()));
 }
 
 Digits digits_of(std::span<const BenchRow> rows) {

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,12 +40,6 @@ struct GateArguments {
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
 
-void print_laws() {
-  for (const Law& law : all_laws())
-    fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
-               law.statement, "", law.where);
-}
-
 /// Returns the failures as lines of a case file, to be kept beside the other cases.
 std::string case_lines(const JudgedGate& gate) {
   std::string lines;
@@ -76,26 +67,21 @@ JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest>
   return gate;
 }
 
-void write_files(const GateArguments& arguments, const JudgedGate& gate) {
-  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(gate));
-  if (!arguments.json.empty()) write_file(arguments.json, gate_json(gate));
-  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(gate));
-}
-
 GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                              const GateOptions& options) {
   ProgressLine line;
   return run_gate(methods, cases, options, [&](const GateProgress& p) {
-    if (!line.due(p.elapsed)) return;
-    line.show(p.elapsed, p.share,
-              fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
-                          counted(p.failures, "failing cause")));
+    if (!line.due()) return;
+    line.show(p.share, fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
+                                   counted(p.failures, "failing cause")));
   });
 }
 
 int gate(const GateArguments& arguments) {
   if (arguments.laws) {
-    print_laws();
+    for (const Law& law : all_laws())
+      fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
+                 law.statement, "", law.where);
     return exit_pass;
   }
   GateOptions options;
@@ -122,7 +108,9 @@ int gate(const GateArguments& arguments) {
   GateReport report = run_with_progress(methods, cases, options);
   const JudgedGate judged = judge(std::move(report), base, guests);
   fmt::print("{}", gate_text(judged));
-  write_files(arguments, judged);
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(judged));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(judged));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(judged));
   return exit_code(judged);
 }
 

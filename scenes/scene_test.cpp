@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/read_text_test.hpp"

@@ -7,7 +7,6 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <ctime>
 #include <initializer_list>
 #include <string>
 #include <string_view>

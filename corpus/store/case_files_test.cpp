@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <stdexcept>
-#include <string>
 
 #include "base/scratch_test.hpp"
 

@@ -13,7 +13,6 @@
 #include "base/usage_error.hpp"
 #include "corpus/store/stored_answers.hpp"
 #include "fuzz/campaign/campaign_test.hpp"
-#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 namespace {

@@ -11,7 +11,6 @@
 #include "base/exit_code.hpp"
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
-#include "oracles/methods/guest_protocol.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {

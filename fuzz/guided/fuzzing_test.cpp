@@ -4,13 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <string>
-#include <vector>
 
 #include "base/scratch_test.hpp"
 #include "fuzz/guided/record.hpp"

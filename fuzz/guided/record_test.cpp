@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
 #include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"

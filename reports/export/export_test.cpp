@@ -8,9 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "base/safe_text.hpp"
@@ -349,12 +347,16 @@ TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
   EXPECT_FALSE(has(issue, "xception")) << issue;
 }
 
+/// A program with a claim of 1e-3 that always gives this answer.
+Guest constant(const char* name, const std::string& answer, const Scratch& scratch) {
+  return {GuestKind::command, name,
+          "echo '{\"claim\":{\"relative\":1e-3}}'; while read -r q; do echo '" + answer + "'; done",
+          scratch.folder.string()};
+}
+
 TEST(Export, AtTheEdgeOfTheClaimNothingIsClear) {
   const Scratch scratch;
-  const Guest guest{GuestKind::command, "edge",
-                    "echo '{\"claim\":{\"relative\":1e-3}}'; while read -r q; do echo "
-                    "'{\"verdict\":\"disjoint\"}'; done",
-                    scratch.folder.string()};
+  const Guest guest = constant("edge", R"({"verdict":"disjoint"})", scratch);
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::move(open_guest(guest).front().method));
   const auto overlap = [](double depth) {
@@ -378,10 +380,7 @@ TEST(Export, AtTheEdgeOfTheClaimNothingIsClear) {
 // The margin of a touching pair is 0. It is the error of the distance that exceeds the claim.
 TEST(Export, OfAWrongDistanceTheErrorIsBeyondTheClaim) {
   const Scratch scratch;
-  const Guest guest{GuestKind::command, "far",
-                    "echo '{\"claim\":{\"relative\":1e-3}}'; while read -r q; do echo "
-                    "'{\"verdict\":\"touching\",\"distance\":9}'; done",
-                    scratch.folder.string()};
+  const Guest guest = constant("far", R"({"verdict":"touching","distance":9})", scratch);
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::move(open_guest(guest).front().method));
   const Pair touching{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}};

@@ -2,16 +2,15 @@
 #include "reports/run/report_data.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <vector>
 
 #include "base/json.hpp"
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
@@ -28,17 +27,10 @@ const std::string hostile = "</script></code></style><img src=x onerror=alert(1)
 
 class ReportData : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() / ("daylight_report_" + std::to_string(getpid()) + "_" +
-                                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-    folder /= "run";  // alone in its folder, without earlier runs
-    fs::create_directories(folder.parent_path());
-  }
-  void TearDown() override { fs::remove_all(folder.parent_path()); }
   json data() const { return parse_ordered_json(report_json(read_run(folder))); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
-  fs::path folder;
+  const Scratch alone;  // without earlier runs
+  const fs::path folder = alone.folder / "run";
 };
 
 FindingRecord finding(std::uint64_t index, const std::string& method, double margin) {
