@@ -106,7 +106,7 @@ int judge_answers(const JudgeOptions& options) {
     bytes = static_cast<double>(std::filesystem::file_size(options.answers, none));
   }
   std::istream& in = options.answers == "-" ? std::cin : file;
-  OfflineJudge judged({options.name, options.claim < 0 ? std::optional<double>() : options.claim},
+  OfflineJudge judged(options.name, options.claim < 0 ? std::optional<double>() : options.claim,
                       questions ? &*questions : nullptr, on_bad_line);
   {
     ProgressLine line;

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 

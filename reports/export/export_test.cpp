@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/files.hpp"
 #include "base/safe_text.hpp"
 #include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -38,9 +39,7 @@ class Folder : Scratch {
   Ran run(const std::string& command) const {
     const std::string all = "cd " + shell_quoted(folder.string()) + " && { " + command + "; } >printed 2>&1";
     const int status = std::system(all.c_str());
-    std::ifstream in(folder / "printed");
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            {std::istreambuf_iterator<char>(in), {}}};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(folder / "printed")};
   }
 };
 

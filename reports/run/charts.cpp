@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -75,8 +73,7 @@ nlohmann::json speed_json(const SpeedPoint& p) {
 }
 
 nlohmann::json read_json(const fs::path& file) try {
-  std::ifstream in(file);
-  return parse_foreign_json(std::string{std::istreambuf_iterator<char>(in), {}});
+  return parse_foreign_json(read_file(file));
 } catch (const std::exception& e) {
   throw InputError(file.string() + " cannot be read: " + e.what());
 }

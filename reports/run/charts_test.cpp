@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/scratch_test.hpp"
 #include "base/usage_error.hpp"
@@ -73,10 +74,7 @@ class Charts : public testing::Test {
     batch.groups = kept.groups();
     run.commit(batch, 1);
   }
-  json charts() const {
-    std::ifstream in(folder / "charts.json");
-    return json::parse(in);
-  }
+  json charts() const { return parse_json(read_file(folder / "charts.json")); }
   const Scratch scratch;
   const fs::path folder = scratch.folder / "run";
 };

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -224,8 +225,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   half.answers = half.truth = "[1]";
   commit(store, {f, broken, half});
   write_page(read_run(folder));
-  std::ifstream in(folder / "report.html");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::string page = read_file(folder / "report.html");
   EXPECT_EQ(page.find("<img"), page.npos);
   EXPECT_EQ(page.find('\x01', page.find("report-data")), page.npos);
 
