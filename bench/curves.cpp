@@ -94,9 +94,7 @@ std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows) {
 }
 
 std::string format_curves(std::vector<SpeedPoint> points) {
-  std::stable_sort(points.begin(), points.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
-    return std::pair(x.query, x.curve) < std::pair(y.query, y.curve);
-  });
+  std::ranges::stable_sort(points, {}, [](const SpeedPoint& p) { return std::pair(p.query, p.curve); });
   std::string text =
       fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", "curve", "setting",
                   "query", "ns/pair", "p99 ns", "max ns", "pairs", "disj(!)", "inter(!)", "digits", "low");

@@ -56,17 +56,6 @@ std::string case_lines(const JudgedGate& gate) {
   return lines;
 }
 
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
-JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests) {
-  JudgedGate gate = judged(std::move(report));
-  mark_known(gate, base);
-  note_gaps(gate, base);
-  for (const Guest& guest : guests)
-    for (JudgedFailure& failure : gate.failures)
-      if (failure.method == guest.name) failure.options = options_for(guest);
-  return gate;
-}
-
 GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                              const GateOptions& options) {
   ProgressLine line;
@@ -105,13 +94,17 @@ int gate(const GateArguments& arguments) {
   std::fflush(stdout);
 
   options.stopped = StopSignals::asked;
-  GateReport report = run_with_progress(methods, cases, options);
-  const JudgedGate judged = judge(std::move(report), base, guests);
-  fmt::print("{}", gate_text(judged));
-  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(judged));
-  if (!arguments.json.empty()) write_file(arguments.json, gate_json(judged));
-  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(judged));
-  return exit_code(judged);
+  JudgedGate result = judged(run_with_progress(methods, cases, options));
+  mark_known(result, base);
+  note_gaps(result, base);
+  for (const Guest& guest : guests)
+    for (JudgedFailure& failure : result.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
+  fmt::print("{}", gate_text(result));
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(result));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(result));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(result));
+  return exit_code(result);
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
-#include <cstdlib>
 #include <map>
-#include <stdexcept>
 
 #include "base/from_environment_test.hpp"
 #include "base/json.hpp"

@@ -72,9 +72,8 @@ std::vector<TallyRecord> in_order(std::map<std::pair<std::string, std::string>, 
   columns.emplace_back(fuzzed_family);
   std::vector<TallyRecord> all;
   for (const auto& [key, c] : counts) all.push_back({key.first, key.second, c});
-  std::stable_sort(all.begin(), all.end(), [&](const TallyRecord& x, const TallyRecord& y) {
-    return std::pair(place_in(rows, x.method), place_in(columns, x.family)) <
-           std::pair(place_in(rows, y.method), place_in(columns, y.family));
+  std::ranges::stable_sort(all, {}, [&](const TallyRecord& t) {
+    return std::pair(place_in(rows, t.method), place_in(columns, t.family));
   });
   return all;
 }

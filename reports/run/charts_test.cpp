@@ -30,9 +30,7 @@ FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Ve
   f.kind = kind;
   f.severity = Severity::contract;
   f.family = "f";
-  Case line;
-  line.pair = pair;
-  f.pair = format_case(line);
+  f.pair = format_pair(pair);
   f.truth = std::string("{\"verdict\":\"") + to_string(truth) + "\",\"stage\":\"filter\"}";
   f.answers = "[]";
   return f;

@@ -42,10 +42,10 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   f.kind = FindingKind::wrong_disjoint;
   f.severity = Severity::contract;
   f.margin = Enclosure{margin, margin};
-  Case c;
-  c.pair.a.radius = static_cast<double>(index) + 0.1;
-  c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
-  f.pair = format_case(c);
+  Pair pair;
+  pair.a.radius = static_cast<double>(index) + 0.1;
+  pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
+  f.pair = format_pair(pair);
   f.answers =
       R"([[{"verdict":"disjoint","direction":[1,0,0.1]},["fake"]],[{"verdict":"disjoint","direction":[1,0,0.2]},)"
       R"(["other"]],[{"verdict":"disjoint","direction":[1,0,0.3]},["third"]]])";
@@ -152,9 +152,7 @@ TEST_F(ReportData, EachFindingHasItsOwnMargin) {
 TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
   RunStore store = RunStore::create(folder, {});
   FindingRecord f = finding(0, "fake", 0.5);
-  Case c;
-  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 1, 0}, 1, 2}};
-  f.pair = format_case(c);
+  f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 1, 0}, 1, 2}});
   f.truth = R"({"verdict":"disjoint","direction":[1,0,0]})";
   f.margin.reset();
   commit(store, {f});
@@ -171,9 +169,7 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
 TEST_F(ReportData, KeepsAnEndBeyondTheDoubles) {
   RunStore store = RunStore::create(folder, {});
   FindingRecord f = finding(0, "fake", 0.5);
-  Case c;
-  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1.7e308, 1.7e308}, {{0, 0, 0}, {1, 0, 0}, 1.7e308, 1.7e308}};
-  f.pair = format_case(c);
+  f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, 1.7e308, 1.7e308}, {{0, 0, 0}, {1, 0, 0}, 1.7e308, 1.7e308}});
   f.truth = R"({"verdict":"intersecting","point":[0,0,0]})";
   f.margin = Enclosure{0.5, std::numeric_limits<double>::infinity()};
   commit(store, {f});

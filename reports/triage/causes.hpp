@@ -14,7 +14,6 @@
 #include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/method.hpp"
-#include "oracles/trial/compare.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {
