@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/error_of_test.hpp"
 #include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/scratch_test.hpp"
@@ -193,12 +194,7 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
 
   const auto refused = [&](const char* name, const char* text) {
     put(name, text);
-    try {
-      report_json(read_run(folder));
-      return false;
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what()).find(name) != std::string::npos;
-    }
+    return error_of([&] { report_json(read_run(folder)); }).find(name) != std::string::npos;
   };
   EXPECT_TRUE(refused("charts.json", "{"));
   EXPECT_TRUE(refused("charts.json", R"({"speed":1})"));
