@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <limits>
-#include <stdexcept>
 
 #include "base/error_of_test.hpp"
 #include "base/scratch_test.hpp"
