@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace cyl {
 

@@ -7,6 +7,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <ctime>
 #include <initializer_list>
 #include <string>
 #include <string_view>
