@@ -95,7 +95,7 @@ template <class Otherwise>
                           is_beyond(gap, square_of_way, p.contact - least);
     return fits & hopeless ? Answer{} : otherwise();
   }
-  const Vector3 of_box = either(near, Vector3(on0), without_unit(Vector3(way), reach, swapped));
+  const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
   const Vector3 found = of_box[0] * p.a.unit_axis + of_box[1] * p.a.second_axis + of_box[2] * seen.last;
   Vector3 head, tail;
   if (!brought_to_scene(found, p.exponent, head) || !brought_to_scene(t * p.b.unit_axis, p.exponent, tail))

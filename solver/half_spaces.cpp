@@ -113,7 +113,7 @@ struct Lowest {
   const Edges edges(c);
   const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
                 size(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
-  const auto end = [&](int i) { return either(along[i] != 0, std::copysign(inner[i], -along[i])); };
+  const auto end = [&](int i) { return along[i] != 0 ? std::copysign(inner[i], -along[i]) : 0; };
   return {dot(half, size), dot(inner, size), edges.world({end(0), end(1), end(2)}), Hull::space,
           smaller(smaller(inner[0], inner[1]), inner[2]) > room};
 }

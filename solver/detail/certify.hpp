@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "solver/detail/frame.hpp"
+#include "solver/detail/both_solids.hpp"
 
 namespace cyl {
 
@@ -71,14 +71,18 @@ inline bool is_beyond(double least, double square_of_way, double beyond) noexcep
   return least * std::fabs(least) > beyond * beyond * square_of_way;
 }
 
-// One of two, or 0 if there is no other, without a branch.
-inline double either(bool first, double x, double y = 0) noexcept {
-  const std::uint64_t mask = -static_cast<std::uint64_t>(first);
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & mask) |
-                               (std::bit_cast<std::uint64_t>(y) & ~mask));
+// All bits, or none.
+inline BothBits mask_of(bool yes) noexcept {
+  const long long bits = -static_cast<long long>(yes);
+  return BothBits{bits, bits};
 }
-inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}) noexcept {
-  return {either(first, x.x(), y.x()), either(first, x.y(), y.y()), either(first, x.z(), y.z())};
+
+// x, y or 0, without a branch. At most one of the masks has bits.
+[[gnu::always_inline]] inline Vector3 either(BothBits of_x, const Vector3& x, BothBits of_y,
+                                             const Vector3& y) noexcept {
+  const Both first = Both((BothBits(Both{x[0], x[1]}) & of_x) | (BothBits(Both{y[0], y[1]}) & of_y)),
+             last = Both((BothBits(Both{x[2], 0}) & of_x) | (BothBits(Both{y[2], 0}) & of_y));
+  return {first[0], first[1], last[0]};
 }
 
 // One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
@@ -88,24 +92,15 @@ inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}
                                               Hull hull1, bool swapped) noexcept {
   static_assert(static_cast<int>(Proof::direction) == 1);
   const bool turned = swapped & (kind == Proof::points);
-  const auto one = [&](const Vector3& x, const Vector3& y) -> Vector3 {
-    const auto of = [&](double p, double q) {
-      return std::bit_cast<double>(std::bit_cast<std::uint64_t>(either(meets & !turned, p)) |
-                                   std::bit_cast<std::uint64_t>(either(meets & turned, q)));
-    };
-    return {of(x.x(), y.x()), of(x.y(), y.y()), of(x.z(), y.z())};
-  };
-  const auto hull = [&](Hull x, Hull y) {
-    return static_cast<Hull>((meets & !swapped) * static_cast<int>(x) |
-                             (meets & swapped) * static_cast<int>(y));
-  };
+  const BothBits apart = mask_of(!meets), same = mask_of(meets & !turned), other = mask_of(meets & turned);
+  const int hulls[] = {meets * static_cast<int>(hull0), meets * static_cast<int>(hull1)};
   return {verdict_of(meets),
           static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
-          either(!meets, direction),
-          one(point0, point1),
-          one(point1, point0),
-          hull(hull0, hull1),
-          hull(hull1, hull0)};
+          either(apart, direction, BothBits{}, direction),
+          either(same, point0, other, point1),
+          either(same, point1, other, point0),
+          static_cast<Hull>(hulls[swapped]),
+          static_cast<Hull>(hulls[!swapped])};
 }
 
 // A direction has no unit. The way in one of about `size`, turned if `turns`.
