@@ -18,7 +18,7 @@ inline constexpr double quick_error = 4 * box_error;
 inline constexpr double plane_error = 16 * unit_roundoff_error;
 /// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
-/// Of the size of a solid and a half-space: an error that intersect() may have, half of the least margin.
+/// An error of intersect() for a half-space, relative to the size: half of the least margin.
 inline constexpr double plane_tol = 0x1p-44;
 /// By how much decide() shrinks cores before it looks for a common point, of the reach.
 inline constexpr double box_slack_tol = 2.5 * box_error;
