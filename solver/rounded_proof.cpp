@@ -139,8 +139,11 @@ template <class Otherwise>
   if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
     const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
     if (!is_beyond(least, square_of_way, contact_distance + error)) {
-      if (within > 0) return {};
-      return otherwise();
+      // Nothing can be proved if the points are so near, and the way between them separates so much.
+      const double least_way = contact_distance - 2 * error;
+      const bool hopeless = (least_way > 0) & (square_of_way <= square(contact_distance + 2 * error)) &
+                            is_beyond(least, square_of_way, least_way);
+      return hopeless ? Answer{} : otherwise();
     }
   }
   return proof_of(near, Proof::points, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0},
