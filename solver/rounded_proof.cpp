@@ -65,14 +65,6 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, 
   return true;
 }
 
-// Returns the answer of two solids in one order as an answer in the other.
-Answer turned(Answer answer) noexcept {
-  if (answer.proof == Proof::direction) answer.direction = -answer.direction;
-  if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
-  std::swap(answer.hull_a, answer.hull_b);
-  return answer;
-}
-
 // Whether nothing can be proved. The points with the vector e between them are so near each other, and e
 // separates so much, that no other points and no other direction pass (rounded.md, section 4).
 bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noexcept {
@@ -202,7 +194,8 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
 
 // For what is not proved in closed form. An exchange of the solids changes no digit of that.
 [[gnu::noinline]] Answer prove_otherwise(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  return out_of_order(a, b) ? turned(prove_in_full(b, a, clearance)) : prove_in_full(a, b, clearance);
+  const bool swapped = out_of_order(a, b);
+  return in_order(swapped, swapped ? prove_in_full(b, a, clearance) : prove_in_full(a, b, clearance));
 }
 
 }  // namespace
@@ -230,9 +223,7 @@ Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noe
     return decide_shapes(a, b, clearance);
   if (is_valid_question(a, b, clearance, contact_distance))
     return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
-  Answer answer;
-  answer.verdict = Verdict::invalid;
-  return answer;
+  return Answer{.verdict = Verdict::invalid};
 }
 
 }  // namespace cyl

@@ -103,6 +103,22 @@ inline BothBits mask_of(bool yes) noexcept {
           static_cast<Hull>(hulls[!swapped])};
 }
 
+// The answer to the pair in the other order, if `swapped`. Tables, because branches would be unpredictable.
+inline Answer in_order(bool swapped, const Answer& found) noexcept {
+  Answer answer = found;
+  constexpr double turns[] = {1, -1};
+  const bool points = swapped & (found.proof == Proof::points);
+  const Vector3* const ends[] = {&found.point_head, &found.point_tail};
+  const Hull hulls[] = {found.hull_a, found.hull_b};
+  // A direction that proves nothing stays +0.
+  answer.direction = turns[swapped & (found.proof == Proof::direction)] * found.direction;
+  answer.point_head = *ends[points];
+  answer.point_tail = *ends[!points];
+  answer.hull_a = hulls[swapped];
+  answer.hull_b = hulls[!swapped];
+  return answer;
+}
+
 // A direction has no unit. The way in one of about `size`, turned if `turns`.
 inline Vector3 without_unit(const Vector3& way, double size, bool turns = false) noexcept {
   const double unit = power_of_two(-exponent_of(size));
