@@ -87,9 +87,10 @@ template <class Otherwise>
   if (!fits || none_of(near, is_beyond(gap, square_of_way, p.contact + error))) {
     // Nothing can be proved if the points are so near, and the way between them separates so much.
     const double least = error * (box_error / quick_error);
-    const bool hopeless = (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &&
-                          is_beyond(gap, square_of_way, p.contact - least);
-    return fits & hopeless ? Answer{} : otherwise();
+    return fits & (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &
+                   is_beyond(gap, square_of_way, p.contact - least)
+               ? Answer()
+               : otherwise();
   }
   const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
   const Vector3 found = seen.world(p.a, of_box);

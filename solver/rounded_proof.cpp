@@ -93,8 +93,9 @@ template <class Otherwise>
   const double t = in_plane(hull1) ? 0 : clamped(nearest.t, p.h1 - error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
   const bool near = dot(between, between) <= within * std::fabs(within);
-  const bool apart = is_beyond(least, dot(e, e), contact_distance + error);
-  if (none_of(near, apart) || !nearest.reliable) return otherwise();
+  const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
+  if (none_of(near, apart) || !sure)
+    return sure & (within > 0) & (dot(e, e) <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
   return proof_of(!apart, Proof::points, without_unit(e, reach), times_power(on0, p.exponent),
                   times_power(on1, p.exponent), hull0, hull1, false);
 }
@@ -130,13 +131,9 @@ template <class Otherwise>
   const bool near = square_of_way <= within * std::fabs(within);
   if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
     const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-    if (!is_beyond(least, square_of_way, contact_distance + error)) {
-      // Nothing can be proved if the points are so near, and the way between them separates so much.
-      const double least_way = contact_distance - 2 * error;
-      const bool hopeless = (least_way > 0) & (square_of_way <= square(contact_distance + 2 * error)) &
-                            is_beyond(least, square_of_way, least_way);
-      return hopeless ? Answer{} : otherwise();
-    }
+    if (!is_beyond(least, square_of_way, contact_distance + error))
+      // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
+      return (within > 0) & (square_of_way <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
   }
   return proof_of(near, Proof::points, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0},
                   hull, Hull::center, swapped);
