@@ -51,7 +51,7 @@ std::array<Vec3<R>, 3> edge_directions(const std::array<double, 4>& quaternion) 
           Vec3<R>{R(R(xz + wy) / n), R(R(yz - wx) / n), R(R(ww - xx - yy + zz) / n)}};
 }
 
-/// A solid about its centre, in numbers of kind R: double, long double, an interval, MpFloat or MpInterval.
+/// A solid about its centre, in numbers of kind R: double, Twin, an interval, MpFloat or MpInterval.
 template <class R>
 struct Terms {
   Vec3<R> axis{};  ///< of length 1

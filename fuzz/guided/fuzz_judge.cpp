@@ -5,7 +5,7 @@
 #include "fuzz/guided/counters.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/decidable_margin.hpp"
-#include "oracles/trial/shown_distance.hpp"
+#include "oracles/referee/shown_distance.hpp"
 
 namespace cyl {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "corpus/pairs/close_contact.hpp"
@@ -16,7 +15,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/trial/contact.hpp"
-#include "oracles/trial/shown_distance.hpp"
+#include "oracles/referee/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {

@@ -286,10 +286,8 @@ TEST(OwnMethods, DistanceReturnsNoNumberThatItDoesNotPromise) {
       plane{.center = {0, 0.95459, 0}, .axis = {1, -4, 1}, .shape = Shape::half_space},
       box{.shape = Shape::box, .edges = {1, 1, 1}};
   const auto method = std::move(select_methods(own_methods(), "distance").front());
-  for (const Pair& pair : {Pair{ball, plane}, Pair{box, {{0, 0, 0}, {0, 0, 1}, 1, 2}}}) {
-    EXPECT_EQ(method->ask(pair).verdict, Verdict::intersecting);
-    EXPECT_FALSE(method->ask(pair).has_distance);
-  }
+  for (const Pair& pair : {Pair{ball, plane}, Pair{box, {{0, 0, 0}, {0, 0, 1}, 1, 2}}})
+    EXPECT_TRUE(method->ask(pair).verdict == Verdict::intersecting && !method->ask(pair).has_distance);
   EXPECT_EQ(method->ask({box, {.center = {0, 0, -1}, .shape = Shape::half_space}}).distance, 0.5);
 }
 

@@ -29,7 +29,7 @@ TermsPair<R> shrunk(TermsPair<R> p, int bits) {
 /// The result of the search in double.
 struct Offer {
   explicit Offer(const Pair& pair)
-      : p(shrunk(double_terms(pair, exponent), 42)), found(search_box(p, 53, true)) {}
+      : p(shrunk(terms_in_unit<double>(pair, exponent), 42)), found(search_box(p, 53, true)) {}
   int exponent = 0;
   TermsPair<double> p;
   Simplex<double> found;

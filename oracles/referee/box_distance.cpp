@@ -9,29 +9,28 @@
 //    and one of these is on a circle or is the disk's axis.) So greater values show that the cores overlap.
 // Roundings move the whole boundary of K outward, in the same direction.
 //
-// All numbers are long double, so no length or its square over- or underflows. Rounding is bounded for all
-// together: fewer than 250 operations on terms up to the reach.
+// All is searched in doubles, in the unit of terms_in_unit(). The first two bounds are then computed in twins
+// (shown_distance.hpp). If they are far apart, the nearest points are searched in twins.
+//
+// Rounding of the third, in units of 2^-53 of the reach. Edges are known to 12. So a circle's plane is known
+// to 16, and the length of D to 9. Shadows add 5, their sum 9, and the point of the disk 12. A product with y
+// is off by 5. At c the products with y0 and y1 may differ by 20. The sum is less than 128.
 #include "oracles/referee/box_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "corpus/pairs/support.hpp"
-#include "oracles/referee/box_search.hpp"
 #include "oracles/referee/great_circles.hpp"
-#include "oracles/referee/interval.hpp"
+#include "oracles/referee/shown_distance.hpp"
 
 namespace cyl {
 namespace {
 
-using Real = long double;
-using Vec = Vec3<Real>;
+using Vec = Vec3<double>;
 
 /// Relative to the reach, which is the sum of all half lengths, radii and the way between the centres.
-constexpr Real rounding_error = 0x1p-56L;
-
-CorePair cores_of(const Pair& pair) { return {terms_of_pair<Real>(pair)}; }
+constexpr double rounding_error = 0x1p-46;
 
 /// A point of each core, each from its own centre, and the way from a's to b's.
 struct Points {
@@ -40,157 +39,105 @@ struct Points {
 
 struct Nearby {
   Points points;
-  Real most, least;  ///< the cores are at most and at least so far apart; `least` may be negative
-  Vec direction;     ///< of `least`, of length 1
+  double most, least;  ///< the cores are at most and at least so far apart; `least` may be negative
+  Vec direction;       ///< of `least`, of length 1
 
   void look(const CorePair& pair, const Vec& d) {
-    if (const Real shown = -pair.value(d); shown > least) {
+    if (const double shown = -pair.value(d); shown > least) {
       least = shown;
       direction = d;
     }
   }
   void take(const CorePair& pair, const Points& found) {
-    const Real length = norm(found.way);
+    const double length = norm(found.way);
+    if (length > short_tol) look(pair, found.way / length);
     if (!(length < most)) return;
     points = found;
     most = length;
-    if (length > 0) look(pair, found.way / length);
   }
 };
+
+Vec in_doubles(const Vec3<Twin>& v) { return {v.x.hi, v.y.hi, v.z.hi}; }
+const Vec& in_doubles(const Vec& v) { return v; }
 
 /// Shortens the way until both bounds differ by `width`, or until rounding ends it. At a round edge, each
 /// step halves the angle that is left.
-Nearby find_nearby(const CorePair& pair, Real width) {
-  constexpr Real infinity = std::numeric_limits<Real>::infinity(), thin_tol = 0x1p-56L;
+template <class R>
+Points search_points(const TermsPair<R>& pair, double width, double thin) {
   constexpr int steps_cap = 128;
-  const Simplex<Real> s = search_box<Real>(pair, SimplexLimits<Real>{width, thin_tol, 0, false, steps_cap});
+  const Simplex<R> s = search_box<R>(pair, SimplexLimits<R>{width, thin, 0.0, false, steps_cap});
+  const Vec3<R> on_a = s.on_a(), on_b = s.on_b();  // among slender triangles not as near as s.nearest
+  return {in_doubles(on_b - on_a), in_doubles(on_a), in_doubles(on_b - pair.delta)};
+}
+Nearby find_nearby(const CorePair& pair, double width) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), thin_tol = 0x1p-45;
   Nearby best{{}, infinity, -infinity, {0, 0, 1}};
-  const Vec on_a = s.on_a(), on_b = s.on_b();  // among slender triangles not as near as s.nearest
-  best.take(pair, {on_b - on_a, on_a, on_b - pair.delta});
+  best.take(pair, search_points(pair, width, thin_tol));
   return best;
 }
 
-/// The part of v that is square to the solid's axis.
-Vec across(const Terms<Real>& s, const Vec& v) { return v - dot(v, s.axis) * s.axis; }
-
-struct Moves {
-  bool across;  ///< the disk too, not only along edges and axis
-  Real times;   ///< the move that makes the way shortest
-};
-/// Moves a point of the core by what shortens the way from it.
-void slide(const Terms<Real>& s, const Moves& moves, Vec& point, Vec& way) {
-  const auto move = [&](const Vec& by) {
-    point = point + by;
-    way = way - by;
-  };
-  const auto along = [&](const Vec& e, Real half) {
-    const Real at = dot(point, e);
-    move((std::clamp(at + moves.times * dot(way, e), -half, half) - at) * e);
-  };
-  for (std::size_t i = 0; s.box && i < 3; ++i) along(s.edges[i], s.halves[i]);
-  if (s.box) return;
-  along(s.axis, s.half);
-  if (!moves.across) return;
-  const Vec at = across(s, point), wanted = at + moves.times * across(s, way);
-  const Real far = norm(wanted);
-  move((far > s.radius ? s.radius / far : Real(1)) * wanted - at);
-}
-
-/// Moves both points in turn, as long as the way gets shorter. Among slender triangles the search above gets
-/// no farther than the root of its rounding. Edges that are nearly parallel need many rounds, so most moves
-/// are exaggerated. Any factor below 2 shortens the way.
-Points polished(const CorePair& pair, Points p, bool across) {
-  constexpr int rounds_cap = 1024, rounds_together = 8;
-  constexpr Real gain_tol = 0x1p-20L, far = 1.8L;  // the gain is relative
-  p.way = pair.delta + p.on_b - p.on_a;
-  Real before = norm(p.way);
-  for (int round = 1; round <= rounds_cap; ++round) {
-    const Moves moves{across, round % 4 == 0 ? Real(1) : far};
-    Vec back = Real(-1) * p.way;
-    slide(pair.b, moves, p.on_b, back);
-    p.way = Real(-1) * back;
-    slide(pair.a, moves, p.on_a, p.way);
-    if (round % rounds_together != 0) continue;
-    const Real length = norm(p.way);
-    if (!(length < (1 - gain_tol) * before)) break;
-    before = length;
-  }
-  p.way = pair.delta + p.on_b - p.on_a;
-  return p;
-}
-
-/// The point of a cylinder moves to that of the rim that is farthest along d, if one is. The gap hardly
-/// depends on the place along a rim and a line beside it, so moves in turn would not find it.
-void move_to_rim(const Terms<Real>& s, const Vec& d, Vec& point) {
-  constexpr Real cap_tol = 0x1p-20L;
-  const Vec out = across(s, d);
-  if (const Real beside = norm(out); !s.box && beside > cap_tol)
-    point = dot(point, s.axis) * s.axis + (s.radius / beside) * out;
-}
-
-/// Encloses the signed distance of the cores, up to `slack` on either side. `direction` attains the lower
-/// end.
+/// An enclosure in the unit of terms_in_unit(). The direction of `near` attains the lower end.
 struct Enclosed {
-  Real lo, hi, slack;
-  Vec direction;
-  std::size_t cells = 0;
-  Points points{};
-};
-Enclosed enclose_cores(const CorePair& pair, Real width, std::size_t most_cells) {
-  const Real slack = rounding_error * reach_of(pair);
-  width = std::max(width / 4, slack);  // the bounds are searched apart
-  Nearby near = find_nearby(pair, width);
-  if (near.most - near.least > width) near.take(pair, polished(pair, near.points, true));
-  LeastOnCircles least;
-  if (!(near.least > slack && near.most - near.least <= width)) {
-    least = least_on_circles(pair, width, most_cells);
-    near.look(pair, least.direction);
-    Points rims = near.points;
-    move_to_rim(pair.a, near.direction, rims.on_a);
-    move_to_rim(pair.b, Real(-1) * near.direction, rims.on_b);
-    near.take(pair, polished(pair, rims, false));
-    if (least.best > near.most + slack) near.most = -least.floor;
-  }
-  return {near.least, std::max(near.most, near.least), slack, near.direction, least.cells, near.points};
-}
+  int exponent = 0;
+  CorePair cores;
+  double size;
+  Nearby near{};
+  ShownBounds bounds{};
+  LeastOnCircles least{};
 
-Vector3 in_doubles(const Vec& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+  Enclosed(const Pair& pair, double relative_width, std::size_t most_cells)
+      : cores{terms_in_unit<double>(pair, exponent)}, size(std::ldexp(size_of(pair), -exponent)) {
+    const double slack = rounding_error * reach_of(cores) + short_error;
+    const double width = std::max(relative_width * size / 4, slack);  // the bounds are searched apart
+    near = find_nearby(cores, width);
+    if (!(near.least > slack && near.most - near.least <= width)) {
+      least = least_on_circles(cores, width, most_cells);
+      near.look(cores, least.direction);
+    }
+    const TermsPair<Twin> p = terms_in_unit<Twin>(pair, exponent);
+    const auto bound = [&] {
+      bounds = shown_bounds(p, near.direction, near.points.on_a, near.points.on_b);
+      if (least.best > near.most + slack) bounds.hi = Twin(slack - least.floor) - p.a.rounding - p.b.rounding;
+    };
+    bound();
+    if (bounds.hi - bounds.lo > Twin(2 * width)) {  // rounding ended the search in doubles
+      constexpr double fine_tol = 0x1p-80, thin_tol = 0x1p-90;
+      near.take(cores, search_points(p, fine_tol, thin_tol));
+      bound();
+    }
+    bounds.hi = std::max(bounds.lo, bounds.hi);
+  }
+};
+
+Vector3 in_scene(const Vec& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
 }  // namespace
 
 AttainedDistance attain_box(const Pair& pair, Verdict verdict, double relative_width) {
-  const Enclosed e = enclose_cores(cores_of(pair), Real(relative_width) * size_of(pair), cell_cap);
-  const Real roundings = Real(pair.a.rounding) + Real(pair.b.rounding),
-             slack = e.slack + 0x1p-62L * roundings;
-  using interval_detail::next_down, interval_detail::next_up;
-  Enclosure found{next_down(static_cast<double>(e.lo - roundings - slack)),
-                  next_up(static_cast<double>(e.hi - roundings + slack))};
+  const Enclosed e(pair, relative_width, cell_cap);
+  Enclosure found = e.bounds.in_scene(e.exponent);
   if (verdict == Verdict::intersecting || verdict == Verdict::touching) found.hi = std::min(found.hi, 0.0);
-  const Vector3 d = in_doubles(e.direction);
-  return {found, {d.x(), d.y(), d.z()}, e.cells};
+  return {found, {e.near.direction.x, e.near.direction.y, e.near.direction.z}, e.least.cells};
 }
 
 MeasuredDistance measure_box(const Pair& pair, bool with_points) {
   constexpr std::size_t measured_cell_cap = 512;
-  constexpr Real parted_tol = 0x1p-10L;  // of the reach
-  CorePair cores = cores_of(pair);
-  const Real size = size_of(pair);
-  Enclosed e = enclose_cores(cores, depth_width_tol * size, measured_cell_cap);
-  const Real value =
-      std::clamp(e.lo - Real(pair.a.rounding) - Real(pair.b.rounding),
-                 -Real(std::numeric_limits<double>::max()), Real(std::numeric_limits<double>::max()));
-  const Vec& d = e.direction;
-  MeasuredDistance measured{static_cast<double>(value), in_doubles(d), {}, {}};
+  constexpr double parted_tol = 0x1p-10;  // of the reach
+  constexpr double largest = std::numeric_limits<double>::max();
+  Enclosed e(pair, depth_width_tol, measured_cell_cap);
+  const Vec& d = e.near.direction;
+  const double value = std::ldexp(e.bounds.lo.hi, e.exponent);
+  MeasuredDistance measured{std::clamp(value, -largest, largest), {d.x, d.y, d.z}, {}, {}};
   if (!with_points) return measured;
   // If the cores overlap, b moves until they are a little apart, to see which points face each other.
-  if (e.lo <= e.slack) {
-    cores.delta = cores.delta + (parted_tol * reach_of(cores) - e.lo) * d;
-    e.points = find_nearby(cores, gap_width_tol * size).points;
+  if (e.near.least <= 0) {
+    e.cores.delta = e.cores.delta + (parted_tol * reach_of(e.cores) - e.near.least) * d;
+    e.near.points = find_nearby(e.cores, gap_width_tol * e.size).points;
   }
-  measured.on_a = in_doubles(e.points.on_a + Real(pair.a.rounding) * d);
-  measured.on_b = in_doubles(e.points.on_b - Real(pair.b.rounding) * d);
+  measured.on_a = in_scene(e.near.points.on_a + e.cores.a.rounding * d, e.exponent);
+  measured.on_b = in_scene(e.near.points.on_b - e.cores.b.rounding * d, e.exponent);
   return measured;
 }
 

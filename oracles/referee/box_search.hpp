@@ -138,9 +138,10 @@ struct TermsPair {
   Vec3<R> delta;
 };
 
-/// A legal pair of bounded solids in double, with all lengths times 2^-exponent so that the largest is near
-/// 1. Numbers that become subnormal are rounded.
-TermsPair<double> double_terms(const Pair& pair, int& exponent);
+/// A legal pair of bounded solids in double or Twin, with all lengths times 2^-exponent so that the largest
+/// is near 1. Numbers that become subnormal are rounded, which moves no point by more than 2^-1070.
+template <class R>
+TermsPair<R> terms_in_unit(const Pair& pair, int& exponent);
 
 template <class R>
 TermsPair<R> terms_of_pair(const Pair& pair) {

@@ -170,7 +170,7 @@ class Polytopes {
   /// The corners at which the search in double ended, exactly.
   Simplex<Surd> start(const Surd3& delta) const {
     int exponent = 0;
-    const TermsPair<double> p = double_terms(pair_, exponent);
+    const TermsPair<double> p = terms_in_unit<double>(pair_, exponent);
     const Simplex<double> found = search_box(p, 53, false);
     const auto like = [](const std::vector<Bar>& bars, const Terms<double>& terms, const Vec3<double>& x) {
       Surd3 corner{};

@@ -35,15 +35,14 @@
 namespace cyl {
 namespace {
 
-using Real = long double;
-using Vec = Vec3<Real>;
+using Vec = Vec3<double>;
 struct Vec2 {
-  Real x, y;
+  double x, y;
 };
-Real dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
-Real turn(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+double dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
+double turn(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 Vec2 unit(const Vec2& v) {
-  const Real length = std::sqrt(dot(v, v));
+  const double length = std::sqrt(dot(v, v));
   return {v.x / length, v.y / length};
 }
 
@@ -52,10 +51,10 @@ struct Generators {
   std::array<Vec, 6> all;
   std::size_t count = 0;
   Vec axis{};
-  Real radius = 0;
+  double radius = 0;
 
   explicit Generators(const CorePair& pair) {
-    for (const Terms<Real>* s : {&pair.a, &pair.b}) {
+    for (const Terms<double>* s : {&pair.a, &pair.b}) {
       for (std::size_t i = 0; s->box && i < 3; ++i) add(s->edges[i], s->halves[i]);
       if (s->box) continue;
       add(s->axis, s->half);
@@ -65,8 +64,8 @@ struct Generators {
   }
 
  private:
-  void add(const Vec& along, Real half) {
-    if (half > 0) all[count++] = half * along;
+  void add(const Vec& along, double half) {
+    if (half > short_tol) all[count++] = half * along;
   }
 };
 
@@ -74,7 +73,7 @@ class Circle {
  public:
   Circle(const Generators& of, const Vec& delta, const Vec& pole) {
     const Vec e = pole / norm(pole);
-    u_ = cross(e, std::fabs(e.x) < Real(0.5) ? Vec{1, 0, 0} : Vec{0, 1, 0});
+    u_ = cross(e, std::fabs(e.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
     u_ = u_ / norm(u_);
     v_ = cross(e, u_);
     for (; count_ < of.count; ++count_) generators_[count_] = shadow(of.all[count_]);
@@ -88,8 +87,8 @@ class Circle {
 
   /// A direction towards delta.
   Vec2 towards() const {
-    const Real length = std::sqrt(dot(delta_, delta_));
-    return length > 0 ? Vec2{delta_.x / length, delta_.y / length} : Vec2{1, 0};
+    const double length = std::sqrt(dot(delta_, delta_));
+    return length > short_tol ? Vec2{delta_.x / length, delta_.y / length} : Vec2{1, 0};
   }
 
   /// A point y of K - delta with f(d) = d.y.
@@ -97,15 +96,15 @@ class Circle {
     Vec2 y{-delta_.x, -delta_.y};
     for (std::size_t i = 0; i < count_; ++i) {
       const Vec2& g = generators_[i];
-      const Real along = dot(g, d), sign = along > 0 ? 1 : along < 0 ? -1 : 0;
+      const double along = dot(g, d), sign = along > 0 ? 1 : along < 0 ? -1 : 0;
       y.x += sign * g.x;
       y.y += sign * g.y;
     }
     if (radius_ == 0) return y;
     // The disk's part is r |D x w|. The square is that of D x (shadow of w) and of D times the rest of w.
-    const Real turned = turn(d, axis_), size = std::sqrt(turned * turned + along_ * along_);
+    const double turned = turn(d, axis_), size = std::sqrt(turned * turned + along_ * along_);
     if (!(size > 0)) return y;
-    const Real part = radius_ / size;
+    const double part = radius_ / size;
     y.x += part * (turned * axis_.y + along_ * along_ * d.x);
     y.y += part * (along_ * along_ * d.y - turned * axis_.x);
     return y;
@@ -117,13 +116,13 @@ class Circle {
   std::array<Vec2, 6> generators_;
   std::size_t count_ = 0;
   Vec2 delta_, axis_;
-  Real radius_, along_;
+  double radius_, along_;
 };
 
 /// A direction, a support point there, and f.
 struct Sample {
   Vec2 d, y;
-  Real f;
+  double f;
 };
 
 struct Arc {
@@ -131,14 +130,14 @@ struct Arc {
   Sample from, to;
   bool halve = false;  ///< at its middle
   Vec2 split{};
-  Real below = 0;
+  double below = 0;
   bool operator<(const Arc& o) const { return below > o.below; }  // the least bound first
 
   void bound() {
-    const Real one = std::max(Real(0), from.f - dot(to.y, from.d)),
-               other = std::max(Real(0), to.f - dot(from.y, to.d)),
-               share = one + other > 0 ? one / (one + other) : Real(0.5);
-    const auto mixed = [&](Real s) {
+    const double one = std::max(0.0, from.f - dot(to.y, from.d)),
+                 other = std::max(0.0, to.f - dot(from.y, to.d)),
+                 share = one + other > 0 ? one / (one + other) : 0.5;
+    const auto mixed = [&](double s) {
       return unit({(1 - s) * from.d.x + s * to.d.x, (1 - s) * from.d.y + s * to.d.y});
     };
     const Vec2 c = mixed(share);
@@ -153,8 +152,8 @@ struct Arc {
  private:
   /// Looks at the direction opposite to y, if it is between the two.
   void dip(const Vec2& y, const Vec2& first, const Vec2& last) {
-    const Real size = std::sqrt(dot(y, y));
-    if (!(-size < below)) return;
+    const double size = std::sqrt(dot(y, y));
+    if (!(-size < below) || size < short_tol) return;
     const Vec2 d{-y.x / size, -y.y / size};
     if (turn(first, d) < 0 || turn(d, last) < 0 || dot(first, d) < 0) return;
     below = -size;
@@ -165,14 +164,14 @@ struct Arc {
 class Search {
  public:
   Search(const CorePair& pair, LeastOnCircles& least) : generators_(pair), least_(least) {
-    const Real apart = norm(pair.delta);
+    const double apart = norm(pair.delta);
     const auto take = [&](const Vec& d) {
-      if (const Real f = pair.value(d); f < least_.best) least_.best = f, least_.direction = d;
+      if (const double f = pair.value(d); f < least_.best) least_.best = f, least_.direction = d;
     };
-    least_.best = std::numeric_limits<Real>::infinity();
-    take(apart > 0 ? pair.delta / apart : Vec{0, 0, 1});
+    least_.best = std::numeric_limits<double>::infinity();
+    take(apart > short_tol ? pair.delta / apart : Vec{0, 0, 1});
     if (generators_.radius > 0)
-      take(dot(generators_.axis, pair.delta) < 0 ? Real(-1) * generators_.axis : generators_.axis);
+      take(dot(generators_.axis, pair.delta) < 0 ? -1.0 * generators_.axis : generators_.axis);
     for (std::size_t i = 0; i < generators_.count; ++i) {
       circles_.emplace_back(generators_, pair.delta, generators_.all[i]);
       const Vec2 to = circles_[i].towards(), left{-to.y, to.x}, right{to.y, -to.x};
@@ -182,7 +181,7 @@ class Search {
     }
   }
 
-  void narrow(Real width, std::size_t most_cells) {
+  void narrow(double width, std::size_t most_cells) {
     while (!arcs_.empty() && arcs_.top().below < least_.best - width && least_.cells < most_cells) {
       const Arc arc = arcs_.top();
       arcs_.pop();
@@ -196,7 +195,7 @@ class Search {
  private:
   Sample sample(std::size_t circle, const Vec2& d) {
     const Vec2 y = circles_[circle].support(d);
-    const Real f = dot(d, y);
+    const double f = dot(d, y);
     if (f < least_.best) {
       least_.best = f;
       least_.direction = circles_[circle].in_space(d);
@@ -217,7 +216,7 @@ class Search {
 
 }  // namespace
 
-LeastOnCircles least_on_circles(const CorePair& pair, long double width, std::size_t most_cells) {
+LeastOnCircles least_on_circles(const CorePair& pair, double width, std::size_t most_cells) {
   LeastOnCircles least;
   Search search(pair, least);
   search.narrow(width, most_cells);

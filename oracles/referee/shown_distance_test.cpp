@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/shown_distance.hpp"
+#include "oracles/referee/shown_distance.hpp"
 
 #include <gtest/gtest.h>
 
