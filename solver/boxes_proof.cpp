@@ -2,7 +2,6 @@
 // The verdict on pairs with a box or a half-space, with its proof. Every certificate is checked in the
 // scene's frame, with the bound of boxes.md, section 6.
 #include <cmath>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"

@@ -2,7 +2,6 @@
 // The verdict on solids grown by balls with its proof. Derivation: rounded.md.
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
@@ -52,17 +51,10 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
   return true;
 }
 
-// f(D) + R |D| < 0 beyond rounding.
-bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, Answer& answer) noexcept {
-  // A direction has no unit: a way between points has.
-  const double most = max_abs(d);
-  if (!(most >= 0x1p-900)) return false;
-  d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d);
-  if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
-    return false;
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
-  return true;
+bool try_rounded_direction(const Scaled& p, const Vector3& d, double contact_distance,
+                           Answer& answer) noexcept {
+  double overlap = 0;
+  return try_direction(p, d, contact_distance, reach_of(p) + contact_distance, overlap, answer);
 }
 
 // Whether nothing can be proved. The points with the vector e between them are so near each other, and e
@@ -216,11 +208,9 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance) && has_other_shape(a, b))
-    return decide_shapes(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance))
-    return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
-  return Answer{.verdict = Verdict::invalid};
+  if (!is_valid_question(a, b, clearance, contact_distance)) return Answer{.verdict = Verdict::invalid};
+  if (has_other_shape(a, b)) return decide_shapes(a, b, clearance);
+  return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
 }
 
 }  // namespace cyl

@@ -185,20 +185,23 @@ inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hu
   return at0.inside(p.r0, p.h0, hull0, error + move) && at1.inside(p.r1, p.h1, hull1, error + move);
 }
 
-// f(D) < 0 beyond rounding.
-inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
-  const Scaled& p = q.solids;
-  // Weights are products of lengths; a direction has no unit.
+// f(D) + R |D| < 0 beyond rounding. Otherwise `overlap` has that over |D|, if it is less.
+inline bool try_direction(const Scaled& p, Vector3 d, double contact_distance, double reach, double& overlap,
+                          Answer& answer) noexcept {
+  // Weights are products of lengths, and a way between points has a unit. A direction has none.
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d), size = length(d);
-  if (!(f < -separation_error * size * q.reach)) {
-    q.overlap = smaller(q.overlap, f / size);
+  const double size = length(d), f = support_gap(p, d) + contact_distance * size;
+  if (!(f < -separation_error * size * reach)) {
+    overlap = smaller(overlap, f / size);
     return false;
   }
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, q.answer);
+  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
   return true;
+}
+inline bool try_direction(ProofTask& q, const Vector3& d) noexcept {
+  return try_direction(q.solids, d, 0, q.reach, q.overlap, q.answer);
 }
 
 inline bool try_point(ProofTask& q, const Vector3& x) noexcept {
