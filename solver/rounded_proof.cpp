@@ -88,8 +88,10 @@ template <class Otherwise>
   const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
   if (none_of(near, apart) || !sure)
     return sure & (within > 0) & (dot(e, e) <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
-  return proof_of(!apart, Proof::points, without_unit(e, reach), times_power(on0, p.exponent),
-                  times_power(on1, p.exponent), hull0, hull1, false);
+  Vector3 point0, point1;
+  if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
+    return otherwise();
+  return proof_of(!apart, Proof::points, without_unit(e, reach), point0, point1, hull0, hull1, false);
 }
 
 // Two balls. One comparison shows nothing only within rounding of touching, which is that of 6 operations.
@@ -127,8 +129,10 @@ template <class Otherwise>
       // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
       return (within > 0) & (square_of_way <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
   }
-  return proof_of(near, Proof::points, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0},
-                  hull, Hull::center, swapped);
+  Vector3 point;
+  if (!brought_to_scene(on, exponent, point)) return otherwise();
+  return proof_of(near, Proof::points, without_unit(e, reach, swapped), point, {0, 0, 0}, hull, Hull::center,
+                  swapped);
 }
 
 // By the points and directions of alternate_projections(), most pairs.
@@ -174,7 +178,6 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
     return answer;
   };
   const bool ball0 = p.r0 + p.h0 == 0, ball1 = p.r1 + p.h1 == 0;
-  if (p.exponent <= coarse_exponent) return in_general();  // points may lose bits on their way back
   if (ball0 & ball1) return prove_balls(p.delta, scaled_contact);
   if (ball0) return prove_ball(p.w1, p.r1, p.h1, -p.delta, scaled_contact, true, p.exponent, in_general);
   if (ball1) return prove_ball(p.w0, p.r0, p.h0, p.delta, scaled_contact, false, p.exponent, in_general);
