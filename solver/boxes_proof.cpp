@@ -2,7 +2,6 @@
 // The verdict on pairs with a box or a half-space, with its proof. Every certificate is checked in the
 // scene's frame, with the bound of boxes.md, section 6.
 #include <cmath>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
@@ -74,15 +73,13 @@ class BoxProof {
         error_(box_error * reach_ + underflow_error) {
     const double by = box_slack_tol * reach_;
     hull_ = view_.box ? Hull::space : hull_of(view_.r, view_.h, reach_);
-    const bool line = (hull_ == Hull::line) | (hull_ == Hull::center);
-    const bool plane = (hull_ == Hull::plane) | (hull_ == Hull::center);
     for (int i = 0; i < 3; ++i) {
       shrunk_.half[i] -= by;
       shrunk_.half1[i] -= by;
       flat_ |= shrunk_.half[i] < 0 || (view_.box && shrunk_.half1[i] < 0);
     }
-    shrunk_.r = line ? 0 : view_.r - by;
-    shrunk_.h = plane ? 0 : view_.h - by;
+    shrunk_.r = on_line(hull_) ? 0 : view_.r - by;
+    shrunk_.h = in_plane(hull_) ? 0 : view_.h - by;
   }
 
   void run() noexcept { p_.contact > 0 ? (void)prove_near() : (void)prove_cores(); }
@@ -221,17 +218,7 @@ Answer decide_box(const Prepared& box, const Prepared& c, double clearance, bool
     if ((!view.box && view.r == 0) || !prove_quickly(p, view, reach_of(p), box.center, answer))
       prove_in_full(p, view, box.center, answer);
   });
-  // Tables, because branches would be unpredictable. A direction that proves nothing stays +0.
-  constexpr double turns[] = {1, -1};
-  const bool points = swapped & (answer.proof == Proof::points);
-  const Vector3 ends[] = {answer.point_head, answer.point_tail};
-  const Hull hulls[] = {answer.hull_a, answer.hull_b};
-  answer.direction = turns[swapped & (answer.proof == Proof::direction)] * answer.direction;
-  answer.point_head = ends[points];
-  answer.point_tail = ends[!points];
-  answer.hull_a = hulls[swapped];
-  answer.hull_b = hulls[!swapped];
-  return answer;
+  return in_order(swapped, answer);
 }
 
 }  // namespace cyl

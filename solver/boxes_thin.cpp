@@ -52,10 +52,6 @@ template <bool asked>
 [[gnu::noinline]] Verdict search(Seen half, Seen d, Seen w, double h, double contact, double t) noexcept {
   return verdict_of(look_on_segment<true>(half, d, w, h, contact, t).near);
 }
-[[gnu::noinline]] SegmentPoint search_point(Seen half, Seen d, Seen w, double h, double contact) noexcept {
-  return look_on_segment<true>(half, d, w, h, contact, clamped(-dot(d, w), h));
-}
-
 // If there is no proof, the answer is `otherwise`.
 template <class Otherwise>
 [[gnu::always_inline]] inline Answer prove_thin_and_box(const ShapePair& p, bool swapped,
@@ -78,7 +74,7 @@ template <class Otherwise>
     const double slope = dot(way, w);
     gap = square_of_way - t * slope - h * std::fabs(slope);
     if (none_of(square_of_way <= p.contact * p.contact, is_beyond(gap, square_of_way, p.contact))) {
-      const SegmentPoint found = search_point(half, d, w, h, p.contact);
+      const SegmentPoint found = look_on_segment<true>(half, d, w, h, p.contact, t);
       t = found.t, way = Seen(found.way), square_of_way = dot(way, way), gap = found.gap;
     }
     t = clamped(t, h - error);
@@ -91,25 +87,18 @@ template <class Otherwise>
   if (!fits || none_of(near, is_beyond(gap, square_of_way, p.contact + error))) {
     // Nothing can be proved if the points are so near, and the way between them separates so much.
     const double least = error * (box_error / quick_error);
-    const bool hopeless = (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &&
-                          is_beyond(gap, square_of_way, p.contact - least);
-    return fits & hopeless ? Answer{} : otherwise();
+    return fits & (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &
+                   is_beyond(gap, square_of_way, p.contact - least)
+               ? Answer()
+               : otherwise();
   }
-  const Vector3 of_box = either(near, Vector3(on0), without_unit(Vector3(way), reach, swapped));
-  const Vector3 found = of_box[0] * p.a.unit_axis + of_box[1] * p.a.second_axis + of_box[2] * seen.last;
+  const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
+  const Vector3 found = seen.world(p.a, of_box);
   Vector3 head, tail;
   if (!brought_to_scene(found, p.exponent, head) || !brought_to_scene(t * p.b.unit_axis, p.exponent, tail))
     return otherwise();
   return proof_of(near, Proof::points, found, head, tail, Hull::space, h > 0 ? Hull::line : Hull::center,
                   swapped);
-}
-
-// Not inlined, to keep the common path small.
-[[gnu::noinline]] Answer prove_out_of_range(const Prepared& box, const Prepared& thin, double clearance,
-                                            bool swapped) noexcept {
-  const PairInUnit p = in_unit(box, thin, clearance);
-  return prove_thin_and_box({p.a, p.b, p.contact, p.exponent}, swapped,
-                            [&] { return decide_box(box, thin, clearance, swapped); });
 }
 
 }  // namespace
@@ -141,10 +130,10 @@ Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double cont
 
 Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,
                            bool swapped) noexcept {
-  const double contact = contact_distance_of(box, thin, clearance);
-  if (!is_in_range(box, thin, contact)) return prove_out_of_range(box, thin, clearance, swapped);
-  return prove_thin_and_box({box, thin, contact, 0}, swapped,
-                            [&] { return decide_box(box, thin, clearance, swapped); });
+  return ask_in_order(
+      box, thin, clearance, false, [&](const ShapePair& p) __attribute__((always_inline)) {
+        return prove_thin_and_box(p, swapped, [&] { return decide_box(box, thin, clearance, swapped); });
+      });
 }
 
 }  // namespace cyl

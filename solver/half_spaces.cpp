@@ -20,26 +20,6 @@ namespace {
   return c.radius == 0 ? along : c.radius * length(n.cross(c.unit_axis)) + along;
 }
 
-Vector3 farthest_on_box(const Prepared& c, const Vector3& half, const Vector3& n) noexcept {
-  const Edges edges(c);
-  const Vector3 along = edges.seen(n);
-  Vector3 x(0, 0, 0);
-  for (int i = 0; i < 3; ++i)
-    if (along[i] != 0) x[i] = std::copysign(half[i], along[i]);
-  return edges.world(x);
-}
-
-// `h`: half the height.
-Vector3 farthest_on_cylinder(const Vector3& w, double r, double h, const Vector3& n) noexcept {
-  const double along = dot(n, w);
-  const Vector3 cap = std::copysign(h, along) * w;
-  if (r == 0) return cap;
-  Vector3 across = n - along * w;
-  across -= dot(across, w) * w;
-  const double size = length(across);
-  return size > separation_error ? Vector3(cap + (r / size) * across) : cap;
-}
-
 // n.(C - P) for solids that are far from the point of the plane. The products are exact, and so is their sum,
 // whose parts do not overlap (Shewchuk 1997, Grow-Expansion). A coordinate of the normal may be hundreds of
 // decades below another, so exponents are kept apart.
@@ -108,19 +88,16 @@ struct Lowest {
   bool fits;  // there is such a point
 };
 
-[[gnu::always_inline]] inline Lowest lowest_on_box(const Prepared& c, const Vector3& n,
-                                                   double room) noexcept {
-  const Edges edges(c);
-  const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
-                size(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
-  const auto end = [&](int i) { return either(along[i] != 0, std::copysign(inner[i], -along[i])); };
-  return {dot(half, size), dot(inner, size), edges.world({end(0), end(1), end(2)}), Hull::space,
-          smaller(smaller(inner[0], inner[1]), inner[2]) > room};
-}
-
-// n x w is as long as what n has across w, which is w x (n x w).
-[[gnu::always_inline]] inline Lowest lowest_on_cylinder(const Prepared& c, const Vector3& n, double size,
-                                                        double room) noexcept {
+[[gnu::always_inline]] inline Lowest lowest_of(const Prepared& c, const Vector3& n, double size,
+                                               double room) noexcept {
+  if (c.shape == Shape::box) {
+    const Edges edges(c);
+    const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
+                  share = along.cwiseAbs();
+    const auto end = [&](int i) { return along[i] != 0 ? std::copysign(inner[i], -along[i]) : 0; };
+    return {dot(half, share), dot(inner, share), edges.world({end(0), end(1), end(2)}), Hull::space,
+            smaller(smaller(inner[0], inner[1]), inner[2]) > room};
+  }
   const Vector3& w = c.unit_axis;
   const double along = dot(n, w), half = 0.5 * c.height;
   const Hull hull = hull_of(c.radius, half, size);
@@ -128,13 +105,13 @@ struct Lowest {
   Lowest lowest{half * std::fabs(along), h * std::fabs(along), std::copysign(h, -along) * w, hull,
                 in_plane(hull) || h > room};
   if (c.radius == 0) return lowest;
+  // As long as what n has across w, which is w x (n x w).
   const Vector3 turned = n.cross(w);
-  const double across = length(turned), r = c.radius - 2 * room;
+  const double across = length(turned), r = on_line(hull) ? 0 : c.radius - 2 * room;
   lowest.support += c.radius * across;
-  if (on_line(hull)) return lowest;
   lowest.depth += r * across;
   lowest.at += r / larger(across, 0x1p-500) * turned.cross(w);
-  lowest.fits &= r > room;
+  lowest.fits &= on_line(hull) || r > room;
   return lowest;
 }
 
@@ -170,34 +147,11 @@ struct Lowest {
   return proof_of(deep, Proof::point, direction, middle, tail, Hull::space, lowest.hull, swapped);
 }
 
-[[gnu::always_inline]] inline Answer prove_half_space(const ShapePair& p, const Prepared& plane,
-                                                      const Vector3& middle, bool swapped) noexcept {
-  const Vector3& n = p.a.unit_axis;
-  const auto prove = [&](double size, double room, const Lowest& lowest) __attribute__((always_inline)) {
-    return prove_half_space(p, lowest, size, room, plane, middle, swapped);
-  };
-  if ((p.b.traits & Prepared::ball) != 0) return prove(p.contact, 0, {0, 0, {0, 0, 0}, Hull::center, true});
-  // The plane may be so far away that rounding is much more than `room`.
-  const double size = core_size(p.b) + p.contact, room = precise_plane_error * size + underflow_error;
-  if (p.b.shape == Shape::box) return prove(size, room, lowest_on_box(p.b, n, room));
-  return prove(size, room, lowest_on_cylinder(p.b, n, size, room));
-}
-
-// Not inlined, to keep the common path small.
-[[gnu::noinline]] Answer prove_out_of_range(const Prepared& plane, const Prepared& c, double clearance,
-                                            bool swapped) noexcept {
-  const PairInUnit p = in_unit(plane, c, clearance);
-  return prove_half_space({p.a, p.b, p.contact, p.exponent}, plane, c.center, swapped);
-}
-
 }  // namespace
 
 double core_support(const Prepared& c, const Vector3& n) noexcept { return support_of(c, n); }
 
-Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
-  return c.shape == Shape::box ? farthest_on_box(c, 0.5 * c.edges, n)
-                               : farthest_on_cylinder(c.unit_axis, c.radius, 0.5 * c.height, n);
-}
+Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept { return lowest_of(c, -n, 0, 0).at; }
 
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept {
   return above(plane, c, support_of(c, plane.unit_axis), core_size(c) + contact, contact, 1);
@@ -222,14 +176,19 @@ Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double co
 }
 
 Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept {
-  const double contact = contact_distance_of(plane, c, clearance);
-  if (c.shape == Shape::half_space) {
-    Answer none;
-    none.verdict = Verdict::invalid;
-    return none;
-  }
-  return is_in_range(plane, c, contact) ? prove_half_space({plane, c, contact, 0}, plane, c.center, swapped)
-                                        : prove_out_of_range(plane, c, clearance, swapped);
+  if (c.shape == Shape::half_space) return Answer{.verdict = Verdict::invalid};
+  return ask_in_order(
+      plane, c, clearance, false, [&](const ShapePair& p) __attribute__((always_inline)) {
+        const auto prove = [&](double size, double room, const Lowest& lowest)
+            __attribute__((always_inline)) {
+          return prove_half_space(p, lowest, size, room, plane, c.center, swapped);
+        };
+        if ((p.b.traits & Prepared::ball) != 0)
+          return prove(p.contact, 0, {0, 0, {0, 0, 0}, Hull::center, true});
+        // The plane may be so far away that rounding is much more than `room`.
+        const double size = core_size(p.b) + p.contact, room = precise_plane_error * size + underflow_error;
+        return prove(size, room, lowest_of(p.b, p.a.unit_axis, size, room));
+      });
 }
 
 }  // namespace cyl

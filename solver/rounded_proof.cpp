@@ -2,7 +2,6 @@
 // The verdict on solids grown by balls with its proof. Derivation: rounded.md.
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
@@ -52,25 +51,10 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
   return true;
 }
 
-// f(D) + R |D| < 0 beyond rounding.
-bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, Answer& answer) noexcept {
-  // A direction has no unit: a way between points has.
-  const double most = max_abs(d);
-  if (!(most >= 0x1p-900)) return false;
-  d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d);
-  if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
-    return false;
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
-  return true;
-}
-
-// Returns the answer of two solids in one order as an answer in the other.
-Answer turned(Answer answer) noexcept {
-  if (answer.proof == Proof::direction) answer.direction = -answer.direction;
-  if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
-  std::swap(answer.hull_a, answer.hull_b);
-  return answer;
+bool try_rounded_direction(const Scaled& p, const Vector3& d, double contact_distance,
+                           Answer& answer) noexcept {
+  double overlap = 0;
+  return try_direction(p, d, contact_distance, reach_of(p) + contact_distance, overlap, answer);
 }
 
 // Whether nothing can be proved. The points with the vector e between them are so near each other, and e
@@ -101,10 +85,13 @@ template <class Otherwise>
   const double t = in_plane(hull1) ? 0 : clamped(nearest.t, p.h1 - error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
   const bool near = dot(between, between) <= within * std::fabs(within);
-  const bool apart = is_beyond(least, dot(e, e), contact_distance + error);
-  if (none_of(near, apart) || !nearest.reliable) return otherwise();
-  return proof_of(!apart, Proof::points, without_unit(e, reach), times_power(on0, p.exponent),
-                  times_power(on1, p.exponent), hull0, hull1, false);
+  const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
+  if (none_of(near, apart) || !sure)
+    return sure & (within > 0) & (dot(e, e) <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
+  Vector3 point0, point1;
+  if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
+    return otherwise();
+  return proof_of(!apart, Proof::points, without_unit(e, reach), point0, point1, hull0, hull1, false);
 }
 
 // Two balls. One comparison shows nothing only within rounding of touching, which is that of 6 operations.
@@ -138,14 +125,14 @@ template <class Otherwise>
   const bool near = square_of_way <= within * std::fabs(within);
   if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
     const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-    if (!is_beyond(least, square_of_way, contact_distance + error)) {
+    if (!is_beyond(least, square_of_way, contact_distance + error))
       // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
-      if (within > 0 && square_of_way <= square(contact_distance + 3 * error)) return {};
-      return otherwise();
-    }
+      return (within > 0) & (square_of_way <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
   }
-  return proof_of(near, Proof::points, without_unit(e, reach, swapped), times_power(on, exponent), {0, 0, 0},
-                  hull, Hull::center, swapped);
+  Vector3 point;
+  if (!brought_to_scene(on, exponent, point)) return otherwise();
+  return proof_of(near, Proof::points, without_unit(e, reach, swapped), point, {0, 0, 0}, hull, Hull::center,
+                  swapped);
 }
 
 // By the points and directions of alternate_projections(), most pairs.
@@ -191,7 +178,6 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
     return answer;
   };
   const bool ball0 = p.r0 + p.h0 == 0, ball1 = p.r1 + p.h1 == 0;
-  if (p.exponent <= coarse_exponent) return in_general();  // points may lose bits on their way back
   if (ball0 & ball1) return prove_balls(p.delta, scaled_contact);
   if (ball0) return prove_ball(p.w1, p.r1, p.h1, -p.delta, scaled_contact, true, p.exponent, in_general);
   if (ball1) return prove_ball(p.w0, p.r0, p.h0, p.delta, scaled_contact, false, p.exponent, in_general);
@@ -200,7 +186,8 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
 
 // For what is not proved in closed form. An exchange of the solids changes no digit of that.
 [[gnu::noinline]] Answer prove_otherwise(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  return out_of_order(a, b) ? turned(prove_in_full(b, a, clearance)) : prove_in_full(a, b, clearance);
+  const bool swapped = out_of_order(a, b);
+  return in_order(swapped, swapped ? prove_in_full(b, a, clearance) : prove_in_full(a, b, clearance));
 }
 
 }  // namespace
@@ -224,13 +211,9 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) no
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance) && has_other_shape(a, b))
-    return decide_shapes(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance))
-    return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
-  Answer answer;
-  answer.verdict = Verdict::invalid;
-  return answer;
+  if (!is_valid_question(a, b, clearance, contact_distance)) return Answer{.verdict = Verdict::invalid};
+  if (has_other_shape(a, b)) return decide_shapes(a, b, clearance);
+  return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
 }
 
 }  // namespace cyl

@@ -49,6 +49,9 @@ struct SeenFrom {
   Seen operator()(const Vector3& v) const noexcept {
     return {v.x() * x + v.y() * y + v.z() * z, dot(v, last)};
   }
+  Vector3 world(const Prepared& box, const Vector3& v) const noexcept {
+    return v.x() * box.unit_axis + v.y() * box.second_axis + v.z() * last;
+  }
 
   Both x, y, z;
   Vector3 last;

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "solver/detail/frame.hpp"
+#include "solver/detail/both_solids.hpp"
 
 namespace cyl {
 
@@ -71,14 +71,18 @@ inline bool is_beyond(double least, double square_of_way, double beyond) noexcep
   return least * std::fabs(least) > beyond * beyond * square_of_way;
 }
 
-// One of two, or 0 if there is no other, without a branch.
-inline double either(bool first, double x, double y = 0) noexcept {
-  const std::uint64_t mask = -static_cast<std::uint64_t>(first);
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & mask) |
-                               (std::bit_cast<std::uint64_t>(y) & ~mask));
+// All bits, or none.
+inline BothBits mask_of(bool yes) noexcept {
+  const long long bits = -static_cast<long long>(yes);
+  return BothBits{bits, bits};
 }
-inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}) noexcept {
-  return {either(first, x.x(), y.x()), either(first, x.y(), y.y()), either(first, x.z(), y.z())};
+
+// x, y or 0, without a branch. At most one of the masks has bits.
+[[gnu::always_inline]] inline Vector3 either(BothBits of_x, const Vector3& x, BothBits of_y,
+                                             const Vector3& y) noexcept {
+  const Both first = Both((BothBits(Both{x[0], x[1]}) & of_x) | (BothBits(Both{y[0], y[1]}) & of_y)),
+             last = Both((BothBits(Both{x[2], 0}) & of_x) | (BothBits(Both{y[2], 0}) & of_y));
+  return {first[0], first[1], last[0]};
 }
 
 // One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
@@ -88,21 +92,31 @@ inline Vector3 either(bool first, const Vector3& x, const Vector3& y = {0, 0, 0}
                                               Hull hull1, bool swapped) noexcept {
   static_assert(static_cast<int>(Proof::direction) == 1);
   const bool turned = swapped & (kind == Proof::points);
-  const auto one = [&](const Vector3& x, const Vector3& y) -> Vector3 {
-    const auto of = [&](double p, double q) {
-      return std::bit_cast<double>(std::bit_cast<std::uint64_t>(either(meets & !turned, p)) |
-                                   std::bit_cast<std::uint64_t>(either(meets & turned, q)));
-    };
-    return {of(x.x(), y.x()), of(x.y(), y.y()), of(x.z(), y.z())};
-  };
-  const auto hull = [&](Hull x, Hull y) {
-    return static_cast<Hull>((meets & !swapped) * static_cast<int>(x) |
-                             (meets & swapped) * static_cast<int>(y));
-  };
-  return {verdict_of(meets),         static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
-          either(!meets, direction), one(point0, point1),
-          one(point1, point0),       hull(hull0, hull1),
-          hull(hull1, hull0)};
+  const BothBits apart = mask_of(!meets), same = mask_of(meets & !turned), other = mask_of(meets & turned);
+  const int hulls[] = {meets * static_cast<int>(hull0), meets * static_cast<int>(hull1)};
+  return {verdict_of(meets),
+          static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
+          either(apart, direction, BothBits{}, direction),
+          either(same, point0, other, point1),
+          either(same, point1, other, point0),
+          static_cast<Hull>(hulls[swapped]),
+          static_cast<Hull>(hulls[!swapped])};
+}
+
+// The answer to the pair in the other order, if `swapped`. Tables, because branches would be unpredictable.
+inline Answer in_order(bool swapped, const Answer& found) noexcept {
+  Answer answer = found;
+  constexpr double turns[] = {1, -1};
+  const bool points = swapped & (found.proof == Proof::points);
+  const Vector3* const ends[] = {&found.point_head, &found.point_tail};
+  const Hull hulls[] = {found.hull_a, found.hull_b};
+  // A direction that proves nothing stays +0.
+  answer.direction = turns[swapped & (found.proof == Proof::direction)] * found.direction;
+  answer.point_head = *ends[points];
+  answer.point_tail = *ends[!points];
+  answer.hull_a = hulls[swapped];
+  answer.hull_b = hulls[!swapped];
+  return answer;
 }
 
 // A direction has no unit. The way in one of about `size`, turned if `turns`.
@@ -171,20 +185,23 @@ inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hu
   return at0.inside(p.r0, p.h0, hull0, error + move) && at1.inside(p.r1, p.h1, hull1, error + move);
 }
 
-// f(D) < 0 beyond rounding.
-inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
-  const Scaled& p = q.solids;
-  // Weights are products of lengths; a direction has no unit.
+// f(D) + R |D| < 0 beyond rounding. Otherwise `overlap` has that over |D|, if it is less.
+inline bool try_direction(const Scaled& p, Vector3 d, double contact_distance, double reach, double& overlap,
+                          Answer& answer) noexcept {
+  // Weights are products of lengths, and a way between points has a unit. A direction has none.
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d), size = length(d);
-  if (!(f < -separation_error * size * q.reach)) {
-    q.overlap = smaller(q.overlap, f / size);
+  const double size = length(d), f = support_gap(p, d) + contact_distance * size;
+  if (!(f < -separation_error * size * reach)) {
+    overlap = smaller(overlap, f / size);
     return false;
   }
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, q.answer);
+  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
   return true;
+}
+inline bool try_direction(ProofTask& q, const Vector3& d) noexcept {
+  return try_direction(q.solids, d, 0, q.reach, q.overlap, q.answer);
 }
 
 inline bool try_point(ProofTask& q, const Vector3& x) noexcept {

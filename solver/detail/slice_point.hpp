@@ -62,7 +62,7 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
     PlanePoint<T> kept[8];
     int n = 0;
     for (int i = 0; i < count; ++i) {
-      const PlanePoint<T>&from = polygon[i], &to = polygon[(i + 1) % count];
+      const PlanePoint<T>&from = polygon[i], &to = polygon[i + 1 < count ? i + 1 : 0];
       const T d0 = limit - sign * (from.*axis), d1 = limit - sign * (to.*axis);
       // not covered: a rectangle cut four times has at most 8 corners
       if (d0 >= T(0) && n < 8) kept[n++] = from;
