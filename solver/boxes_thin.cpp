@@ -87,7 +87,7 @@ template <class Otherwise>
   if (!fits || none_of(near, is_beyond(gap, square_of_way, p.contact + error))) {
     // Nothing can be proved if the points are so near, and the way between them separates so much.
     const double least = error * (box_error / quick_error);
-    return fits & (p.contact > least) & (square_of_way <= square(p.contact + 0.5 * least)) &
+    return fits && p.contact > least && square_of_way <= square(p.contact + 0.5 * least) &&
                    is_beyond(gap, square_of_way, p.contact - least)
                ? Answer()
                : otherwise();

@@ -93,7 +93,7 @@ struct Lowest {
   if (c.shape == Shape::box) {
     const Edges edges(c);
     const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
-                  share = along.cwiseAbs();
+                  share(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
     const auto end = [&](int i) { return along[i] != 0 ? std::copysign(inner[i], -along[i]) : 0; };
     return {dot(half, share), dot(inner, share), edges.world({end(0), end(1), end(2)}), Hull::space,
             smaller(smaller(inner[0], inner[1]), inner[2]) > room};

@@ -87,7 +87,7 @@ template <class Otherwise>
   const bool near = dot(between, between) <= within * std::fabs(within);
   const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
   if (none_of(near, apart) || !sure)
-    return sure & (within > 0) & (dot(e, e) <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
+    return sure && within > 0 && dot(e, e) <= square(contact_distance + 3 * error) ? Answer() : otherwise();
   Vector3 point0, point1;
   if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
     return otherwise();
@@ -127,7 +127,7 @@ template <class Otherwise>
     const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
     if (!is_beyond(least, square_of_way, contact_distance + error))
       // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
-      return (within > 0) & (square_of_way <= square(contact_distance + 3 * error)) ? Answer() : otherwise();
+      return within > 0 && square_of_way <= square(contact_distance + 3 * error) ? Answer() : otherwise();
   }
   Vector3 point;
   if (!brought_to_scene(on, exponent, point)) return otherwise();
