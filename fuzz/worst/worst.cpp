@@ -14,8 +14,8 @@
 #include "fuzz/worst/shapes.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/own_answers.hpp"
-#include "oracles/trial/contact.hpp"
 #include "oracles/referee/shown_distance.hpp"
+#include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {

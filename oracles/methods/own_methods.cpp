@@ -144,7 +144,8 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   answer.steps = measured.iterations;
   answer.step_cap = distance_step_cap;
   // It returns no number if its bounds stay apart, or if the depth of a box and a cylinder is not proved. It
-  // also returns none if a half-space is so far from its own point that the error is not relative to the size.
+  // also returns none if a half-space is so far from its own point that the error is not relative to the
+  // size.
   const bool plane = has_half_space(pair), overlap = measured.verdict == Verdict::intersecting;
   const Vector3 delta = pair.b.center - pair.a.center;
   const double reach = size_of(pair) + (plane ? 0 : std::hypot(delta.x(), delta.y(), delta.z()));
