@@ -66,8 +66,8 @@ bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noe
   return -support_gap(p, e) > below * length(e);
 }
 
-// Bounds what the points and ways in closed form are off by (rounded.md, section 4).
-double error_in_closed_form(double reach) noexcept { return 2 * membership_error * reach + underflow_error; }
+// What the points and ways in closed form are off by, of the reach (rounded.md, section 4).
+constexpr double closed_form_error = 2 * membership_error;
 
 // Two segments. Their nearest points are known in closed form (rounded.md, section
 // 3). They serve as certificate, or by the vector between them. If they do not, the answer is `otherwise`.
@@ -76,7 +76,7 @@ template <class Otherwise>
                                                     Otherwise otherwise) noexcept {
   const NearestParameters nearest = nearest_of_segments(p);
   const double reach = p.h0 + p.h1 + length_bound(p.delta) + contact_distance,
-               error = error_in_closed_form(reach), within = contact_distance - error;
+               error = closed_form_error * reach + underflow_error, within = contact_distance - error;
   const Vector3 e = p.delta + (nearest.t * p.w1 - nearest.s * p.w0);
   const double least = dot(e, p.delta) - (p.h0 * std::fabs(dot(e, p.w0)) + p.h1 * std::fabs(dot(e, p.w1)));
   // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
@@ -109,8 +109,8 @@ template <class Otherwise>
 [[gnu::always_inline]] inline Answer prove_ball(const Vector3& w, double r, double h, const Vector3& to,
                                                 double contact_distance, bool swapped, int exponent,
                                                 Otherwise otherwise) noexcept {
-  const double reach = (r + h + contact_distance) + length_bound(to), error = error_in_closed_form(reach),
-               within = contact_distance - error;
+  const double reach = (r + h + contact_distance) + length_bound(to),
+               error = closed_form_error * reach + underflow_error, within = contact_distance - error;
   const Hull hull = hull_of(r, h, reach);
   const double along = dot(to, w);
   Vector3 on = (in_plane(hull) ? 0 : clamped(along, h - error)) * w;
