@@ -100,7 +100,7 @@ template <class Otherwise>
   // The square of a tiny clearance may vanish.
   const bool near = (square_of_way == 0) | (square_of_way < square(contact_distance - error));
   if (none_of(near, square_of_way > square(contact_distance + error))) return {};
-  return proof_of(near, Proof::points, without_unit(delta, contact_distance), {0, 0, 0}, {0, 0, 0},
+  return proof_of(near, Proof::points, without_unit(delta, max_abs(delta)), {0, 0, 0}, {0, 0, 0},
                   Hull::center, Hull::center, false);
 }
 
