@@ -370,6 +370,15 @@ TEST(Boxes, QuaternionsOfAnyLength) {
     for (double& x : b.quaternion) x *= -0x1p900;
     EXPECT_EQ(intersect(a, b), verdict);
   }
+  // Edges that are parallel but for a subnormal number.
+  const Solid a = box({0, 0, 0}, 1, 2, 1), b = box({-0.2, 1.6, -0.5}, 2, 1, 1, {2, 3, 0, 0x2p-1074});
+  EXPECT_EQ(intersect(a, b), Verdict::intersecting);
+  EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
+}
+
+TEST(Boxes, ACapsuleThinnerThanRoundingPiercesASheet) {
+  const Solid needle = {Vector3(0, -0.2, 0.2), Vector3(18, 4, 6), 0, 2, 1e-30};
+  EXPECT_EQ(intersect(box({0, 0, 0}, 2, 2, 0), needle), Verdict::intersecting);
 }
 
 }  // namespace
