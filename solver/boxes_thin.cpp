@@ -93,7 +93,7 @@ template <class Otherwise>
                : otherwise();
   }
   const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
-  const Vector3 found = seen.world(p.a, of_box);
+  const Vector3 found = seen.world(p.a, Seen(of_box));
   Vector3 head, tail;
   if (!brought_to_scene(found, p.exponent, head) || !brought_to_scene(t * p.b.unit_axis, p.exponent, tail))
     return otherwise();
