@@ -4,8 +4,8 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "oracles/methods/own_answers.hpp"
-#include "oracles/trial/decidable_margin.hpp"
 #include "oracles/referee/shown_distance.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 
 namespace cyl {
 namespace {

@@ -148,8 +148,8 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   const bool plane = has_half_space(pair), overlap = measured.verdict == Verdict::intersecting;
   const Vector3 delta = pair.b.center - pair.a.center;
   const double reach = size_of(pair) + (plane ? 0 : std::hypot(delta.x(), delta.y(), delta.z()));
-  const bool sure =
-      overlap && !plane ? measured.least || !has_box(pair) : measured.error <= distance_tol * reach;
+  const bool sure = (overlap && !plane && !has_box(pair)) ||
+                    (measured.error <= distance_tol * reach && (!overlap || measured.least));
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
   answer.error_bound = measured.error;
