@@ -24,7 +24,7 @@ inline constexpr double box_slack_tol = 2.5 * box_error;
 Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 /// `contact`: by which the distance will be less. A half-space is measured in more digits near that.
-Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact) noexcept;
+Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact = 0) noexcept;
 inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
   return (a.shape != Shape::cylinder) | (b.shape != Shape::cylinder);
 }
