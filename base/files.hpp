@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Files that options such as --json FILE name.
+// Whole files, such as those that options like --json FILE name.
 #pragma once
 
 #include <string>
 
 namespace cyl {
+
+/// Returns the bytes of a file, or nothing if it cannot be read.
+std::string read_file(const std::string& name);
 
 /// Overwrites an existing file. Throws std::runtime_error that names the file if it cannot.
 void write_file(const std::string& name, const std::string& text);

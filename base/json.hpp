@@ -3,6 +3,7 @@
 // reader and the writer again.
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -26,6 +27,15 @@ nlohmann::json parse_foreign_json(std::string_view text);
 
 /// Does the same, and keeps the order of the keys of objects.
 nlohmann::ordered_json parse_ordered_json(std::string_view text);
+
+/// Returns a number, or null if it is not finite, or an optional that is empty.
+template <class Json = nlohmann::json>
+Json number_or_null(auto x) {
+  if constexpr (requires { *x; })
+    return x ? number_or_null<Json>(*x) : Json();
+  else
+    return std::isfinite(x) ? Json(x) : Json();
+}
 
 /// Returns a value as CBOR, which one process of ours passes to another of the same build. Strings need not
 /// be UTF-8.

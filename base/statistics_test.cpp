@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <vector>
 
 namespace cyl {
 namespace {

@@ -52,8 +52,6 @@ Comparison comparison_of(std::span<const BenchRow> rows, const BenchRow& ours) {
   c.ns = ours.median_ns;
   c.p99_over_median = ours.p99_ns / ours.median_ns;
   c.max_error = ours.max_error;
-  c.max_error_at_most = ours.max_error_at_most;
-  c.wrong = ours.wrong_disjoint + ours.wrong_intersecting;
   c.wrong_at_margin = ours.wrong_at_margin;
   if (const BenchRow* verdict = own_row(rows, ours.family, "verdict"))
     c.over_verdict = c.ns / verdict->median_ns;
@@ -93,8 +91,7 @@ bool is_right(const BenchRow& row) {
 std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows) {
   std::vector<std::string> families;
   for (const BenchRow& row : rows) {
-    if (std::find(families.begin(), families.end(), row.family) == families.end())
-      families.push_back(row.family);
+    if (std::ranges::count(families, row.family) == 0) families.push_back(row.family);
   }
   std::vector<QueryComparisons> queries;
   for (const char* query : {"verdict", "raw", "certificate", "batch", "distance", "depth"}) {

@@ -35,8 +35,6 @@ struct Comparison {
   double over_verdict = not_measured;  ///< ns over that of the verdict of `intersect`, same family
   double over_random = not_measured;   ///< ns over that on family `random`, same query
   double max_error = not_measured;
-  double max_error_at_most = not_measured;
-  std::size_t wrong = 0;
   std::size_t wrong_at_margin = 0;
   Competitor right;    ///< the fastest that is_right
   Competitor fastest;  ///< right or wrong, among methods that answer nearly all pairs

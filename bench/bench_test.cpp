@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "base/json.hpp"
 #include "bench/bench_summary.hpp"
 #include "oracles/referee/referee.hpp"
 #include "reports/run/bench_table.hpp"

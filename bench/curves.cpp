@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "base/number_text.hpp"
 
 namespace cyl {
 namespace {
@@ -65,11 +66,7 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.0f}", x
 std::optional<int> margin_of_family(std::string_view family) {
   constexpr std::string_view start = "margin_1e-";
   if (!family.starts_with(start)) return {};
-  family.remove_prefix(start.size());
-  int decade = 0;
-  const auto [rest, error] = std::from_chars(family.data(), family.data() + family.size(), decade);
-  if (error != std::errc() || rest != family.data() + family.size()) return {};
-  return decade;
+  return number_in<int>(family.substr(start.size()));
 }
 
 Digits digits_of(std::span<const BenchRow> rows) {
@@ -97,9 +94,7 @@ std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows) {
 }
 
 std::string format_curves(std::vector<SpeedPoint> points) {
-  std::stable_sort(points.begin(), points.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
-    return std::pair(x.query, x.curve) < std::pair(y.query, y.curve);
-  });
+  std::ranges::stable_sort(points, {}, [](const SpeedPoint& p) { return std::pair(p.query, p.curve); });
   std::string text =
       fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", "curve", "setting",
                   "query", "ns/pair", "p99 ns", "max ns", "pairs", "disj(!)", "inter(!)", "digits", "low");

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <span>
 
 #include "base/json.hpp"
 #include "corpus/pairs/near_touching.hpp"
@@ -236,22 +235,21 @@ std::vector<PathStability> path_stability(std::span<const std::unique_ptr<Method
           add_worst(of_method[p], one);
       }
     }
-    std::copy_if(of_method.begin(), of_method.end(), std::back_inserter(all),
-                 [](const PathStability& s) { return s.said > 0; });
+    std::ranges::copy_if(of_method, std::back_inserter(all),
+                         [](const PathStability& s) { return s.said > 0; });
   }
   return all;
 }
 
 json paths_json(std::span<const PathStability> paths) {
-  const auto number = [](const std::optional<double>& x) { return x ? json(*x) : json(nullptr); };
   json all = json::array();
   for (const PathStability& p : paths) {
     all.push_back({{"method", p.method},
                    {"path", p.path},
                    {"steps", p.steps},
                    {"flips", p.flips},
-                   {"distance_jump", number(p.distance_jump)},
-                   {"direction_jump_degrees", number(p.direction_jump_degrees)}});
+                   {"distance_jump", number_or_null(p.distance_jump)},
+                   {"direction_jump_degrees", number_or_null(p.direction_jump_degrees)}});
   }
   return all;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -44,15 +43,10 @@ int write_questions(const AskOptions& options) {
       options.out == "-" ? stdout : std::fopen(options.out.c_str(), "w"), closed);
   if (!file) throw std::runtime_error(options.out + ": cannot be written");
   ProgressLine line;
-  const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < options.pairs; ++i) {
     fmt::print(file.get(), "{}\n", format_case(question_at(workload, options.seed, i)));
-    if (i % shown_pairs != 0) continue;
-    const auto elapsed =
-        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
-    if (line.due(elapsed))
-      line.show(elapsed, static_cast<double>(i) / static_cast<double>(options.pairs),
-                fmt::format("{} pairs", i));
+    if (i % shown_pairs == 0 && line.due())
+      line.show(static_cast<double>(i) / static_cast<double>(options.pairs), fmt::format("{} pairs", i));
   }
   if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0)
     throw std::runtime_error(options.out + ": could not be written");

@@ -52,12 +52,6 @@ void set_defaults(const Command& command, BenchArguments& options) {
   unless_given("--passes", options.bench.passes, 3);
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const BenchArguments& options, MethodSet set) {
-  auto methods = std::move(set.methods);
-  if (options.bench.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
-  return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
-}
-
 /// Returns a note on the times of programs. Empty if there are no programs.
 std::string through_pipes(const std::vector<Guest>& guests) {
   std::string names;
@@ -70,7 +64,9 @@ std::string through_pipes(const std::vector<Guest>& guests) {
 void run(const BenchArguments& options) {
   MethodSet set = with_guests(options.guests, options.methods);
   const std::string pipes = through_pipes(set.guests);
-  const auto methods = methods_for(options, std::move(set));
+  auto methods = std::move(set.methods);
+  if (options.bench.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
+  if (options.methods != "all") methods = select_methods(std::move(methods), options.methods);
   const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };
   const std::vector<Family> families = select_families(options.families);
   fmt::print("seed {}, {} pairs a family, {} turns, {} s of timing a row; {}; {}\n\n", options.bench.seed,
@@ -85,8 +81,7 @@ void run(const BenchArguments& options) {
                    : options.bench.shapes ? format_shapes(queries)
                                           : format_bench_table(rows) + format_comparisons(queries));
   for (const auto& method : methods)
-    if (!options.bench.shapes &&
-        std::ranges::none_of(rows, [&](const BenchRow& row) { return row.method == method->name(); }))
+    if (!options.bench.shapes && std::ranges::count(rows, method->name(), &BenchRow::method) == 0)
       fmt::print("{}: no row, because it does not support these pairs\n", method->name());
   fmt::print("{}", pipes);
   if (!options.json.empty()) write_json(options.json, rows);

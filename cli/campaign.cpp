@@ -6,23 +6,17 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <thread>
-#include <vector>
 
 #include "base/exit_code.hpp"
+#include "base/number_text.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
@@ -32,7 +26,6 @@
 #include "cli/commands.hpp"
 #include "cli/families.hpp"
 #include "cli/fuzz.hpp"
-#include "cli/guests.hpp"
 #include "cli/known_guests.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
@@ -72,13 +65,13 @@ void print_list(const GuestOptions& guests) {
 
 /// Reads "i/n" with i from 0 to n - 1. Throws UsageError if the text has another form.
 void set_shard(const std::string& text, CampaignOptions& options) {
-  const char* end = text.data() + text.size();
-  const auto [slash, bad_index] = std::from_chars(text.data(), end, options.shard);
-  const bool cut = bad_index == std::errc() && slash != end && *slash == '/';
-  const auto [rest, bad_count] = cut ? std::from_chars(slash + 1, end, options.shards)
-                                     : std::from_chars_result{end, std::errc::invalid_argument};
-  if (bad_count != std::errc() || rest != end || options.shard >= options.shards)
+  const std::size_t slash = std::min(text.find('/'), text.size() - 1);
+  const auto index = number_in<std::uint64_t>(text.substr(0, slash)),
+             count = number_in<std::uint64_t>(text.substr(slash + 1));
+  if (!index || !count || *index >= *count)
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
+  options.shard = *index;
+  options.shards = *count;
 }
 
 /// Returns whether a campaign draws such solids: those that a method supports. If there are guests, one of
@@ -140,16 +133,11 @@ std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, N
   return kept;
 }
 
-/// Returns a limit even if the budget is spent.
-std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
-  return budget.count() > 0 ? budget : spent_budget;
-}
-
 /// Returns every method and the run's guests. A guest that the command line gives replaces that of the run.
 MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<std::string>& asked) {
   MethodSet set = with_guests(arguments.guests);
   for (const Guest& guest : set.guests) {
-    if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
+    if (std::ranges::count(asked, guest.name) == 0)
       throw UsageError(arguments.resume + " has not asked " + guest.name +
                        ": a resumed run keeps its methods");
   }
@@ -185,7 +173,7 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   options.pairs = number_of(config, "pairs");
   const std::chrono::milliseconds budget(number_of(config, "budget_milliseconds"));
   const std::chrono::milliseconds spent(store.progress().milliseconds);
-  if (budget.count() != 0) options.budget = left_of(budget - spent);
+  if (budget.count() != 0) options.budget = budget > spent ? budget - spent : spent_budget;
   return options;
 }
 
@@ -319,8 +307,7 @@ int campaign(const CampaignArguments& arguments) {
           if (!options.resume) hold(options.out);
         }
         linked = true;
-        if (line.due(progress.session_time))
-          line.show(progress.session_time, share_done(options, progress), numbers(progress));
+        if (line.due()) line.show(share_done(options, progress), numbers(progress));
       });
     } catch (const std::runtime_error&) {
       if (linked) require_run();  // its file may be gone between two looks

@@ -26,7 +26,6 @@
 #include "oracles/referee/half_space.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 

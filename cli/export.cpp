@@ -130,22 +130,6 @@ OneFailure failure_of(const ExportArguments& options, std::span<const std::uniqu
   return {name, now.finding()->kind, target.pair};
 }
 
-/// The output of a folder's build.sh, and how it ends.
-struct Ran {
-  std::string printed;
-  int status = 0;
-};
-
-Ran run_build(const fs::path& folder) {
-  const auto deadline = std::chrono::steady_clock::now() + build_cap;
-  Child child({"sh", "-c", "exec sh \"$0\" 2>&1", (folder / "build.sh").string()}, {.own_group = true});
-  while (!child.advance()) {
-    if (std::chrono::steady_clock::now() > deadline) child.kill_now();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return {child.bytes(), child.status()};
-}
-
 /// Returns whether the program, built and run in its own folder, shows the failure. False if it could not be
 /// built. Throws std::runtime_error if it ran without a failure.
 bool shows_failure(const Export& files) {
@@ -156,12 +140,17 @@ bool shows_failure(const Export& files) {
     fs::remove_all(name, none);
   });
   write_export(files, name);
-  const Ran ran = run_build(name);
-  if (!fs::exists(fs::path(name) / "reproduce")) return false;
-  if (!WIFEXITED(ran.status) || WEXITSTATUS(ran.status) != 0) return true;
+  const auto deadline = std::chrono::steady_clock::now() + build_cap;
+  Child child({"sh", "-c", "exec sh \"$0\" 2>&1", name + "/build.sh"}, {.own_group = true});
+  while (!child.advance()) {
+    if (std::chrono::steady_clock::now() > deadline) child.kill_now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  if (!fs::exists(name + "/reproduce")) return false;
+  if (!WIFEXITED(child.status()) || WEXITSTATUS(child.status()) != 0) return true;
   throw std::runtime_error(
       "the program that would be sent does not show the failure, so nothing is written. It printed:\n" +
-      ran.printed);
+      child.bytes());
 }
 
 /// Writes the export and prints what it wrote. A program for a packaged library is built and run first.

@@ -3,16 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -26,10 +22,6 @@ struct FamiliesOptions {
   std::uint64_t count = 10;
   std::uint64_t from = 0;
 };
-
-void list_families() {
-  for (const Family& family : campaign_families()) fmt::print("{:<28} {}\n", family.name, family.summary);
-}
 
 void print_pairs(const FamiliesOptions& options) {
   const Family* family = find_family(options.name);
@@ -89,11 +81,9 @@ void add_families(Program& program) {
       "  daylight families random --count 1000 | daylight check",
       "The exit codes 2 and 3 do not occur for families.");
   command.run([options] {
-    if (options->name.empty()) {
-      list_families();
-    } else {
-      print_pairs(*options);
-    }
+    if (!options->name.empty()) print_pairs(*options);
+    for (const Family& family : options->name.empty() ? campaign_families() : std::span<const Family>())
+      fmt::print("{:<28} {}\n", family.name, family.summary);
     return exit_pass;
   });
 }

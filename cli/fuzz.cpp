@@ -3,18 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
-#include "cli/campaign.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
@@ -62,12 +59,10 @@ std::string fuzz_program(const std::string& target) {
 }
 
 unsigned parse_share(const std::string& text) {
-  unsigned percent = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, bad] = std::from_chars(text.data(), end, percent);
-  if (bad != std::errc() || std::string_view(rest, end) != "%" || percent == 0 || percent >= 100)
+  const auto percent = number_in<unsigned>(text.substr(0, text.size() - text.ends_with('%')));
+  if (!text.ends_with('%') || percent.value_or(0) == 0 || *percent >= 100)
     throw UsageError("--fuzz: '" + text + "' is not a share from 1% to 99%");
-  return percent;
+  return *percent;
 }
 
 void plan_fuzzing(const CampaignArguments& arguments, CampaignOptions& options) {
@@ -121,9 +116,8 @@ bool fuzz_before_campaign(const CampaignOptions& options) {
            .seed = options.seed + options.shard},
           [&](const FuzzProgress& progress) {
             store.set("fuzz_milliseconds", std::to_string((left - progress.elapsed).count()));
-            if (line.due(progress.elapsed))
-              line.show(progress.elapsed,
-                        static_cast<double>(progress.elapsed.count()) / static_cast<double>(budget.count()),
+            if (line.due())
+              line.show(static_cast<double>(progress.elapsed.count()) / static_cast<double>(budget.count()),
                         "fuzzing " + targets[i].name + ": " + format_progress(progress));
           });
     }

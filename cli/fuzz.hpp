@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cli/campaign.hpp"
 #include "fuzz/campaign/campaign.hpp"

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,12 +40,6 @@ struct GateArguments {
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
 
-void print_laws() {
-  for (const Law& law : all_laws())
-    fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
-               law.statement, "", law.where);
-}
-
 /// Returns the failures as lines of a case file, to be kept beside the other cases.
 std::string case_lines(const JudgedGate& gate) {
   std::string lines;
@@ -65,37 +56,21 @@ std::string case_lines(const JudgedGate& gate) {
   return lines;
 }
 
-/// Judges a report: marks known failures, notes gaps against the base, and adds guests' options.
-JudgedGate judge(GateReport report, const GateBase& base, std::span<const Guest> guests) {
-  JudgedGate gate = judged(std::move(report));
-  mark_known(gate, base);
-  note_gaps(gate, base);
-  for (const Guest& guest : guests)
-    for (JudgedFailure& failure : gate.failures)
-      if (failure.method == guest.name) failure.options = options_for(guest);
-  return gate;
-}
-
-void write_files(const GateArguments& arguments, const JudgedGate& gate) {
-  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(gate));
-  if (!arguments.json.empty()) write_file(arguments.json, gate_json(gate));
-  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(gate));
-}
-
 GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                              const GateOptions& options) {
   ProgressLine line;
   return run_gate(methods, cases, options, [&](const GateProgress& p) {
-    if (!line.due(p.elapsed)) return;
-    line.show(p.elapsed, p.share,
-              fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
-                          counted(p.failures, "failing cause")));
+    if (!line.due()) return;
+    line.show(p.share, fmt::format("{}: {}, {}", to_string(p.phase), counted(p.pairs, "pair"),
+                                   counted(p.failures, "failing cause")));
   });
 }
 
 int gate(const GateArguments& arguments) {
   if (arguments.laws) {
-    print_laws();
+    for (const Law& law : all_laws())
+      fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
+                 law.statement, "", law.where);
     return exit_pass;
   }
   GateOptions options;
@@ -119,11 +94,17 @@ int gate(const GateArguments& arguments) {
   std::fflush(stdout);
 
   options.stopped = StopSignals::asked;
-  GateReport report = run_with_progress(methods, cases, options);
-  const JudgedGate judged = judge(std::move(report), base, guests);
-  fmt::print("{}", gate_text(judged));
-  write_files(arguments, judged);
-  return exit_code(judged);
+  JudgedGate result = judged(run_with_progress(methods, cases, options));
+  mark_known(result, base);
+  note_gaps(result, base);
+  for (const Guest& guest : guests)
+    for (JudgedFailure& failure : result.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
+  fmt::print("{}", gate_text(result));
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(result));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(result));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(result));
+  return exit_code(result);
 }
 
 }  // namespace

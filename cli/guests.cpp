@@ -21,8 +21,7 @@ namespace cyl {
 namespace {
 
 const Method* find(const MethodSet& set, std::string_view name) {
-  const auto found = std::find_if(set.methods.begin(), set.methods.end(),
-                                  [&](const auto& method) { return method->name() == name; });
+  const auto found = std::ranges::find(set.methods, name, [](const auto& method) { return method->name(); });
   return found == set.methods.end() ? nullptr : found->get();
 }
 

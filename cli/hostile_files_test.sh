@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Files that a stranger made to hang, fill or crash a reader: each ends within 2 seconds of CPU time and 300 MB, and says
 # why.
+# shellcheck disable=SC2086  # commands are split into their words
 set -euo pipefail
 . "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/expect.sh"
 export XDG_STATE_HOME=$scratch/state
@@ -92,7 +93,6 @@ endless='WITH RECURSIVE r(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM r) SELECT'
 changed run.sqlite 'ALTER TABLE finding_group RENAME TO was' "CREATE VIEW finding_group AS $endless x, x, x, x, x, x FROM r"
 for command in 'triage copy --for 1s' 'replay copy' 'merge copy --out merged' 'export copy:1 --out sent' \
   'worst --from copy --method ode --evaluations 5' 'chart copy' 'campaign --resume copy'; do
-  # shellcheck disable=SC2086
   hostile 65 "run.sqlite: its view 'finding_group' is none that this build writes" $command
 done
 changed run.sqlite 'CREATE TRIGGER evil AFTER UPDATE ON progress BEGIN DELETE FROM wrong_answer; END'
@@ -101,14 +101,12 @@ changed run.sqlite 'UPDATE wrong_answer SET reason = zeroblob(70000000) WHERE id
 hostile 65 'run.sqlite: string or blob too big' replay copy
 changed run.sqlite "UPDATE judged_pair SET pair = '['"
 for command in 'triage copy --for 1s' 'replay copy' 'export copy:1 --out sent'; do
-  # shellcheck disable=SC2086
   hostile 65 '1: line 1, column 1: ' $command
 done
 changed run.sqlite 'UPDATE judged_pair SET pair_index = -1 - pair_index'
 hostile 65 'run.sqlite: it counts [0-9]+ findings of ode .*, and pairs of 0: it is damaged or forged' triage copy
 changed run.sqlite 'UPDATE progress SET next = 9223372036854775807'
 for command in 'campaign --resume copy --for 1s' 'merge copy --out merged'; do
-  # shellcheck disable=SC2086
   hostile 65 'it did 9223372036854775807 pairs, and its referee judged 1500' $command
 done
 changed run.sqlite 'UPDATE finding_group SET count = 1000000
@@ -116,7 +114,6 @@ changed run.sqlite 'UPDATE finding_group SET count = 1000000
   WITH RECURSIVE r(x) AS (SELECT 1000 UNION ALL SELECT x + 1 FROM r WHERE x < 300000)
   SELECT x, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, reason FROM r, wrong_answer WHERE id = 1"
 for command in 'replay copy' 'merge copy --out merged' 'triage copy --for 1s'; do
-  # shellcheck disable=SC2086
   hostile 65 'has rows of 29[0-9]{4}, and pairs' $command
 done
 changed run.sqlite "INSERT OR REPLACE INTO run VALUES('shard', '0/2 of batches of 10')" "UPDATE run SET value = '1e9' WHERE key = 'pairs'" \
@@ -131,7 +128,6 @@ for table in wrong_answer tally method; do
     "UPDATE finding_group SET method = $evil || method WHERE '$table' = 'wrong_answer'"
   for command in 'triage copy --for 1s' 'replay copy' 'merge copy --out merged' 'export copy:1 --out sent' \
     'chart copy' 'campaign --resume copy'; do
-    # shellcheck disable=SC2086
     "$daylight" $command >out 2>err || true
     ! grep -qE $'\e|\a|\xe2\x80\xae|^evil' out err || failed "escape codes of $table: $command"
     [[ $table != wrong_answer || $command != replay* ]] || holds 'a name' out 'finding of .u001b.2J.u0007.nevil.u202eode'

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -108,17 +106,14 @@ int judge_answers(const JudgeOptions& options) {
     bytes = static_cast<double>(std::filesystem::file_size(options.answers, none));
   }
   std::istream& in = options.answers == "-" ? std::cin : file;
-  OfflineJudge judged({options.name, options.claim < 0 ? std::optional<double>() : options.claim},
+  OfflineJudge judged(options.name, options.claim < 0 ? std::optional<double>() : options.claim,
                       questions ? &*questions : nullptr, on_bad_line);
   {
     ProgressLine line;
-    const auto start = std::chrono::steady_clock::now();
     judged.judge_all(in, options.answers, [&](std::uint64_t lines) {
-      const auto elapsed =
-          std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
-      if (!line.due(elapsed)) return;
+      if (!line.due()) return;
       const double share = &in == &file && bytes > 0 ? static_cast<double>(in.tellg()) / bytes : 0;
-      line.show(elapsed, share, fmt::format("{} answers", lines));
+      line.show(share, fmt::format("{} answers", lines));
     });
   }
   fmt::print("{}", format_tallies(tally_methods(judged.tallies())));
@@ -130,7 +125,7 @@ int judge_answers(const JudgeOptions& options) {
     fmt::print("{} lines do not answer a pair\n", judged.lines_passed_over());
   if (!options.keep.empty()) {
     write_file(options.keep, failing_lines(judged));
-    if (std::any_of(judged.findings().begin(), judged.findings().end(), fails))
+    if (std::ranges::any_of(judged.findings(), fails))
       fmt::print("next: {} replay {}\n", own_command(), shell_quoted(options.keep));
   }
   return judged.exit_code();

@@ -5,15 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <concepts>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "base/spelling.hpp"
 #include "cli/commands.hpp"
 
@@ -65,10 +64,7 @@ NameAndValue split(const std::string& declared) {
 /// Reads a whole number. Throws the parser's error if `text` is not one from `least` to `most`.
 std::uint64_t whole_number(const std::string& text, const std::string& name, std::uint64_t least,
                            std::uint64_t most) {
-  std::uint64_t n = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, n);
-  if (error == std::errc() && rest == end && n >= least && n <= most) return n;
+  if (const auto n = number_in<std::uint64_t>(text); n && *n >= least && *n <= most) return *n;
   throw CLI::ValidationError(name, "'" + text + "' is not a whole number from " + std::to_string(least) +
                                        " to " + std::to_string(most));
 }

@@ -10,9 +10,7 @@
 namespace cyl {
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds line_interval{5000}, bar_interval{200};
+constexpr std::chrono::milliseconds line_interval{5000}, bar_interval{200};
 constexpr int bar_width = 20;  // columns
 
 }  // namespace
@@ -23,12 +21,12 @@ ProgressLine::~ProgressLine() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-bool ProgressLine::due(milliseconds elapsed) const {
-  return elapsed - shown_at_ >= (terminal_ ? bar_interval : line_interval);
+bool ProgressLine::due() const {
+  return Clock::now() - shown_at_ >= (terminal_ ? bar_interval : line_interval);
 }
 
-void ProgressLine::show(milliseconds elapsed, double share, const std::string& numbers) {
-  shown_at_ = elapsed;
+void ProgressLine::show(double share, const std::string& numbers) {
+  shown_at_ = Clock::now();
   share = std::clamp(share, 0.0, 1.0);
   if (!terminal_) {
     fmt::print(stderr, "{:3.0f} %  {}\n", 100 * share, numbers);

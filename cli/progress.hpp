@@ -13,14 +13,14 @@ class ProgressLine {
   ~ProgressLine();  ///< takes the bar away
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  /// Returns whether it is time to show something; `elapsed` since the work began.
-  bool due(std::chrono::milliseconds elapsed) const;
+  bool due() const;  ///< whether it is time to show something
   /// Shows the share of the work that is done, and its results so far.
-  void show(std::chrono::milliseconds elapsed, double share, const std::string& numbers);
+  void show(double share, const std::string& numbers);
 
  private:
+  using Clock = std::chrono::steady_clock;
   bool terminal_;
-  std::chrono::milliseconds shown_at_{0};
+  Clock::time_point shown_at_ = Clock::now();
 };
 
 }  // namespace cyl

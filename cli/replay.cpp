@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,7 +60,7 @@ class Replayer {
  public:
   explicit Replayer(const ReplayArguments& arguments) : laws_(arguments.laws) {
     for (const int law : laws_)
-      if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& l) { return l.number == law; }))
+      if (std::ranges::count(all_laws(), law, &Law::number) == 0)
         throw UsageError("no law has the number " + std::to_string(law));
     methods_ = methods_for_targets(arguments.guests, arguments.targets, arguments.methods).methods;
     if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
@@ -82,7 +81,7 @@ class Replayer {
       for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
       std::vector<Trial> now = try_methods(methods_, pairs, Caps{}, 2);
       const LawFilter wanted = [&](std::size_t, const Law& law) {
-        return std::find(laws_.begin(), laws_.end(), law.number) != laws_.end();
+        return std::ranges::count(laws_, law.number) > 0;
       };
       const Examined examined = laws_.empty() ? Examined{} : examine(methods_, pairs, wanted);
       for (std::size_t i = 0; i < count; ++i) {
@@ -118,8 +117,7 @@ class Replayer {
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
     std::vector<std::size_t> wrong_first(methods_.size());
     std::iota(wrong_first.begin(), wrong_first.end(), std::size_t{0});
-    std::stable_partition(wrong_first.begin(), wrong_first.end(),
-                          [&](std::size_t m) { return now.findings[m].has_value(); });
+    std::ranges::stable_partition(wrong_first, [&](std::size_t m) { return now.findings[m].has_value(); });
     const bool brief = std::ranges::count_if(now.answers, declined) > 1;
     for (const std::size_t m : wrong_first) {
       if (brief && declined(now.answers[m])) continue;

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/number_text.hpp"
 #include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
@@ -30,13 +30,9 @@ struct SceneArguments {
 
 /// Reads "elbow=0.5". Throws UsageError if the text has another form.
 std::pair<std::string, double> parse_joint(const std::string& text) {
-  const auto sign = text.find('=');
-  double value = 0;
-  if (sign != text.npos) {
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data() + sign + 1, end, value);
-    if (error == std::errc() && rest == end && std::isfinite(value)) return {text.substr(0, sign), value};
-  }
+  if (const auto sign = text.find('='); sign != text.npos)
+    if (const auto value = number_in<double>(text.substr(sign + 1)); value && std::isfinite(*value))
+      return {text.substr(0, sign), *value};
   throw UsageError("--at: '" + text + "' is not JOINT=VALUE");
 }
 
@@ -47,13 +43,11 @@ void check_length(const char* option, double length) {
 
 /// Shows how far the study is.
 SceneStudy study_with_progress(const Scene& scene, SceneOptions question, const std::string& budget) {
-  using std::chrono::steady_clock;
-  const auto began = steady_clock::now();
-  if (!budget.empty()) question.workforce.deadline = began + parse_duration(budget);
+  if (!budget.empty())
+    question.workforce.deadline = std::chrono::steady_clock::now() + parse_duration(budget);
   ProgressLine line;
   question.workforce.show = [&](double share, const std::string& results) {
-    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(steady_clock::now() - began);
-    if (line.due(elapsed)) line.show(elapsed, share, results);
+    if (line.due()) line.show(share, results);
   };
   return study_scene(scene, question);
 }

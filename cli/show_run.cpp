@@ -7,7 +7,6 @@
 
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
-#include "base/source_tree.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/report_data.hpp"
@@ -16,11 +15,8 @@
 #include "reports/run/tally_table.hpp"
 
 namespace cyl {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 void point_latest_at(const fs::path& run) {
   const fs::path folder = fs::absolute(run).parent_path(), link = folder / "latest",

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -55,11 +55,9 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
 std::optional<std::pair<std::string, std::int64_t>> numbered(const std::string& name) {
   const std::size_t colon = name.rfind(':');
   if (colon == std::string::npos) return {};
-  std::int64_t number = 0;
-  const char* end = name.data() + name.size();
-  const auto parsed = std::from_chars(name.data() + colon + 1, end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || number < 0) return {};
-  return std::pair(name.substr(0, colon), number);
+  const auto number = number_in<std::int64_t>(std::string_view(name).substr(colon + 1));
+  if (number.value_or(-1) < 0) return {};
+  return std::pair(name.substr(0, colon), *number);
 }
 
 }  // namespace

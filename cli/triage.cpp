@@ -49,12 +49,10 @@ int triage(const TriageArguments& arguments) {
   {
     ProgressLine line;
     result = run_triage(options, methods, [&](const TriageProgress& p) {
-      if (!line.due(p.elapsed)) return;
-      line.show(
-          p.elapsed,
-          std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("{} of {} findings have a cause, {} simplified", p.classified, p.findings,
-                      p.simplified));
+      if (!line.due()) return;
+      line.show(static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count()),
+                fmt::format("{} of {} findings have a cause, {} simplified", p.classified, p.findings,
+                            p.simplified));
     });
   }
   const auto here = std::ranges::count_if(result.causes, [](const Cause& b) { return b.count > 0; });

@@ -106,11 +106,11 @@ int search_all(const WorstArguments& arguments) {
       {
         ProgressLine line;
         worst = worst_of(method, starts, options, [&](const Worst& w) {
-          if (!line.due(elapsed())) return;
+          if (!line.due()) return;
           const double share = arguments.evaluations
                                    ? part(ended, all) + part(w.evaluations, options.evaluation_cap * all)
                                    : part(elapsed().count(), budget.count());
-          line.show(elapsed(), share, fmt::format("{}: {}", name, counted(w.evaluations, "shape")));
+          line.show(share, fmt::format("{}: {}", name, counted(w.evaluations, "shape")));
         });
       }
       ++ended;

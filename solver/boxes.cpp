@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The verdict on pairs with a box or a half-space. Derivation: boxes.md.
-#include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "solver/detail/along_edges.hpp"
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
 
@@ -11,14 +12,17 @@ namespace {
 
 constexpr int next_of[] = {1, 2, 0}, last_of[] = {2, 0, 1};
 
-// e_k and the vectors v_j of the other box: the product D = e_k x v_j, of the length s = |(v_j)_l, (v_j)_m|,
-// and -f(D). Each term is proportional to s, rounding too.
-double product_gap(const BoxView& v, int k, int j) noexcept {
-  const int l = next_of[k], m = last_of[k], first = next_of[j], second = last_of[j];
-  const double at_l = v.e[j][m], at_m = v.e[j][l];  // D = -at_l along l, at_m along m
-  const auto along = [&](const Vector3& x) { return std::fabs(at_m * x[m] - at_l * x[l]); };
-  return along(v.d) - v.half[l] * std::fabs(at_l) - v.half[m] * std::fabs(at_m) -
-         v.half1[first] * along(v.e[first]) - v.half1[second] * along(v.e[second]);
+// Bit 3 j + k: the product of edge k of a box and edge j of the other, e[j], separates them. A coordinate of
+// v_j x x is along such a product.
+[[gnu::always_inline]] inline unsigned products_apart(Seen half, Seen half1, Seen d,
+                                                      const Seen (&e)[3]) noexcept {
+  const Seen c01 = magnitude(cross(e[0], e[1])), c12 = magnitude(cross(e[1], e[2])),
+             c20 = magnitude(cross(e[2], e[0]));
+  const double h0 = half1.xy[0], h1 = half1.xy[1], h2 = half1.z;
+  const auto apart = [&](int j, Seen other) {
+    return are_above(magnitude(cross(e[j], d)), crosswise(half, magnitude(e[j])) + other) << 3 * j;
+  };
+  return apart(0, h1 * c01 + h2 * c20) | apart(1, h0 * c01 + h2 * c12) | apart(2, h0 * c20 + h1 * c12);
 }
 
 // The support of a cylinder's disk along e_i.
@@ -27,19 +31,58 @@ double share_of(const BoxView& v, int i) noexcept {
   return v.r == 0 ? 0 : v.r * std::sqrt(w1 * w1 + w2 * w2);
 }
 
+// Two boxes as seen from the first. Each step answers all its questions at once, because each alone would be
+// an unpredictable branch.
+struct TwoBoxes {
+  [[gnu::always_inline]] TwoBoxes(const Prepared& a, const Prepared& b) noexcept
+      : seen(a),
+        half(half_of(a)),
+        half1(half_of(b)),
+        d(seen(b.center - a.center)),
+        e{seen(b.unit_axis), seen(b.second_axis), seen(b.unit_axis.cross(b.second_axis))},
+        size{magnitude(e[0]), magnitude(e[1]), magnitude(e[2])} {}
+  // Along the edges of the second box.
+  [[gnu::always_inline]] Seen from_second(Seen x) const noexcept {
+    return {Both{dot(x, e[0]), dot(x, e[1])}, dot(x, e[2])};
+  }
+  // Whether a normal separates them by more than `contact`.
+  [[gnu::always_inline]] unsigned apart_by_normal(double contact) const noexcept {
+    const Seen beyond(both(contact), contact);
+    const Seen reach0 = half + half1.xy[0] * size[0] + half1.xy[1] * size[1] + half1.z * size[2];
+    const Seen reach1 = half1 + Seen(Both{dot(half, size[0]), dot(half, size[1])}, dot(half, size[2]));
+    return are_above(magnitude(d), reach0 + beyond) | are_above(magnitude(from_second(d)), reach1 + beyond);
+  }
+  // Whether the second core has the point of the first that is nearest to its centre.
+  [[gnu::always_inline]] unsigned meet() const noexcept {
+    return are_above(magnitude(from_second(d - clamped(d, half))), half1) == 0;
+  }
+
+  SeenFrom seen;
+  Seen half, half1, d, e[3], size[3];
+};
+
+Verdict intersect_boxes(const Prepared& a, const Prepared& b, double contact) noexcept {
+  const TwoBoxes boxes(a, b);
+  const unsigned apart = boxes.apart_by_normal(contact);
+  if ((apart | boxes.meet()) != 0) return verdict_of(apart == 0);
+  const bool meet = (contact == 0 || boxes.apart_by_normal(0) == 0) &&
+                    products_apart(boxes.half, boxes.half1, boxes.d, boxes.e) == 0;
+  if (meet | (contact == 0)) return verdict_of(meet);
+  return verdict_of(nearest_points(BoxView(a, b), contact).square <= contact * contact);
+}
+
 }  // namespace
 
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept {
+  if (b.shape == Shape::box) return intersect_boxes(a, b, contact);
   const BoxView v(a, b);
-  if (contact == 0 || v.box) {
-    if (!v.box && v.r > 0 && holds(v, clamped(v.d, v.half), 0)) return Verdict::intersecting;
-    const int axis = separating_axis(v);
-    const bool meets = axis < 0 && (v.box || v.r == 0 || clip(v).meets);
-    if (meets | (contact == 0)) return verdict_of(meets);
+  if (contact == 0) {
+    if (v.r > 0 && holds(v, clamped(v.d, v.half), 0)) return Verdict::intersecting;
+    return verdict_of(separating_axis(v) < 0 && (v.r == 0 || clip(v).meets));
   }
   const NearestPoints found = nearest_points(v, contact);
   if (found.square <= contact * contact) return Verdict::intersecting;
-  if (found.apart || v.box) return Verdict::disjoint;
+  if (found.apart) return Verdict::disjoint;
   return verdict_of(separating_axis(v) < 0 && clip(v).meets);
 }
 
@@ -120,10 +163,9 @@ bool holds(const BoxView& v, const Vector3& at, double slack) noexcept {
 
 int separating_product(const BoxView& v) noexcept {
   if (v.box) {
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j)
-        if (product_gap(v, k, j) > 0) return 6 + 3 * k + j;
-    return -1;
+    const Seen e[] = {Seen(v.e[0]), Seen(v.e[1]), Seen(v.e[2])};
+    const unsigned apart = products_apart(Seen(v.half), Seen(v.half1), Seen(v.d), e);
+    return apart == 0 ? -1 : 6 + std::countr_zero(apart);
   }
   const Vector3 &w = v.e[0], &d = v.d;
   for (int i = 0; i < 3; ++i) {
@@ -150,8 +192,8 @@ Vector3 axis_of(const BoxView& v, int index) noexcept {
   }
   if (v.box && index < 6) return v.e[index - 3];
   if (v.box) {
-    unit[(index - 6) / 3] = 1;
-    return unit.cross(v.e[(index - 6) % 3]);
+    unit[(index - 6) % 3] = 1;
+    return unit.cross(v.e[(index - 6) / 3]);
   }
   if (index == 3) return v.e[0];
   if (index == 7) return v.d - clamped(v.d, v.half);

@@ -2,7 +2,6 @@
 // The verdict on pairs with a box or a half-space, with its proof. Every certificate is checked in the
 // scene's frame, with the bound of boxes.md, section 6.
 #include <cmath>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
@@ -74,15 +73,13 @@ class BoxProof {
         error_(box_error * reach_ + underflow_error) {
     const double by = box_slack_tol * reach_;
     hull_ = view_.box ? Hull::space : hull_of(view_.r, view_.h, reach_);
-    const bool line = (hull_ == Hull::line) | (hull_ == Hull::center);
-    const bool plane = (hull_ == Hull::plane) | (hull_ == Hull::center);
     for (int i = 0; i < 3; ++i) {
       shrunk_.half[i] -= by;
       shrunk_.half1[i] -= by;
       flat_ |= shrunk_.half[i] < 0 || (view_.box && shrunk_.half1[i] < 0);
     }
-    shrunk_.r = line ? 0 : view_.r - by;
-    shrunk_.h = plane ? 0 : view_.h - by;
+    shrunk_.r = on_line(hull_) ? 0 : view_.r - by;
+    shrunk_.h = in_plane(hull_) ? 0 : view_.h - by;
   }
 
   void run() noexcept { p_.contact > 0 ? (void)prove_near() : (void)prove_cores(); }
@@ -205,36 +202,23 @@ class BoxProof {
 }  // namespace
 
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  Answer answer;
-  if (a.shape == Shape::half_space && b.shape == Shape::half_space) {
-    answer.verdict = Verdict::invalid;
-    return answer;
-  }
   const bool swapped = shapes_out_of_order(a, b);
-  const Prepared& first = swapped ? b : a;
-  ask_in_order(a, b, clearance, swapped, [&](const ShapePair& p) {
-    if (p.a.shape == Shape::half_space) {
-      decide_half_space(p, first.second_axis, (swapped ? a : b).center, answer);
-    } else {
-      const double reach = reach_of(p);
-      const bool thin = p.b.shape == Shape::cylinder && p.b.radius == 0;
-      if (thin && prove_thin_and_box(p, quick_error * reach + underflow_error, answer)) return;
-      const BoxView view(p.a, p.b);
-      if (thin || !prove_quickly(p, view, reach, first.center, answer))
-        prove_in_full(p, view, first.center, answer);
-    }
+  const Prepared* const solids[] = {&a, &b};
+  const Prepared &first = *solids[swapped], &second = *solids[!swapped];
+  if (first.shape == Shape::half_space) return decide_half_space(first, second, clearance, swapped);
+  return second.shape == Shape::cylinder && second.radius == 0
+             ? decide_thin_and_box(first, second, clearance, swapped)
+             : decide_box(first, second, clearance, swapped);
+}
+
+Answer decide_box(const Prepared& box, const Prepared& c, double clearance, bool swapped) noexcept {
+  Answer answer;
+  ask_in_order(box, c, clearance, false, [&](const ShapePair& p) {
+    const BoxView view(p.a, p.b);
+    if ((!view.box && view.r == 0) || !prove_quickly(p, view, reach_of(p), box.center, answer))
+      prove_in_full(p, view, box.center, answer);
   });
-  // Tables, because branches would be unpredictable. A direction that proves nothing stays +0.
-  constexpr double turns[] = {1, -1};
-  const bool points = swapped & (answer.proof == Proof::points);
-  const Vector3 ends[] = {answer.point_head, answer.point_tail};
-  const Hull hulls[] = {answer.hull_a, answer.hull_b};
-  answer.direction = turns[swapped & (answer.proof == Proof::direction)] * answer.direction;
-  answer.point_head = ends[points];
-  answer.point_tail = ends[!points];
-  answer.hull_a = hulls[swapped];
-  answer.hull_b = hulls[!swapped];
-  return answer;
+  return in_order(swapped, answer);
 }
 
 }  // namespace cyl

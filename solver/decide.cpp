@@ -42,7 +42,7 @@ constexpr Weights direction_weights[] = {
   const double z_s = f.z_s - error, radii = f.radii();
   return bits(k * magnitude(k) > f.s2 * crosswise(f.r * f.r)) |
          bits(k_s * magnitude(k_s) > f.s2 * (most * most)) << 2 |
-         (z_s * magnitude(z_s) > f.s2 * (radii * radii) ? 16u : 0u);
+         static_cast<unsigned>(z_s * magnitude(z_s) > f.s2 * (radii * radii)) << 4;
 }
 
 [[gnu::always_inline]] inline Vector3 direction_of(unsigned j, const SectionsOfBoth& f, const Vector3& w0,
@@ -241,6 +241,8 @@ bool prove_steep(const Prepared& a, const Prepared& b, Unresolved& open, Answer&
   const auto filter = separating_axis_filter(f);
   if (filter.apart) return false;
   if (filter.overlaps) {
+    // Flat solids have no such point.
+    if ((bits(f.r <= both(open.error)) | bits(f.h <= both(open.error))) != 0) return false;
     if (!find_point_again(f, open.error, open.x) && !find_point_otherwise(f, open.error, open.x))
       return false;
     hand_out(a, b, f, open.x, answer);
@@ -332,7 +334,9 @@ template <bool ordinary>
 }  // namespace
 
 Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  return both_are(Prepared::ordinary, a, b) ? decide_cores<true>(a, b) : decide_other(a, b);
+  if (both_are(Prepared::ordinary, a, b)) return decide_cores<true>(a, b);
+  if (!both_are(Prepared::moderate, a, b)) return decide_other(a, b);
+  return has_other_shape(a, b) ? decide_shapes(a, b, 0) : decide_rounded(a, b, 0);
 }
 
 Answer decide(const Solid& a, const Solid& b) noexcept { return decide(prepare(a), prepare(b)); }

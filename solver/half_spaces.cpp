@@ -20,26 +20,6 @@ namespace {
   return c.radius == 0 ? along : c.radius * length(n.cross(c.unit_axis)) + along;
 }
 
-Vector3 farthest_on_box(const Prepared& c, const Vector3& half, const Vector3& n) noexcept {
-  const Edges edges(c);
-  const Vector3 along = edges.seen(n);
-  Vector3 x(0, 0, 0);
-  for (int i = 0; i < 3; ++i)
-    if (along[i] != 0) x[i] = std::copysign(half[i], along[i]);
-  return edges.world(x);
-}
-
-// `h`: half the height.
-Vector3 farthest_on_cylinder(const Vector3& w, double r, double h, const Vector3& n) noexcept {
-  const double along = dot(n, w);
-  const Vector3 cap = std::copysign(h, along) * w;
-  if (r == 0) return cap;
-  Vector3 across = n - along * w;
-  across -= dot(across, w) * w;
-  const double size = length(across);
-  return size > separation_error ? Vector3(cap + (r / size) * across) : cap;
-}
-
 // n.(C - P) for solids that are far from the point of the plane. The products are exact, and so is their sum,
 // whose parts do not overlap (Shewchuk 1997, Grow-Expansion). A coordinate of the normal may be hundreds of
 // decades below another, so exponents are kept apart.
@@ -85,87 +65,130 @@ Vector3 farthest_on_cylinder(const Vector3& w, double r, double h, const Vector3
   return sum.hi / length(normal);
 }
 
-[[gnu::always_inline]] inline AbovePlane above(const Prepared& plane, const Prepared& c, double contact,
-                                               double times) noexcept {
-  const Vector3& n = plane.unit_axis;
+double error_of(const Prepared& c) noexcept {
+  return c.shape == Shape::box ? precise_plane_error : plane_error;
+}
+
+// `support` and `size` are of the core, `size` with the contact.
+[[gnu::always_inline]] inline AbovePlane above(const Prepared& plane, const Prepared& c, double support,
+                                               double size, double contact, double times) noexcept {
   const Vector3 delta = c.center - plane.center;
-  const double support = support_of(c, n), size = core_size(c) + contact, center = dot(n, delta);
-  const double error =
-      (c.shape == Shape::box ? precise_plane_error : plane_error) * (size + length_bound(delta));
+  const double center = dot(plane.unit_axis, delta), error = error_of(c) * (size + length_bound(delta));
   if (std::fabs(center - support - contact) > times * error) return {center, center - support, error};
   const double precise = precisely_above(plane, c, size);
   // The last term is for products that underflow.
   return {precise, precise - support, precise_plane_error * (size + std::fabs(precise)) + 0x1p-1000};
 }
 
+// The lowest point of a core over a plane, moved inwards by twice `room`, from its centre.
+struct Lowest {
+  double support, depth;  // of the core, and of the point
+  Vector3 at;
+  Hull hull;
+  bool fits;  // there is such a point
+};
+
+[[gnu::always_inline]] inline Lowest lowest_of(const Prepared& c, const Vector3& n, double size,
+                                               double room) noexcept {
+  if (c.shape == Shape::box) {
+    const Edges edges(c);
+    const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
+                  share(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
+    const auto end = [&](int i) { return along[i] != 0 ? std::copysign(inner[i], -along[i]) : 0; };
+    return {dot(half, share), dot(inner, share), edges.world({end(0), end(1), end(2)}), Hull::space,
+            smaller(smaller(inner[0], inner[1]), inner[2]) > room};
+  }
+  const Vector3& w = c.unit_axis;
+  const double along = dot(n, w), half = 0.5 * c.height;
+  const Hull hull = hull_of(c.radius, half, size);
+  const double h = in_plane(hull) ? 0 : half - 2 * room;
+  Lowest lowest{half * std::fabs(along), h * std::fabs(along), std::copysign(h, -along) * w, hull,
+                in_plane(hull) || h > room};
+  if (c.radius == 0) return lowest;
+  // As long as what n has across w, which is w x (n x w).
+  const Vector3 turned = n.cross(w);
+  const double across = length(turned), r = on_line(hull) ? 0 : c.radius - 2 * room;
+  lowest.support += c.radius * across;
+  lowest.depth += r * across;
+  lowest.at += r / larger(across, 0x1p-500) * turned.cross(w);
+  lowest.fits &= on_line(hull) || r > room;
+  return lowest;
+}
+
+// A half-space and a core with that lowest point. `plane` is the half-space, and `middle` the centre, in the
+// scene.
+[[gnu::always_inline]] inline Answer prove_half_space(const ShapePair& p, const Lowest& lowest, double size,
+                                                      double room, const Prepared& plane,
+                                                      const Vector3& middle, bool swapped) noexcept {
+  const auto [center, gap, error] = above(p.a, p.b, lowest.support, size, p.contact, 8);
+  const Vector3 tail = times_power(lowest.at, p.exponent), given = times_power(tail, -p.exponent);
+  const Vector3 &n = p.a.unit_axis, delta = p.b.center - p.a.center;
+  double height = center - lowest.depth, lost = 0;
+  bool fits = lowest.fits;
+  if (p.exponent != 0) {
+    height += dot(n, given - lowest.at);
+    fits &= length(given - lowest.at) <= room;
+  }
+  // A point of the half-space, at the lowest point or below it. Seen from the point of the plane, its
+  // coordinates are rounded three times.
+  const double rough = 4 * unit_roundoff_error * length_bound(delta),
+               down = positive(height + 3 * error + rough);
+  const Vector3 place = delta + given - down * n, head = times_power(place, p.exponent);
+  // In the scene's unit it may be subnormal, or too large.
+  if (p.exponent != 0) lost = length(times_power(head, -p.exponent) - place);
+  const bool apart = gap > p.contact + error, deep = fits & (height < -4 * error),
+             near = fits & (lost <= error) & (error + 2 * rough < p.contact) &
+                    (down + 2 * error + rough < p.contact);
+  constexpr double turns[] = {1, -1};
+  const Vector3 direction = turns[swapped] * plane.second_axis;
+  if (p.contact > 0 && !none_of(apart, near))
+    return proof_of(near, Proof::points, direction, head, tail, Hull::space, lowest.hull, swapped);
+  if (none_of(apart, deep)) return {};
+  return proof_of(deep, Proof::point, direction, middle, tail, Hull::space, lowest.hull, swapped);
+}
+
 }  // namespace
 
 double core_support(const Prepared& c, const Vector3& n) noexcept { return support_of(c, n); }
 
-Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept {
-  return c.shape == Shape::box ? farthest_on_box(c, 0.5 * c.edges, n)
-                               : farthest_on_cylinder(c.unit_axis, c.radius, 0.5 * c.height, n);
-}
+Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept { return lowest_of(c, -n, 0, 0).at; }
 
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept {
-  return above(plane, c, contact, 1);
+  return above(plane, c, support_of(c, plane.unit_axis), core_size(c) + contact, contact, 1);
 }
 
-// Here, because the half-space has the shortest path.
-Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  return ask_in_order(a, b, clearance, shapes_out_of_order(a, b), [](const ShapePair& p) {
-    if (p.a.shape == Shape::box && p.b.shape == Shape::cylinder && p.b.radius == 0 &&
-        (p.contact > 0 || p.b.height == 0))
-      return intersect_thin_and_box(p.a, p.b, p.contact);
-    if (p.a.shape == Shape::box) return intersect_box(p.a, p.b, p.contact);
-    return p.b.shape == Shape::half_space ? Verdict::invalid
-                                          : verdict_of(above(p.a, p.b, p.contact, 1).gap <= p.contact);
-  });
+Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept {
+  if (c.shape == Shape::half_space) return Verdict::invalid;
+  const Vector3& n = plane.unit_axis;
+  const Vector3 delta = c.center - plane.center;
+  double support = 0, size = 0.5 * c.height;
+  if ((c.traits & Prepared::thin) == 0) {
+    support = support_of(c, n);
+    size = core_size(c);
+  } else if ((c.traits & Prepared::ball) == 0) {
+    support = size * std::fabs(dot(n, c.unit_axis));
+  }
+  size += contact;
+  const double gap = dot(n, delta) - support;
+  if (std::fabs(gap - contact) > error_of(c) * (size + length_bound(delta)) - plane_tol * size)
+    return verdict_of(gap <= contact);
+  return verdict_of(precisely_above(plane, c, size) - support <= contact);
 }
 
-void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
-                       Answer& answer) noexcept {
-  const Prepared& c = p.b;
-  const Vector3& n = p.a.unit_axis;
-  const auto [center, gap, error] = above(p.a, c, p.contact, 8);
-  if (gap > p.contact + error) {
-    hand_out(normal, answer);
-    return;
-  }
-  if (!(gap < p.contact - 8 * error)) return;
-  // The lowest point of the core, moved inwards by twice `room`, which is more than it is off by. The plane
-  // may be so far away that `error` is much longer.
-  const double size = core_size(c) + p.contact, room = precise_plane_error * size + underflow_error;
-  const double inwards = 2 * room;
-  Hull hull = Hull::space;
-  Vector3 x;
-  if (c.shape == Shape::box) {
-    const Vector3 half = 0.5 * c.edges - Vector3(inwards, inwards, inwards);
-    if (!(smaller(smaller(half[0], half[1]), half[2]) > room)) return;
-    x = farthest_on_box(c, half, -n);
-  } else {
-    hull = hull_of(c.radius, 0.5 * c.height, size);
-    const bool line = (hull == Hull::line) | (hull == Hull::center);
-    const bool plane = (hull == Hull::plane) | (hull == Hull::center);
-    const double r = line ? 0 : c.radius - inwards, h = plane ? 0 : 0.5 * c.height - inwards;
-    if (!((line | (r > room)) & (plane | (h > room)))) return;
-    x = farthest_on_cylinder(c.unit_axis, r, h, -n);
-  }
-  const Vector3 tail = times_power(x, p.exponent), given = times_power(tail, -p.exponent);
-  const double height = center + dot(n, given);
-  if ((p.exponent != 0 && length(given - x) > room) || !(height < p.contact - 4 * error)) return;
-  // A point of the half-space, at x or below it. Seen from the point of the plane, its coordinates are
-  // rounded three times.
-  const Vector3 delta = c.center - p.a.center;
-  const double rough = 4 * unit_roundoff_error * length_bound(delta);
-  const Vector3 place = delta + given - larger(0, height + 3 * error + rough) * n,
-                head = times_power(place, p.exponent);
-  // In the scene's unit it may be subnormal, or too large.
-  const double lost = p.exponent == 0 ? 0 : length(times_power(head, -p.exponent) - place);
-  if ((lost <= error) & (larger(error, height + 5 * error) + 2 * rough < p.contact))
-    hand_out(Proof::points, head, tail, Hull::space, hull, answer);
-  else if (height < -4 * error)
-    hand_out(Proof::point, of_second, tail, Hull::space, hull, answer);
+Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept {
+  if (c.shape == Shape::half_space) return Answer{.verdict = Verdict::invalid};
+  return ask_in_order(
+      plane, c, clearance, false, [&](const ShapePair& p) __attribute__((always_inline)) {
+        const auto prove = [&](double size, double room, const Lowest& lowest)
+            __attribute__((always_inline)) {
+          return prove_half_space(p, lowest, size, room, plane, c.center, swapped);
+        };
+        if ((p.b.traits & Prepared::ball) != 0)
+          return prove(p.contact, 0, {0, 0, {0, 0, 0}, Hull::center, true});
+        // The plane may be so far away that rounding is much more than `room`.
+        const double size = core_size(p.b) + p.contact, room = precise_plane_error * size + underflow_error;
+        return prove(size, room, lowest_of(p.b, p.a.unit_axis, size, room));
+      });
 }
 
 }  // namespace cyl

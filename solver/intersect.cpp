@@ -62,6 +62,19 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
   return intersect_thin(a, b, a.rounding + b.rounding, found) ? found : intersect_rounded(a, b, 0);
 }
 
+// A box or a half-space first.
+Verdict intersect_in_order(const Prepared& a, const Prepared& b, double contact) noexcept {
+  if (a.shape == Shape::half_space) return intersect_half_space(a, b, contact);
+  const bool thin = (b.shape == Shape::cylinder) & (b.radius == 0) & ((contact > 0) | (b.height == 0));
+  return thin ? intersect_thin_and_box(a, b, contact) : intersect_box(a, b, contact);
+}
+
+[[gnu::noinline]] Verdict intersect_moderate_shapes(const Prepared& a, const Prepared& b) noexcept {
+  const Prepared* const roles[] = {&a, &b};
+  const bool swapped = shapes_out_of_order(a, b);
+  return intersect_in_order(*roles[swapped], *roles[!swapped], a.rounding + b.rounding);
+}
+
 [[gnu::noinline]] Verdict intersect_other(const Prepared& a, const Prepared& b) noexcept {
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (has_other_shape(a, b)) return intersect_shapes(a, b, 0);
@@ -72,9 +85,14 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
 
 }  // namespace
 
+Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  return ask_in_order(a, b, clearance, shapes_out_of_order(a, b),
+                      [](const ShapePair& p) { return intersect_in_order(p.a, p.b, p.contact); });
+}
+
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if (!both_are(Prepared::ordinary, a, b)) {
-    if (both_are(Prepared::moderate, a, b) && has_other_shape(a, b)) return intersect_shapes(a, b, 0);
+    if (both_are(Prepared::moderate, a, b) & has_other_shape(a, b)) return intersect_moderate_shapes(a, b);
     return both_are(Prepared::thin, a, b) ? intersect_thin_pair(a, b) : intersect_other(a, b);
   }
   const double cosine = cosine_of(a, b);

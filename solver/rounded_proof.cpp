@@ -2,7 +2,6 @@
 // The verdict on solids grown by balls with its proof. Derivation: rounded.md.
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/shapes.hpp"
@@ -19,10 +18,8 @@ Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull
   const double along = dot(x, w);
   const Vector3 across = x - along * w;
   const double beside = length(across), most = larger(0, r - 2 * error);
-  const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-  const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-  const double kept_along = in_plane ? 0 : larger(2 * error - h, smaller(h - 2 * error, along));
-  const double part = on_line ? 0 : beside > most ? most / beside : 1;
+  const double kept_along = in_plane(hull) ? 0 : larger(2 * error - h, smaller(h - 2 * error, along));
+  const double part = on_line(hull) ? 0 : beside > most ? most / beside : 1;
   return kept_along * w + part * across;
 }
 
@@ -54,32 +51,10 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distan
   return true;
 }
 
-// f(D) + R |D| < 0 beyond rounding.
-bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, Answer& answer) noexcept {
-  // A direction has no unit: a way between points has.
-  const double most = max_abs(d);
-  if (!(most >= 0x1p-900)) return false;
-  d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d);
-  if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
-    return false;
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
-  return true;
-}
-
-// Returns the answer of two solids in one order as an answer in the other.
-Answer turned(Answer answer) noexcept {
-  if (answer.proof == Proof::direction) answer.direction = -answer.direction;
-  if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
-  std::swap(answer.hull_a, answer.hull_b);
-  return answer;
-}
-
-// Whether a way between the cores separates them by more than the contact distance: `least` is -f along it,
-// times its length.
-bool is_beyond(double least, double square_of_way, double contact_distance, double reach) noexcept {
-  const double beyond = contact_distance + 2 * separation_error * reach;
-  return (least > 0) & (least * least > beyond * beyond * square_of_way);
+bool try_rounded_direction(const Scaled& p, const Vector3& d, double contact_distance,
+                           Answer& answer) noexcept {
+  double overlap = 0;
+  return try_direction(p, d, contact_distance, reach_of(p) + contact_distance, overlap, answer);
 }
 
 // Whether nothing can be proved. The points with the vector e between them are so near each other, and e
@@ -91,70 +66,73 @@ bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noe
   return -support_gap(p, e) > below * length(e);
 }
 
+// What the points and ways in closed form are off by, of the reach (rounded.md, section 4).
+constexpr double closed_form_error = 2 * membership_error;
+
 // Two segments. Their nearest points are known in closed form (rounded.md, section
-// 3). They serve as certificate, or by the vector between them.
-bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) noexcept {
+// 3). They serve as certificate, or by the vector between them. If they do not, the answer is `otherwise`.
+template <class Otherwise>
+[[gnu::always_inline]] inline Answer prove_segments(const Scaled& p, double contact_distance,
+                                                    Otherwise otherwise) noexcept {
   const NearestParameters nearest = nearest_of_segments(p);
-  if (!nearest.reliable) return false;
-  const double reach = reach_of(p) + contact_distance, error = 4 * membership_error * reach + underflow_error;
+  const double reach = p.h0 + p.h1 + length_bound(p.delta) + contact_distance,
+               error = closed_form_error * reach + underflow_error, within = contact_distance - error;
   const Vector3 e = p.delta + (nearest.t * p.w1 - nearest.s * p.w0);
   const double least = dot(e, p.delta) - (p.h0 * std::fabs(dot(e, p.w0)) + p.h1 * std::fabs(dot(e, p.w1)));
-  if (is_beyond(least, dot(e, e), contact_distance, reach)) {
-    hand_out(power_of_two(-exponent_of(max_abs(e))) * e, answer);
-    return true;
-  }
   // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
   const Hull hull0 = hull_of(0, p.h0, reach), hull1 = hull_of(0, p.h1, reach);
-  const double s = hull0 == Hull::center ? 0 : clamped(nearest.s, p.h0 - 2 * error);
-  const double t = hull1 == Hull::center ? 0 : clamped(nearest.t, p.h1 - 2 * error);
+  const double s = in_plane(hull0) ? 0 : clamped(nearest.s, p.h0 - error);
+  const double t = in_plane(hull1) ? 0 : clamped(nearest.t, p.h1 - error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
-  const double within = contact_distance - 5 * error;
-  if (!((within > 0) & (dot(between, between) <= within * within)))
-    return is_hopeless(p, e, contact_distance);
-  hand_out(Proof::points, times_power(on0, p.exponent), times_power(on1, p.exponent), hull0, hull1, answer);
-  return true;
+  const bool near = dot(between, between) <= within * std::fabs(within);
+  const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
+  if (none_of(near, apart) || !sure)
+    return sure && within > 0 && dot(e, e) <= square(contact_distance + 3 * error) ? Answer() : otherwise();
+  Vector3 point0, point1;
+  if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
+    return otherwise();
+  return proof_of(!apart, Proof::points, without_unit(e, reach), point0, point1, hull0, hull1, false);
 }
 
-// Does the same for a point and another core (rounded.md, section 2). The lengths of the point are 0. Tables,
-// because branches on the order would be unpredictable.
-bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexcept {
-  const bool second = p.r1 + p.h1 == 0;  // the point
-  constexpr double turns[] = {-1, 1};
-  const Vector3* const axes[] = {&p.w1, &p.w0};
-  const Vector3 &w = *axes[second], to = turns[second] * p.delta;
-  const double r = p.r0 + p.r1, h = p.h0 + p.h1, reach = r + h + length(to) + contact_distance;
-  const double error = 4 * membership_error * reach + underflow_error;
+// Two balls. One comparison shows nothing only within rounding of touching, which is that of 6 operations.
+[[gnu::always_inline]] inline Answer prove_balls(const Vector3& delta, double contact_distance) noexcept {
+  const double square_of_way = dot(delta, delta), error = separation_error * contact_distance;
+  const bool near = square_of_way < square(contact_distance - error);
+  if (none_of(near, square_of_way > square(contact_distance + error))) return {};
+  return proof_of(near, Proof::points, without_unit(delta, contact_distance), {0, 0, 0}, {0, 0, 0},
+                  Hull::center, Hull::center, false);
+}
+
+// A point and another core (rounded.md, section 2), `to` the point from its centre. If `swapped`, the point
+// is the first solid.
+template <class Otherwise>
+[[gnu::always_inline]] inline Answer prove_ball(const Vector3& w, double r, double h, const Vector3& to,
+                                                double contact_distance, bool swapped, int exponent,
+                                                Otherwise otherwise) noexcept {
+  const double reach = (r + h + contact_distance) + length_bound(to),
+               error = closed_form_error * reach + underflow_error, within = contact_distance - error;
   const Hull hull = hull_of(r, h, reach);
-  const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-  const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-  const double along = dot(to, w), kept = in_plane ? 0 : clamped(along, h - 2 * error), most = r - 2 * error;
-  const Vector3 across = to - along * w;
-  const double part = on_line ? 0 : most / larger(most, std::sqrt(dot(across, across)));
-  const Vector3 on = kept * w + part * across;
+  const double along = dot(to, w);
+  Vector3 on = (in_plane(hull) ? 0 : clamped(along, h - error)) * w;
+  if (!on_line(hull)) {
+    const Vector3 across = to - along * w;
+    const double most = r - error;
+    on += most / larger(most, std::sqrt(dot(across, across))) * across;
+  }
   // From the point just inside: nearest enough for the direction, too.
   const Vector3 e = to - on;
-  const double square_of_way = dot(e, e), within = contact_distance - 5 * error;
-  if ((within > 0) & (square_of_way <= within * within)) {
-    hand_out(Proof::points, answer.point_head, answer.point_tail, Hull::center, Hull::center, answer);
-    Vector3* const points[] = {&answer.point_tail, &answer.point_head};
-    Hull* const hulls[] = {&answer.hull_b, &answer.hull_a};
-    *points[second] = times_power(on, p.exponent);
-    *hulls[second] = hull;
-    return true;
+  const double square_of_way = dot(e, e);
+  const bool near = square_of_way <= within * std::fabs(within);
+  if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
+    const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
+    if (!is_beyond(least, square_of_way, contact_distance + error))
+      // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
+      return within > 0 && square_of_way <= square(contact_distance + 3 * error) ? Answer() : otherwise();
   }
-  const double least = dot(e, to) - h * std::fabs(dot(e, w)) - (r == 0 ? 0 : r * length(e.cross(w)));
-  if (!is_beyond(least, square_of_way, contact_distance, reach))
-    return is_hopeless(p, p.delta + nearest(-p.delta, p.w1, p.r1, p.h1) - nearest(p.delta, p.w0, p.r0, p.h0),
-                       contact_distance);
-  hand_out(power_of_two(-exponent_of(max_abs(e))) * turns[second] * e, answer);
-  return true;
-}
-
-// True if there is a proof, or can be none.
-bool prove_in_closed_form(const Scaled& p, double contact_distance, Answer& answer) noexcept {
-  if (p.exponent <= coarse_exponent) return false;  // points may lose bits on their way back
-  if ((p.r0 + p.h0 == 0) | (p.r1 + p.h1 == 0)) return prove_ball(p, contact_distance, answer);
-  return p.r0 + p.r1 == 0 && prove_segments(p, contact_distance, answer);
+  Vector3 point;
+  if (!brought_to_scene(on, exponent, point)) return otherwise();
+  return proof_of(near, Proof::points, without_unit(e, reach, swapped), point, {0, 0, 0}, hull, Hull::center,
+                  swapped);
 }
 
 // By the points and directions of alternate_projections(), most pairs.
@@ -189,37 +167,53 @@ bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noe
   const Prepared first = core_of(a), second = core_of(b);
   const Scaled p = scale(first, second, contact_distance);
   const double scaled_contact = scaled_length(contact_distance, p.exponent);
-  if (prove_in_closed_form(p, scaled_contact, answer) || prove_between(p, scaled_contact, answer))
+  const auto in_general = [&] {
+    if (prove_between(p, scaled_contact, answer)) return answer;
+    const Answer of_cores = decide(first, second);
+    if (of_cores.proof == Proof::point) return of_cores;
+    const Distance d = distance_of_cores(first, second, false);
+    const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
+    if (try_rounded_direction(p, d.direction, scaled_contact, answer)) return answer;
+    try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_contact, answer);
     return answer;
-  const Answer of_cores = decide(first, second);
-  if (of_cores.proof == Proof::point) return of_cores;
-  const Distance d = distance_of_cores(first, second, false);
-  const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
-  if (try_rounded_direction(p, d.direction, scaled_contact, answer)) return answer;
-  try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_contact, answer);
-  return answer;
+  };
+  const bool ball0 = p.r0 + p.h0 == 0, ball1 = p.r1 + p.h1 == 0;
+  if (ball0 & ball1) return prove_balls(p.delta, scaled_contact);
+  if (ball0) return prove_ball(p.w1, p.r1, p.h1, -p.delta, scaled_contact, true, p.exponent, in_general);
+  if (ball1) return prove_ball(p.w0, p.r0, p.h0, p.delta, scaled_contact, false, p.exponent, in_general);
+  return p.r0 + p.r1 == 0 ? prove_segments(p, scaled_contact, in_general) : in_general();
+}
+
+// For what is not proved in closed form. An exchange of the solids changes no digit of that.
+[[gnu::noinline]] Answer prove_otherwise(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  const bool swapped = out_of_order(a, b);
+  return in_order(swapped, swapped ? prove_in_full(b, a, clearance) : prove_in_full(a, b, clearance));
 }
 
 }  // namespace
 
 Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  Answer answer;
-  // An exchange of the solids changes no digit in closed form.
-  if (!(both_are(Prepared::moderate, a, b) & (clearance <= power_of_two(moderate_exponent))) ||
-      !prove_in_closed_form(as_it_is(a, b), contact_distance_of(a, b, clearance), answer))
-    answer = out_of_order(a, b) ? turned(prove_in_full(b, a, clearance)) : prove_in_full(a, b, clearance);
-  return answer;
+  const auto otherwise = [&] { return prove_otherwise(a, b, clearance); };
+  if (!(both_are(Prepared::moderate, a, b) & (clearance <= power_of_two(moderate_exponent))))
+    return otherwise();
+  const double contact_distance = contact_distance_of(a, b, clearance);
+  if (both_are(Prepared::ball, a, b)) return prove_balls(b.center - a.center, contact_distance);
+  if (one_is_ball(a, b)) {
+    const bool swapped = (a.traits & Prepared::ball) != 0;
+    const Prepared* const solids[] = {&a, &b};  // as in not_ball()
+    const Prepared &core = *solids[swapped], &ball = *solids[!swapped];
+    return prove_ball(core.unit_axis, core.radius, 0.5 * core.height, ball.center - core.center,
+                      contact_distance, swapped, 0, otherwise);
+  }
+  return both_are(Prepared::thin, a, b) ? prove_segments(as_it_is(a, b), contact_distance, otherwise)
+                                        : otherwise();
 }
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double contact_distance = contact_distance_of(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance) && has_other_shape(a, b))
-    return decide_shapes(a, b, clearance);
-  if (is_valid_question(a, b, clearance, contact_distance))
-    return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
-  Answer answer;
-  answer.verdict = Verdict::invalid;
-  return answer;
+  if (!is_valid_question(a, b, clearance, contact_distance)) return Answer{.verdict = Verdict::invalid};
+  if (has_other_shape(a, b)) return decide_shapes(a, b, clearance);
+  return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
 }
 
 }  // namespace cyl

@@ -51,18 +51,15 @@ void put_on_standard_input(const std::string& text) {
 
 }  // namespace
 
-Child::Child(const std::function<std::string()>& work, const ChildOptions& options)
-    : own_group_(options.own_group) {
+Child::Child(const std::function<std::string()>& work, const ChildOptions& options) {
   start([&](int output) { write_all(output, work()); }, options);
 }
 
-Child::Child(const std::function<void(int output)>& work, const ChildOptions& options)
-    : own_group_(options.own_group) {
+Child::Child(const std::function<void(int output)>& work, const ChildOptions& options) {
   start(work, options);
 }
 
-Child::Child(const std::vector<std::string>& command, const ChildOptions& options)
-    : own_group_(options.own_group) {
+Child::Child(const std::vector<std::string>& command, const ChildOptions& options) {
   const auto run = [&](int output) {
     dup2(output, STDOUT_FILENO);
     if (!options.input.empty()) put_on_standard_input(options.input);
@@ -72,6 +69,7 @@ Child::Child(const std::vector<std::string>& command, const ChildOptions& option
 }
 
 void Child::start(const std::function<void(int output)>& run, const ChildOptions& options) {
+  own_group_ = options.own_group;
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
   std::fflush(nullptr);  // or the child might print it once more

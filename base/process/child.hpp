@@ -58,7 +58,7 @@ class Child {
  private:
   void start(const std::function<void(int output)>& run, const ChildOptions& options);
 
-  const bool own_group_;
+  bool own_group_ = false;
   pid_t process_ = -1;
   int output_ = -1, end_ = -1;
   bool ended_ = false;

@@ -14,10 +14,7 @@
 #include <ctime>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
-
-#include "base/process/process.hpp"
 
 namespace cyl {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/pairs/box_pairs.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/touch_plane.hpp"
 
 namespace cyl {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/pairs/exact_pairs.hpp"
 
-#include <array>
 #include <cmath>
 #include <utility>
 

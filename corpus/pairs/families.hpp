@@ -4,7 +4,6 @@
 // sqrt.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/pairs/near_touching.hpp"
 
-#include <array>
 #include <utility>
 
 #include "corpus/pairs/touch_plane.hpp"

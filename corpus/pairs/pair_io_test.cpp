@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

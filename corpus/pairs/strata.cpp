@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/pairs/strata.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <string>
-#include <utility>
 
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/pairs/touch_plane.hpp"
 
-#include <cmath>
-
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"
 

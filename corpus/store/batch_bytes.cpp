@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/store/batch_bytes.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <tuple>
 

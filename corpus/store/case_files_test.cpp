@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <stdexcept>
-#include <string>
 
+#include "base/error_of_test.hpp"
 #include "base/scratch_test.hpp"
 
 namespace cyl {
@@ -19,12 +18,7 @@ const std::string committed = std::string(DAYLIGHT_SOURCE_DIR) + "/corpus/cases"
 class CaseFiles : public testing::Test, protected Scratch {
  protected:
   std::string error() const {
-    try {
-      read_case_folder(folder.string());
-      return "";
-    } catch (const std::exception& fault) {
-      return fault.what();
-    }
+    return error_of<std::exception>([&] { read_case_folder(folder.string()); });
   }
 };
 
@@ -48,7 +42,7 @@ TEST_F(CaseFiles, NameTheFaultAndItsPlace) {
   write("a.jsonl", line_with_id("1") + "{\"a\":1}\n");
   EXPECT_EQ(error(), (folder / "a.jsonl").string() + ": line 2, column 6: a is a number, expected an object");
   std::filesystem::remove(folder / "a.jsonl");
-  EXPECT_EQ(error(), "");
+  EXPECT_EQ(error(), "nothing thrown");
   std::filesystem::create_directory(folder / "e.jsonl");
   EXPECT_EQ(error(), (folder / "e.jsonl").string() + ": cannot be read");
   std::filesystem::remove_all(folder);

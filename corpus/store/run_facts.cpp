@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "base/json.hpp"
 #include "base/number_text.hpp"
 #include "base/safe_text.hpp"

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
+#include "base/error_of_test.hpp"
 #include "base/scratch_test.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
@@ -36,17 +36,6 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.answers = "[]";
   f.truth = "{}";
   return f;
-}
-
-/// Returns the message of what `act` throws.
-template <class Error = std::runtime_error>
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 /// Scatters small numbers over 24 bits (Knuth's multiplicative hash), for cuts and margins without a

@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -38,6 +37,7 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
+#include "base/files.hpp"
 #include "base/number_text.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
@@ -252,8 +252,7 @@ inline std::string own_file(const std::string& name) {
     if (fs::is_symlink(fs::symlink_status(file)))
       throw std::runtime_error(file + " is a symbolic link; a run holds its own files");
   constexpr std::string_view magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
-  std::ifstream in(journal, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::string bytes = read_file(journal);
   if (bytes.size() > magic.size() && bytes.ends_with(magic))
     throw std::runtime_error(journal + " names another file, which SQLite would delete; remove the journal");
   return name;

@@ -370,10 +370,6 @@ class Batch {
 
 }  // namespace
 
-BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  return batch_maker(workload, seed)(first, next);
-}
-
 std::function<BatchRecord(std::uint64_t, std::uint64_t)> batch_maker(const Workload& workload,
                                                                      std::uint64_t seed) {
   struct Kept {

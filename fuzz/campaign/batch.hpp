@@ -22,15 +22,12 @@ inline constexpr std::uint64_t repeat_share = 64;
 inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
 inline constexpr std::uint64_t every_cell_until = 65536;
 
-/// Own methods are asked in this process, foreign ones in a contained one. A costly method (share() > 1) is
-/// asked on its share of the indices (on_share()), and if another verdict is wrong beyond its claim or the
-/// truth is undecided. Within their claims tolerant methods differ on a quarter of all pairs. Asking costly
-/// methods there would take nearly all of the time. The cells of the failure maps count costly methods on
-/// their share only, because disputed pairs are not a random sample.
-BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
-
 /// Returns what makes one batch after the other, [first, next) each, with the workers of foreign methods
-/// alive between them.
+/// alive between them. Own methods are asked in this process, foreign ones in a contained one. A costly
+/// method (share() > 1) is asked on its share of the indices (on_share()), and if another verdict is wrong
+/// beyond its claim or the truth is undecided. Within their claims tolerant methods differ on a quarter of
+/// all pairs. Asking costly methods there would take nearly all of the time. The cells of the failure maps
+/// count costly methods on their share only, because disputed pairs are not a random sample.
 std::function<BatchRecord(std::uint64_t first, std::uint64_t next)> batch_maker(const Workload& workload,
                                                                                 std::uint64_t seed);
 

@@ -9,7 +9,6 @@
 #include <functional>
 #include <string>
 
-#include "corpus/store/run_facts.hpp"
 #include "fuzz/campaign/batch.hpp"
 
 namespace cyl {

@@ -3,17 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
-#include <cstdlib>
 #include <map>
-#include <stdexcept>
 
 #include "base/from_environment_test.hpp"
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/store/stored_answers.hpp"
 #include "fuzz/campaign/campaign_test.hpp"
-#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 namespace {

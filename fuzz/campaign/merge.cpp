@@ -72,9 +72,8 @@ std::vector<TallyRecord> in_order(std::map<std::pair<std::string, std::string>, 
   columns.emplace_back(fuzzed_family);
   std::vector<TallyRecord> all;
   for (const auto& [key, c] : counts) all.push_back({key.first, key.second, c});
-  std::stable_sort(all.begin(), all.end(), [&](const TallyRecord& x, const TallyRecord& y) {
-    return std::pair(place_in(rows, x.method), place_in(columns, x.family)) <
-           std::pair(place_in(rows, y.method), place_in(columns, y.family));
+  std::ranges::stable_sort(all, {}, [&](const TallyRecord& t) {
+    return std::pair(place_in(rows, t.method), place_in(columns, t.family));
   });
   return all;
 }
@@ -97,8 +96,7 @@ BatchRecord together(const std::vector<Part>& parts) {
     for (FindingRecord& f : store.findings()) all.findings.push_back(std::move(f));
   }
   // Findings of one index are of one shard: a stable sort leaves them in its order.
-  std::stable_sort(all.findings.begin(), all.findings.end(),
-                   [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
+  std::ranges::stable_sort(all.findings, {}, &FindingRecord::index);
   all.groups = groups.groups();
   all.cells = cells.records();
   all.tallies = in_order(std::move(counts), parts.front());
@@ -112,8 +110,7 @@ std::vector<Part> read_parts(const std::vector<std::string>& runs) {
     parts.push_back(read_part(run));
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) check_agreement(parts[i], parts.back());
   }
-  std::sort(parts.begin(), parts.end(),
-            [](const Part& x, const Part& y) { return x.shard.index < y.shard.index; });
+  std::ranges::sort(parts, {}, [](const Part& part) { return part.shard.index; });
   return parts;
 }
 

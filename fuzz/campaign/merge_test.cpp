@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include "base/from_environment_test.hpp"
 #include "fuzz/campaign/campaign_test.hpp"

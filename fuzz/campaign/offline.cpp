@@ -11,7 +11,6 @@
 #include "base/exit_code.hpp"
 #include "base/json.hpp"
 #include "base/usage_error.hpp"
-#include "oracles/methods/guest_protocol.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -94,14 +93,15 @@ Questions::Question* Questions::find(const std::string& id) {
   return found == by_id_.end() ? nullptr : &all_[found->second];
 }
 
-OfflineJudge::OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line)
-    : who_(std::move(who)),
+OfflineJudge::OfflineJudge(std::string name, std::optional<double> relative, Questions* questions,
+                           OnBadLine on_bad_line)
+    : relative_(relative),
       questions_(questions),
       on_bad_line_(std::move(on_bad_line)),
-      name_(who_.name),
+      name_(std::move(name)),
       certifying_(certifying_method()) {
   if (questions_) families_ = questions_->families();
-  claim_.relative = who_.relative.value_or(0);
+  claim_.relative = relative.value_or(0);
 }
 
 Counts& OfflineJudge::counts(std::uint32_t family) {
@@ -139,7 +139,7 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   if (first && said.hello) {
     if (name_.empty()) name_ = said.hello->name;
     depth_at_most_ = said.hello->depth_at_most;
-    if (who_.relative) return;
+    if (relative_) return;
     claim_source_ = said.hello->claim_source;
     claim_ = {said.hello->relative, said.hello->absolute, claim_source_};
     return;
@@ -208,9 +208,8 @@ int OfflineJudge::exit_code() const {
   Counts all;
   for (const Counts& c : counts_) all += c;
   if (all.contract + all.failed + passed_over_ > 0) return exit_findings;
-  return std::any_of(judged_.begin(), judged_.end(), [](const Counts& c) { return c.undecided > 0; })
-             ? exit_undecided
-             : exit_pass;
+  const auto is_undecided = [](const Counts& c) { return c.undecided > 0; };
+  return std::ranges::any_of(judged_, is_undecided) ? exit_undecided : exit_pass;
 }
 
 std::vector<TallyRecord> OfflineJudge::tallies() const {

@@ -65,16 +65,11 @@ struct JudgedFinding {
   Enclosure distance;
 };
 
-/// The method of the answers. Empty fields are read from a hello line in the answers.
-struct AnswerSource {
-  std::string name;
-  std::optional<double> relative;  ///< the claim
-};
-
 class OfflineJudge {
  public:
-  /// `questions` is null if each answer has its own a and b.
-  OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line);
+  /// `name` and `relative` are of the method and its claim. If they are empty, they are read from a hello
+  /// line in the answers. `questions` is null if each answer has its own a and b.
+  OfflineJudge(std::string name, std::optional<double> relative, Questions* questions, OnBadLine on_bad_line);
 
   /// Judges all answers of a stream, and then the pairs without an answer. Messages call the stream `file`.
   /// Calls `on_progress` often, with the number of lines read.
@@ -98,7 +93,7 @@ class OfflineJudge {
   std::uint32_t family_of(const Case& question);
   Counts& counts(std::uint32_t family);
 
-  AnswerSource who_;
+  const std::optional<double> relative_;
   Questions* questions_;
   OnBadLine on_bad_line_;
   bool depth_at_most_ = false;  ///< as the hello states

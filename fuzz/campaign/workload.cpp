@@ -47,8 +47,7 @@ bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index) {
 }
 
 bool any_foreign(const Workload& workload) {
-  return std::any_of(workload.methods.begin(), workload.methods.end(),
-                     [](const auto& method) { return method->foreign(); });
+  return std::ranges::any_of(workload.methods, [](const auto& method) { return method->foreign(); });
 }
 
 std::string format_case_at(const Workload& workload, std::uint64_t seed, std::uint64_t index,

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "corpus/pairs/stratum.hpp"
-
 namespace cyl {
 namespace {
 

@@ -20,8 +20,6 @@ std::string environment(const char* name) {
 
 }  // namespace
 
-// Until causes are named by what is left of a pair after shrinking: by its features and angle as they are.
-// The low 48 bits of FNV-1a, four a letter, the highest first.
 FindingSink::FindingSink()
     : out_(environment("DAYLIGHT_FUZZ_OUT")), abort_(!environment("DAYLIGHT_FUZZ_ABORT").empty()) {
   if (out_.empty()) return;
@@ -42,6 +40,7 @@ bool FindingSink::keep_first(const std::string& name, const Pair& pair) {
   return true;
 }
 
+// Until causes are named by what is left of a pair after shrinking: by its features and angle as they are.
 std::string FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                                      std::string_view what) {
   const std::string key = failure_key_of(method, failure, pair), letters = letter_hash(key);

@@ -3,9 +3,7 @@
 // pairs, drawn by the pair itself.
 #pragma once
 
-#include <cmath>
 #include <span>
-#include <string_view>
 
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/guided/finding_sink.hpp"

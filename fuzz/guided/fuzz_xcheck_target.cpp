@@ -79,8 +79,7 @@ class Xcheck {
     } else {
       methods_ = all_methods();
       methods_.erase(methods_.begin(), methods_.begin() + std::ssize(own_methods()));  // which come first
-      std::stable_partition(methods_.begin(), methods_.end(),
-                            [](const auto& method) { return !method->foreign(); });
+      std::ranges::stable_partition(methods_, [](const auto& method) { return !method->foreign(); });
     }
     literature_ = static_cast<std::size_t>(
         std::ranges::count_if(methods_, [](const auto& method) { return !method->foreign(); }));

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/files.hpp"
 #include "base/process/child.hpp"
 #include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
@@ -42,11 +42,6 @@ constexpr std::size_t unexplained_cap = 3;
 constexpr int cannot_run_code = 127;
 /// Bytes at the end of a log that an error quotes.
 constexpr std::size_t quoted_cap = 300;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -149,7 +144,7 @@ class Run {
 
   void look() {
     FuzzProgress& progress = summary_.progress;
-    const std::string log = text_of(unfinished_ / "log");
+    const std::string log = read_file(unfinished_ / "log");
     progress.executions = last_number(log, "#");
     progress.features = last_number(log, " ft: ");
     progress.found = files_in(unfinished_ / "findings").size();
@@ -187,11 +182,11 @@ class Run {
     if (kind == "oom") return "needs too much memory";
     const fs::path log = unfinished_ / "death.log";
     fs::remove(log);
-    return start({file}, log)->wait() == 0 ? "not when run again" : reason_in(text_of(log));
+    return start({file}, log)->wait() == 0 ? "not when run again" : reason_in(read_file(log));
   }
 
   bool unexplained_deaths() const {
-    const std::string log = text_of(unfinished_ / "log");
+    const std::string log = read_file(unfinished_ / "log");
     return known_deaths_.empty() && last_number(log, " oom/timeout/crash: 0/0/") >= unexplained_cap;
   }
 
@@ -221,8 +216,8 @@ class Run {
       std::this_thread::sleep_for(poll_time);
     }
     if (merging->status() != 0)
-      throw std::runtime_error(
-          fmt::format("merging ended with {}: {}", how_it_ended(merging->status()), reason_in(text_of(log))));
+      throw std::runtime_error(fmt::format("merging ended with {}: {}", how_it_ended(merging->status()),
+                                           reason_in(read_file(log))));
     fs::remove_all(corpus_);
     fs::rename(merged, corpus_);
     summary_.inputs = inputs.size();
@@ -255,7 +250,7 @@ class Run {
   }
 
   static std::string end_of(const std::string& log) {
-    const std::string text = text_of(log);
+    const std::string text = read_file(log);
     return text.substr(text.size() - std::min(text.size(), quoted_cap));
   }
 

@@ -4,14 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iterator>
-#include <string>
-#include <vector>
 
+#include "base/files.hpp"
 #include "base/scratch_test.hpp"
 #include "fuzz/guided/record.hpp"
 
@@ -67,10 +63,6 @@ class Fuzzing : public testing::Test, protected Scratch {
     });
   }
   bool has(const char* file) const { return fs::exists(fs::path(options_.out) / file); }
-  std::string text(const fs::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
 
   FuzzOptions options_;
 };
@@ -120,7 +112,7 @@ TEST_F(Fuzzing, BeginsWithTheCorporaOfAllTargetsAndNamesThePlugIn) {
   options_.plugin = "./libmine.so";
   live("printf '%s\\n' \"${folders[@]##*/}\" $DAYLIGHT_FUZZ_PLUGIN >$here/stated; live");
   fuzz_until([](const FuzzProgress& progress) { return progress.features == 12; });
-  EXPECT_EQ(text(folder / "stated"), "fake\nother\n./libmine.so\n");
+  EXPECT_EQ(read_file(folder / "stated"), "fake\nother\n./libmine.so\n");
   EXPECT_TRUE(has("corpus/fake/pair"));
 }
 
@@ -140,7 +132,7 @@ TEST_F(Fuzzing, AnEngineThatCannotWorkIsTheHarnesssFailure) {
 
 TEST_F(Fuzzing, ARunCompletesOneThatWasKilled) {
   live("cp $here/record $job/input; live");
-  const std::string whole = text(options_.program);
+  const std::string whole = read_file(options_.program);
   std::string script = whole;
   script.replace(script.find("cp \"$folder\"/*"), 1, "exit 3; c");
   std::ofstream(options_.program) << script;

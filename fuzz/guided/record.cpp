@@ -2,15 +2,12 @@
 #include "fuzz/guided/record.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
 

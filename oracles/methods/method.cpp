@@ -16,8 +16,12 @@ std::vector<std::size_t> select_names(const std::vector<std::string>& names, std
   while (true) {
     const std::string item(spec.substr(0, spec.find(',')));
     bool known = false;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == item || (!item.empty() && names[i].starts_with(item + '-'))) named[i] = known = true;
+    // A family and its kin share words: `margin` stands for margin_1e-01 and all others.
+    for (const char next : {'-', '_'}) {
+      for (std::size_t i = 0; i < names.size() && !item.empty(); ++i)
+        if (names[i] == item || names[i].starts_with(item + next)) named[i] = known = true;
+      if (known) break;
+    }
     if (!known) {
       // Settings of one method have its name before the first dash.
       std::string message = "unknown name '" + item + "'; known are";

@@ -21,6 +21,10 @@ TEST(SelectNames, NamesAndPrefixesInTheirOrder) {
   EXPECT_EQ(select_names(names, "fcl-libccd,decide"), (Indices{0, 2, 3}));
   EXPECT_EQ(select_names(names, "fcl,fcl-indep"), (Indices{1, 2, 3}));
   EXPECT_EQ(select_names(names, "-fcl"), (Indices{0, 4}));
+  EXPECT_EQ(select_names({"far", "box", "box_far", "far_box", "far_off"}, "box,far_off,far"),
+            (Indices{0, 1, 4}));
+  EXPECT_EQ(select_names({"margin_1e-01", "margin", "margins_2"}, "margin"), (Indices{1}));
+  EXPECT_EQ(select_names({"margin_1e-01", "margin_1e-02", "margins"}, "margin"), (Indices{0, 1}));
   EXPECT_EQ(select_names(names, "-decide,fclx"), (Indices{1, 2, 3}));
 }
 

@@ -143,17 +143,18 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   MethodAnswer answer = answered(measured.verdict);
   answer.steps = measured.iterations;
   answer.step_cap = distance_step_cap;
-  // It returns no number if its bounds stay apart, or if the depth of a box and a cylinder is not proved. The
-  // error of a half-space that is far from its own point is not relative to the size, so it has none either.
+  // It returns no number if its bounds stay apart, or if the depth of a box and a cylinder is not proved. It
+  // also returns none if a half-space is so far from its own point that the error is not relative to the
+  // size.
   const bool plane = has_half_space(pair), overlap = measured.verdict == Verdict::intersecting;
   const Vector3 delta = pair.b.center - pair.a.center;
   const double reach = size_of(pair) + (plane ? 0 : std::hypot(delta.x(), delta.y(), delta.z()));
-  const bool sure = (overlap && !plane && !has_box(pair)) ||
-                    (measured.error <= distance_tol * reach && (!overlap || measured.least));
+  const bool close = measured.error <= distance_tol * reach;
+  const bool sure = overlap && !plane ? !has_box(pair) || (measured.least && close) : close;
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
   answer.error_bound = measured.error;
-  // Only exact multiples of a half-space's normal prove anything.
+  // Only exact multiples of the normal of a half-space prove anything.
   const Vector3 direction = is_half_space(pair.a)   ? prepare(pair.a).second_axis
                             : is_half_space(pair.b) ? Vector3(-prepare(pair.b).second_axis)
                                                     : measured.direction;

@@ -95,7 +95,7 @@ class Gate {
       check_laws(GatePhase::rounded_laws, draw_rounded_law_pairs, amount_.rounded_law_rounds);
       sample(GatePhase::rounded_sample, draw_rounded_solids, amount_.rounded_rounds, distance_share);
     }
-    if (!options_.as_found && std::any_of(report_.failures.begin(), report_.failures.end(), is_error))
+    if (!options_.as_found && std::ranges::any_of(report_.failures, is_error))
       in_phase(GatePhase::simplify, [&] { simplify_failures(); });
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
@@ -114,15 +114,11 @@ class Gate {
   }
 
  private:
-  static milliseconds since(Clock::time_point start) {
-    return std::chrono::duration_cast<milliseconds>(Clock::now() - start);
-  }
-
   void in_phase(GatePhase phase, auto work) {
     const auto from = Clock::now();
     report_.phases.push_back({.phase = phase, .digest = fnv1a({})});
     work();
-    report_.phases.back().time = since(from);
+    report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
   bool out_of_time() const { return cyl::out_of_time(options_); }
@@ -146,7 +142,7 @@ class Gate {
     for (const Pair& pair : pairs) now.digest = digest_of(pair, now.digest);
     if (!on_progress_) return;
     const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(), is_error);
-    on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, since(options_.start)});
+    on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share});
   }
 
   /// Adds a break to the breaks of the same law and cause. The first is kept until a worse one comes.

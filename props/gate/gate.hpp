@@ -46,7 +46,6 @@ struct GateProgress {
   std::uint64_t pairs = 0;
   std::size_t failures = 0;  ///< beyond claims
   double share = 0;          ///< the part of this phase that is done
-  std::chrono::milliseconds elapsed{0};
 };
 
 /// Returns whether the gate was stopped or the cap on time, if there is one, is over.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "corpus/pairs/size_range.hpp"
-#include "corpus/pairs/strata.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/gate/gate_report.hpp"
 

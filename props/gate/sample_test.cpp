@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/fake_method_test.hpp"

@@ -4,7 +4,6 @@
 
 #include <thread>
 
-#include "oracles/referee/referee.hpp"
 #include "props/laws/laws_test.hpp"
 
 namespace cyl {

@@ -126,8 +126,7 @@ class Examination {
   }
 
   static std::optional<Violation> violation_on(const Law& law, const LawCase& c) {
-    const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
-                                     [](const MethodAnswer& a) { return a.status == Status::failed; });
+    const auto failed = std::ranges::find(c.answers, Status::failed, &MethodAnswer::status);
     if (failed == c.answers.end()) return law.check(c);
     return Violation{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract,
                      finding_of(failed->failure), failed->reason};

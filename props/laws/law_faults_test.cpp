@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <string_view>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/referee.hpp"

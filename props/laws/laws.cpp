@@ -2,9 +2,7 @@
 #include "props/laws/laws.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/support.hpp"

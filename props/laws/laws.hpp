@@ -14,7 +14,6 @@
 #include "base/enum_words.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/solid.hpp"
 

@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
-#include <string>
 
 #include "base/from_environment_test.hpp"
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdint>
-
 #include "props/laws/law_groups.hpp"
 #include "props/laws/laws_test.hpp"
 #include "solver/decide.hpp"

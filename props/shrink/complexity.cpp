@@ -9,8 +9,6 @@
 #include <cstdlib>
 #include <set>
 
-#include "corpus/pairs/pair_numbers.hpp"
-
 namespace cyl {
 namespace {
 

@@ -2,12 +2,9 @@
 #include "props/shrink/moves.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
-#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/touch_plane.hpp"
 #include "oracles/referee/referee.hpp"
 #include "props/shrink/complexity.hpp"

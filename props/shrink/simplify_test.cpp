@@ -5,13 +5,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"

@@ -6,9 +6,6 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -80,10 +77,6 @@ std::string what_happened(const Recipient& to, const Trial& p) {
     default:
       return fmt::format("{}: {} for {}", what, to_string(p.finding()->kind), solids);
   }
-}
-
-std::string title(const Recipient& to, const Trial& p) {
-  return what_happened(to, p) + (within_claim(p) ? ", within its tolerance" : "");
 }
 
 std::string returned_text(const Trial& p, const Method& method) {
@@ -194,8 +187,9 @@ std::string system_in_words() {
 
 /// The headings are the ones that trackers request in a bug report.
 std::string issue(const Recipient& to, const Trial& p, const Method& method) {
-  std::string text =
-      fmt::format("# {}\n\n### Library and version\n\n{}. {}.\n\n", title(to, p), to.whom, system_in_words());
+  std::string text = fmt::format("# {}\n\n### Library and version\n\n{}. {}.\n\n",
+                                 what_happened(to, p) + (within_claim(p) ? ", within its tolerance" : ""),
+                                 to.whom, system_in_words());
   if (within_claim(p))
     text +=
         "The claim quoted below allows this answer, because the solids are so close to touching. It may "
@@ -286,10 +280,7 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
       !script.empty()) {
     const std::string package = upstream.install.substr(upstream.install.rfind(' ') + 1);
     Export files{{"reproduce.sh", script}, {"case.jsonl", format_pair(p.pair) + '\n'}};
-    for (const fs::path file : upstream.files) {
-      std::ifstream in(file, std::ios::binary);
-      files[file.filename()].assign(std::istreambuf_iterator<char>(in), {});
-    }
+    for (const fs::path file : upstream.files) files[file.filename()] = read_file(file);
     return {.what = upstream.call,
             .whom = fmt::format("`{}` of {}, called by `{}`", upstream.call, package, elsewhere.what),
             .how = fmt::format(

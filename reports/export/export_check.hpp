@@ -3,7 +3,6 @@
 // again in rational arithmetic.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "oracles/trial/trial.hpp"

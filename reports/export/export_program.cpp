@@ -181,8 +181,7 @@ std::vector<Program> read_programs() {
 
 const Program* find_program(std::string_view method) {
   static const std::vector<Program> programs = read_programs();
-  const auto found = std::find_if(programs.begin(), programs.end(),
-                                  [&](const Program& p) { return p.call.method == method; });
+  const auto found = std::ranges::find(programs, method, [](const Program& p) { return p.call.method; });
   return found == programs.end() ? nullptr : &*found;
 }
 

@@ -2,7 +2,6 @@
 // A failure of the gate in the words that every writer of its result uses.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

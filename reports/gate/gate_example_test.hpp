@@ -9,10 +9,17 @@
 #include <string>
 #include <utility>
 
+#include "base/scratch_test.hpp"
 #include "reports/gate/judged_gate.hpp"
-#include "reports/schemas/schema_check_test.hpp"
 
 namespace cyl {
+
+/// A file that is removed with the object.
+class ScratchFile : Scratch {
+ public:
+  explicit ScratchFile(const std::string& content) : path(write("file", content)) {}
+  const std::filesystem::path path;
+};
 
 /// Hostile text that foreign code may return: markup, quotes, line ends, controls, a character that reorders
 /// text, bytes that are not UTF-8, and U+FFFF, which XML does not have.

@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "base/json.hpp"
@@ -145,17 +143,13 @@ void mark_known(JudgedGate& gate, const GateBase& base) {
 void note_gaps(JudgedGate& gate, const GateBase& base) {
   const auto miss = [&](const std::string& what) { gate.not_asked.push_back(what + ", which the base has"); };
   for (const std::string& name : base.methods)
-    if (std::none_of(gate.report.methods.begin(), gate.report.methods.end(),
-                     [&](const GateMethod& m) { return m.name == name; }))
-      miss("method " + name);
+    if (std::ranges::count(gate.report.methods, name, &GateMethod::name) == 0) miss("method " + name);
   for (const int number : base.laws)
-    if (std::none_of(all_laws().begin(), all_laws().end(),
-                     [&](const Law& law) { return law.number == number; }))
-      miss(fmt::format("law {}", number));
+    if (std::ranges::count(all_laws(), number, &Law::number) == 0) miss(fmt::format("law {}", number));
   std::set<std::string> asked;
   for (const std::uint64_t digest : gate.report.cases) asked.insert(hex(digest));
-  const auto missing = std::count_if(base.cases.begin(), base.cases.end(),
-                                     [&](const std::string& digest) { return !asked.contains(digest); });
+  const auto missing =
+      std::ranges::count_if(base.cases, [&](const std::string& digest) { return !asked.contains(digest); });
   if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.cases.size()));
   for (const GatePhaseReport& phase : gate.report.phases) {
     const auto found = base.digests.find(phase.phase);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/error_of_test.hpp"
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/gate/gate_example_test.hpp"
@@ -155,12 +156,8 @@ TEST(GateJson, BadBasesAreRefusedByName) {
         replaced(good, "\"seed\"", "\"seeds\""), replaced(good, "\"laws\": [\n", "\"laws\": [\n \"x\",\n"),
         replaced(good, "\"rounds\": 9", "\"rounds\": -1"), good.substr(0, good.size() / 2)}) {
     const ScratchFile file(bad);
-    try {
-      read_base(file.path);
-      ADD_FAILURE() << "read: " << bad.substr(0, 40);
-    } catch (const std::runtime_error& refused) {
-      EXPECT_NE(std::string(refused.what()).find(file.path), std::string::npos) << refused.what();
-    }
+    const std::string refused = error_of([&] { read_base(file.path); });
+    EXPECT_NE(refused.find(file.path), std::string::npos) << refused << ": " << bad.substr(0, 40);
   }
   EXPECT_THROW(read_base("/no/such/file"), std::runtime_error);
   EXPECT_THROW(read_base(std::filesystem::temp_directory_path()), std::runtime_error);

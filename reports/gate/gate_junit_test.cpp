@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
+
 #include "reports/gate/gate_example_test.hpp"
 #include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {
+
+/// Whether a shell command succeeds, its own words kept off the terminal.
+bool succeeds(const std::string& command) {
+  return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0;
+}
 
 bool valid(const std::string& document) {
   const ScratchFile file(document);
@@ -12,7 +19,11 @@ bool valid(const std::string& document) {
 }
 
 TEST(GateJunit, KeepsToItsSchema) {
-  if (!succeeds("xmllint --version")) SKIP_WITHOUT("libxml2-utils");
+  if (!succeeds("xmllint --version")) {
+    if (const char* ci = std::getenv("CI"); ci && ci == std::string("true"))
+      FAIL() << "with CI=true nothing may be skipped: apt-get install libxml2-utils";
+    GTEST_SKIP() << "apt-get install libxml2-utils";
+  }
   const std::string document = gate_junit(example_gate());
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_junit({})));

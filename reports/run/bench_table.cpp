@@ -3,12 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace cyl {
 namespace {
@@ -17,9 +14,6 @@ std::string number(double x, int digits = 1) {
   return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-";
 }
 std::string power(double x) { return std::isfinite(x) ? fmt::format("{:.0e}", x) : "-"; }
-nlohmann::ordered_json measured_json(double x) {
-  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
-}
 
 }  // namespace
 
@@ -88,7 +82,8 @@ std::string format_comparisons(std::span<const QueryComparisons> queries) {
 }
 
 nlohmann::ordered_json bench_json(std::span<const BenchRow> rows) {
-  auto all = nlohmann::ordered_json::array();
+  using Json = nlohmann::ordered_json;
+  Json all = Json::array();
   for (const BenchRow& row : rows)
     all.push_back({{"method", row.method},
                    {"library", row.name.library},
@@ -98,20 +93,20 @@ nlohmann::ordered_json bench_json(std::span<const BenchRow> rows) {
                    {"query", row.query},
                    {"foreign", row.foreign},
                    {"n", row.pairs},
-                   {"median_ns", measured_json(row.median_ns)},
-                   {"spread", measured_json(row.spread_percent)},
-                   {"p50_ns", measured_json(row.p50_ns)},
-                   {"p99_ns", measured_json(row.p99_ns)},
-                   {"max_ns", measured_json(row.max_ns)},
-                   {"instructions", measured_json(row.instructions)},
+                   {"median_ns", number_or_null<Json>(row.median_ns)},
+                   {"spread", number_or_null<Json>(row.spread_percent)},
+                   {"p50_ns", number_or_null<Json>(row.p50_ns)},
+                   {"p99_ns", number_or_null<Json>(row.p99_ns)},
+                   {"max_ns", number_or_null<Json>(row.max_ns)},
+                   {"instructions", number_or_null<Json>(row.instructions)},
                    {"wrong_disjoint", row.wrong_disjoint},
                    {"wrong_intersecting", row.wrong_intersecting},
                    {"wrong_below_claim", row.wrong_below_claim},
                    {"wrong_at_margin", row.wrong_at_margin},
                    {"undecided", row.undecided},
                    {"failed", row.failed},
-                   {"max_error", measured_json(row.max_error)},
-                   {"max_error_at_most", measured_json(row.max_error_at_most)}});
+                   {"max_error", number_or_null<Json>(row.max_error)},
+                   {"max_error_at_most", number_or_null<Json>(row.max_error_at_most)}});
   return all;
 }
 

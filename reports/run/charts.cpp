@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -60,31 +57,23 @@ nlohmann::json cell_json(const CellRecord& r, const CellCounts& n) {
   return cell;
 }
 
-nlohmann::json finite_json(double x) {
-  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
-}
-nlohmann::json finite_json(const std::optional<int>& x) {
-  return x ? nlohmann::json(*x) : nlohmann::json(nullptr);
-}
-
 nlohmann::json speed_json(const SpeedPoint& p) {
   return {{"method", p.method},
           {"curve", p.curve},
           {"setting", p.setting},
           {"family", "all"},
           {"query", p.query},
-          {"ns", finite_json(p.ns)},
-          {"p99", finite_json(p.p99_ns)},
+          {"ns", number_or_null(p.ns)},
+          {"p99", number_or_null(p.p99_ns)},
           {"asked", p.asked},
           {"wrong_disjoint", p.wrong_disjoint},
           {"wrong_intersecting", p.wrong_intersecting},
-          {"digits", finite_json(p.digits.right)},
-          {"digits_low", finite_json(p.digits.low)}};
+          {"digits", number_or_null(p.digits.right)},
+          {"digits_low", number_or_null(p.digits.low)}};
 }
 
 nlohmann::json read_json(const fs::path& file) try {
-  std::ifstream in(file);
-  return parse_foreign_json(std::string{std::istreambuf_iterator<char>(in), {}});
+  return parse_foreign_json(read_file(file));
 } catch (const std::exception& e) {
   throw InputError(file.string() + " cannot be read: " + e.what());
 }

@@ -2,12 +2,12 @@
 #include "reports/run/charts.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
-#include <stdexcept>
 
+#include "base/files.hpp"
 #include "base/json.hpp"
+#include "base/scratch_test.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
@@ -30,9 +30,7 @@ FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Ve
   f.kind = kind;
   f.severity = Severity::contract;
   f.family = "f";
-  Case line;
-  line.pair = pair;
-  f.pair = format_case(line);
+  f.pair = format_pair(pair);
   f.truth = std::string("{\"verdict\":\"") + to_string(truth) + "\",\"stage\":\"filter\"}";
   f.answers = "[]";
   return f;
@@ -40,12 +38,10 @@ FindingRecord finding(const char* method, FindingKind kind, const Pair& pair, Ve
 
 MethodRecord method(const char* name) { return {name, "1", 0, 0, "", 1}; }
 
-/// A run of two methods on four kinds of pairs, in a folder that is removed afterwards.
+/// A run of two methods on four kinds of pairs.
 class Charts : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("daylight_charts_" + std::to_string(getpid()));
-    fs::remove_all(folder);
     RunStore run = RunStore::create(folder, {}, {method("good"), method("bad"), method("silent")});
     BatchRecord batch;
     batch.next = 9;
@@ -76,13 +72,9 @@ class Charts : public testing::Test {
     batch.groups = kept.groups();
     run.commit(batch, 1);
   }
-  void TearDown() override { fs::remove_all(folder); }
-
-  json charts() const {
-    std::ifstream in(folder / "charts.json");
-    return json::parse(in);
-  }
-  fs::path folder;
+  json charts() const { return parse_json(read_file(folder / "charts.json")); }
+  const Scratch scratch;
+  const fs::path folder = scratch.folder / "run";
 };
 
 json cell_at(const json& map, const Pair& pair, Verdict truth) {

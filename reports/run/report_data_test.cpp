@@ -2,16 +2,17 @@
 #include "reports/run/report_data.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <vector>
 
+#include "base/error_of_test.hpp"
+#include "base/files.hpp"
 #include "base/json.hpp"
+#include "base/scratch_test.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
@@ -28,17 +29,10 @@ const std::string hostile = "</script></code></style><img src=x onerror=alert(1)
 
 class ReportData : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() / ("daylight_report_" + std::to_string(getpid()) + "_" +
-                                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-    folder /= "run";  // alone in its folder, without earlier runs
-    fs::create_directories(folder.parent_path());
-  }
-  void TearDown() override { fs::remove_all(folder.parent_path()); }
   json data() const { return parse_ordered_json(report_json(read_run(folder))); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
-  fs::path folder;
+  const Scratch alone;  // without earlier runs
+  const fs::path folder = alone.folder / "run";
 };
 
 FindingRecord finding(std::uint64_t index, const std::string& method, double margin) {
@@ -49,10 +43,10 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   f.kind = FindingKind::wrong_disjoint;
   f.severity = Severity::contract;
   f.margin = Enclosure{margin, margin};
-  Case c;
-  c.pair.a.radius = static_cast<double>(index) + 0.1;
-  c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
-  f.pair = format_case(c);
+  Pair pair;
+  pair.a.radius = static_cast<double>(index) + 0.1;
+  pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
+  f.pair = format_pair(pair);
   f.answers =
       R"([[{"verdict":"disjoint","direction":[1,0,0.1]},["fake"]],[{"verdict":"disjoint","direction":[1,0,0.2]},)"
       R"(["other"]],[{"verdict":"disjoint","direction":[1,0,0.3]},["third"]]])";
@@ -159,9 +153,7 @@ TEST_F(ReportData, EachFindingHasItsOwnMargin) {
 TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
   RunStore store = RunStore::create(folder, {});
   FindingRecord f = finding(0, "fake", 0.5);
-  Case c;
-  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 1, 0}, 1, 2}};
-  f.pair = format_case(c);
+  f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 1, 0}, 1, 2}});
   f.truth = R"({"verdict":"disjoint","direction":[1,0,0]})";
   f.margin.reset();
   commit(store, {f});
@@ -178,9 +170,7 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
 TEST_F(ReportData, KeepsAnEndBeyondTheDoubles) {
   RunStore store = RunStore::create(folder, {});
   FindingRecord f = finding(0, "fake", 0.5);
-  Case c;
-  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1.7e308, 1.7e308}, {{0, 0, 0}, {1, 0, 0}, 1.7e308, 1.7e308}};
-  f.pair = format_case(c);
+  f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, 1.7e308, 1.7e308}, {{0, 0, 0}, {1, 0, 0}, 1.7e308, 1.7e308}});
   f.truth = R"({"verdict":"intersecting","point":[0,0,0]})";
   f.margin = Enclosure{0.5, std::numeric_limits<double>::infinity()};
   commit(store, {f});
@@ -204,12 +194,7 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
 
   const auto refused = [&](const char* name, const char* text) {
     put(name, text);
-    try {
-      report_json(read_run(folder));
-      return false;
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what()).find(name) != std::string::npos;
-    }
+    return error_of([&] { report_json(read_run(folder)); }).find(name) != std::string::npos;
   };
   EXPECT_TRUE(refused("charts.json", "{"));
   EXPECT_TRUE(refused("charts.json", R"({"speed":1})"));
@@ -232,8 +217,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   half.answers = half.truth = "[1]";
   commit(store, {f, broken, half});
   write_page(read_run(folder));
-  std::ifstream in(folder / "report.html");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::string page = read_file(folder / "report.html");
   EXPECT_EQ(page.find("<img"), page.npos);
   EXPECT_EQ(page.find('\x01', page.find("report-data")), page.npos);
 

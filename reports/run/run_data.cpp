@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reports/run/run_data.hpp"
 
-#include <filesystem>
-
-#include "corpus/store/run_facts.hpp"
 #include "reports/run/charts.hpp"
 
 namespace cyl {

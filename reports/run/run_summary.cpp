@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "base/safe_text.hpp"
 #include "corpus/pairs/finding.hpp"
@@ -27,8 +27,7 @@ using Ranked = std::vector<std::pair<std::string, std::uint64_t>>;
 
 /// Returns "ode 1804, mujoco 900 and 3 more", the most first, or "none". Lines stay below 120 columns.
 std::string most_of(Ranked counts) {
-  std::stable_sort(counts.begin(), counts.end(),
-                   [](const auto& x, const auto& y) { return x.second > y.second; });
+  std::ranges::stable_sort(counts, std::greater(), &Ranked::value_type::second);
   std::string text;
   for (std::size_t i = 0; i < std::min(counts.size(), named_cap); ++i)
     text += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[i].first, counts[i].second);

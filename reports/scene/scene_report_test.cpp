@@ -10,7 +10,6 @@
 
 #include "scenes/read/bounding_solid.hpp"
 #include "scenes/read/scene_files.hpp"
-#include "scenes/study/scene_study.hpp"
 
 namespace cyl {
 namespace {
@@ -49,8 +48,7 @@ TEST(Study, ToleratedFalseAlarmsMakeItCheaper) {
   const auto costly = [&](double tolerated) {
     const SceneStudy s = study_scene(scene, question(0, tolerated, 50));
     EXPECT_EQ(s.verification.wrong, 0u);
-    return std::count_if(s.pairs.begin(), s.pairs.end(),
-                         [](const PairStudy& p) { return p.cascade.last > Level::outer; });
+    return std::ranges::count_if(s.pairs, [](const PairStudy& p) { return p.cascade.last > Level::outer; });
   };
   const auto strict = costly(0), lax = costly(0.5);
   EXPECT_GT(strict, 0);

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "base/safe_text.hpp"
-#include "base/statistics.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "base/files.hpp"
 #include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/read/read_text_test.hpp"

@@ -3,7 +3,9 @@
 """Checks the JSON that the program of the first argument writes with the schemas of this folder. Each schema also has
 to refuse changes: a field more, a field less, an unknown word."""
 import copy
+import functools
 import json
+import operator
 import pathlib
 import shutil
 import subprocess
@@ -47,7 +49,19 @@ def changed(document):
         yield change, copied
 
 
-def hold(name, documents, refused=('more', 'less', 'kind')):
+def planted(document, path, value):
+    """The document with another value at `path`, or without it if there is no value."""
+    document = copy.deepcopy(document)
+    *above, last = (int(part) if part.isdigit() else part for part in path.split('/'))
+    place = functools.reduce(operator.getitem, above, document)
+    if value is None:
+        del place[last]
+    else:
+        place[last] = value
+    return document
+
+
+def hold(name, documents, refused=('more', 'less', 'kind'), faults=()):
     schema = json.loads((HERE / name).read_text())
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema, resolver=jsonschema.RefResolver(f'{HERE.as_uri()}/{name}', schema))
@@ -60,6 +74,9 @@ def hold(name, documents, refused=('more', 'less', 'kind')):
     for change, wrong in changed(documents[0]):
         if change in refused and validator.is_valid(wrong):
             sys.exit(f'{name} takes what has a field {change}')
+    for path, value in faults:
+        if validator.is_valid(planted(documents[0], path, value)):
+            sys.exit(f'{name} takes {value} at {path}')
 
 
 def lines(text):
@@ -100,8 +117,18 @@ def main():
             write = 'import("./reports/web/run/sample.mjs").then((m) => console.log(JSON.stringify(m.sample(60))))'
             made_up = subprocess.run(['node', '-e', write], cwd=ROOT, check=True, capture_output=True).stdout
             hold('report_data.json', [json.loads(made_up)])
-        run('scene', ROOT / 'corpus/scenes/crane.urdf', '--configurations', 5, '--json', folder / 'scene.json')
-        hold('scene.json', [json.loads((folder / 'scene.json').read_text())])
+        (folder / 'alone.jsonl').write_text('{"name":"alone","center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2}\n')
+        scenes, examples = [], ROOT / 'corpus/scenes'
+        for asked in ([examples / 'crane.urdf'], [examples / 'hand.xml'], [folder / 'alone.jsonl'],
+                      [examples / 'crane.urdf', '--prove']):
+            run('scene', *asked, '--configurations', 20, '--json', folder / 'scene.json')
+            scenes.append(json.loads((folder / 'scene.json').read_text()))
+        hold('scene.json', scenes, faults=(
+            ('bodies/1/solid/axis', None), ('bodies/1/solid/radius', -1), ('bodies/0/solid/edges', [1, 2]),
+            ('pairs/0/needs', 'inner capsule'), ('pairs/0/models/5', None), ('bodies/0/solid', None),
+            ('pairs/0/known', None), ('colour', 'red')))
+        if len(scenes[3]['motions']) != len(scenes[3]['pairs']) or len(scenes[3]['exemptions']) != 1:
+            sys.exit('scene --prove does not list each pair and each exemption')
     print('passed')
 
 

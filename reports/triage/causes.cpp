@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
 #include <map>
-#include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -38,17 +34,6 @@ using Json = nlohmann::json;
 /// The most pairs tried as the simplest of a cause, until its method fails on one.
 constexpr std::size_t tried_cap = 4;
 
-/// Puts candidates of that kind first, then those simplified to the end, then those of the least
-/// shown_rank(), and then the simplest.
-auto shown_first(FindingKind kind) {
-  return [kind](const ShownCandidate& x, const ShownCandidate& y) {
-    const auto rank = [kind](const ShownCandidate& c) {
-      return std::tuple(c.of->kind != kind, !c.finished, shown_rank(c.pair), c.as_found, c.complexity);
-    };
-    return rank(x) < rank(y);
-  };
-}
-
 /// A cause states one kind, so the worst finding is of the kind of the simplest.
 void choose_worst(CauseFindings& group) {
   const FindingKind kind = group.first().kind;
@@ -69,9 +54,12 @@ std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
 std::optional<ShownPair> choose_simplest(CauseFindings& group,
                                          std::span<const std::unique_ptr<Method>> methods, PairShower& shower,
                                          const std::function<bool()>& out_of_time) {
-  std::stable_sort(group.candidates.begin(), group.candidates.end(), shown_first(group.worst->kind));
-  const auto fallback = std::find_if(group.candidates.begin(), group.candidates.end(),
-                                     [](const ShownCandidate& c) { return c.as_found; });
+  // Those of its kind come first, then those simplified to the end, then those of the least shown_rank(), and
+  // then the simplest.
+  std::ranges::stable_sort(group.candidates, {}, [kind = group.worst->kind](const ShownCandidate& c) {
+    return std::tuple(c.of->kind != kind, !c.finished, shown_rank(c.pair), c.as_found, c.complexity);
+  });
+  const auto fallback = std::ranges::find(group.candidates, true, &ShownCandidate::as_found);
   if (fallback != group.candidates.end()) group.simplest = *fallback;
   std::optional<ShownPair> of_simplest;
   std::size_t tried = 0;

@@ -5,11 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +14,6 @@
 #include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/method.hpp"
-#include "oracles/trial/compare.hpp"
 #include "reports/triage/triage_store.hpp"
 
 namespace cyl {

@@ -5,8 +5,6 @@
 
 #include <limits>
 #include <numeric>
-#include <set>
-#include <string>
 
 #include "corpus/pairs/pair_json.hpp"
 #include "oracles/methods/fake_method_test.hpp"

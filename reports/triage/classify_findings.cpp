@@ -35,8 +35,7 @@ void put_in_turns(std::vector<const Subject*>& subjects) {
   std::map<FindingGroup, std::size_t> seen;
   std::vector<std::pair<std::size_t, const Subject*>> turns;
   for (const Subject* s : subjects) turns.emplace_back(seen[*s->record]++, s);
-  std::stable_sort(turns.begin(), turns.end(),
-                   [](const auto& x, const auto& y) { return x.first < y.first; });
+  std::ranges::stable_sort(turns, {}, [](const auto& turn) { return turn.first; });
   for (std::size_t i = 0; i < turns.size(); ++i) subjects[i] = turns[i].second;
 }
 

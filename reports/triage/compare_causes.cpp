@@ -85,8 +85,7 @@ void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlie
   }
   if (!earlier.empty())
     for (Cause& b : missed(run, earlier.back(), fails_today)) run.causes.push_back(std::move(b));
-  std::stable_sort(run.causes.begin(), run.causes.end(),
-                   [](const Cause& x, const Cause& y) { return rank_of(x) < rank_of(y); });
+  std::ranges::stable_sort(run.causes, {}, rank_of);
 }
 
 bool is_of_new_families(const Cause& b) { return b.status == Recurrence::fresh && !b.asked_before; }

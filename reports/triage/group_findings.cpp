@@ -2,7 +2,6 @@
 #include "reports/triage/group_findings.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_facts.hpp"

@@ -29,22 +29,16 @@ struct Waiting {
   const Subject* subject;
 };
 
-bool is_simpler(const Waiting& x, const Waiting& y) {
-  const auto rank = [](const Waiting& w) {
-    return std::tuple(shown_rank(w.subject->pair), w.complexity, w.subject->record->id);
-  };
-  return rank(x) < rank(y);
-}
-
 /// Puts the least shown_rank() and the simplest first, and other methods, kinds and families before repeated
 /// ones.
 void put_in_order(std::vector<Waiting>& cause) {
-  std::sort(cause.begin(), cause.end(), is_simpler);
+  std::ranges::sort(cause, {}, [](const Waiting& w) {
+    return std::tuple(shown_rank(w.subject->pair), w.complexity, w.subject->record->id);
+  });
   std::map<std::tuple<std::string, FindingKind, std::string>, std::size_t> seen;
   for (Waiting& w : cause)
     w.turn = seen[{w.subject->record->method, w.subject->record->kind, w.subject->record->family}]++;
-  std::stable_sort(cause.begin(), cause.end(),
-                   [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
+  std::ranges::stable_sort(cause, {}, &Waiting::turn);
 }
 
 /// The properties that a simpler pair shares with the finding, besides the way to fail and the cause.

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "base/exit_code.hpp"
@@ -18,7 +16,6 @@
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_facts.hpp"
-#include "reports/triage/causes.hpp"
 #include "reports/triage/changed_guests.hpp"
 #include "reports/triage/group_findings.hpp"
 #include "reports/triage/shown_pair.hpp"

@@ -15,7 +15,6 @@
 
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/contained.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "reports/triage/triage.hpp"
 #include "reports/triage/triage_store.hpp"

@@ -5,12 +5,8 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 
 #include "base/scratch_test.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "corpus/store/run_store.hpp"
-#include "reports/triage/causes.hpp"
 #include "reports/triage/triage_context.hpp"
 #include "reports/triage/triage_store.hpp"
 #include "reports/triage/triage_test.hpp"

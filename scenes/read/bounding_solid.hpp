@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "scenes/scene.hpp"
 

@@ -5,18 +5,14 @@
 
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
+
+#include "base/error_of_test.hpp"
 
 namespace cyl {
 namespace {
 
 std::string why(const std::string& name, const std::string& bytes) {
-  try {
-    read_mesh(name, bytes);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "read";
+  return error_of([&] { read_mesh(name, bytes); });
 }
 
 /// Returns a binary STL of one triangle, little-endian.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -231,8 +230,7 @@ class MjcfBuilder {
   static std::vector<double> sizes(const MjcfElement& geom, std::size_t count) {
     std::vector<double> size = geom.numbers("size");
     size.resize(std::max(size.size(), count));
-    if (std::any_of(size.begin(), size.begin() + static_cast<std::ptrdiff_t>(count),
-                    [](double x) { return !(x > 0); }))
+    if (std::ranges::any_of(std::span(size).first(count), [](double x) { return !(x > 0); }))
       throw std::runtime_error("sizes must be positive");
     return size;
   }

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <tuple>
 
+#include "base/error_of_test.hpp"
 #include "base/scratch_test.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/read/scene_files.hpp"
@@ -21,12 +21,8 @@ class Mjcf : public testing::Test, protected Scratch {
     return read_scene(write("model.xml", "<mujoco>" + inside + "</mujoco>"));
   }
   std::string why(const std::string& inside) const {
-    try {
-      read(inside);
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what()).substr((folder / "model.xml").string().size());
-    }
-    return "read";
+    const std::string error = error_of([&] { read(inside); }), file = folder / "model.xml";
+    return error.starts_with(file) ? error.substr(file.size()) : error;
   }
 };
 

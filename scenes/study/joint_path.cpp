@@ -2,7 +2,6 @@
 #include "scenes/study/joint_path.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "corpus/pairs/pair_numbers.hpp"

@@ -2,7 +2,6 @@
 #include "scenes/study/motion_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -48,14 +47,6 @@ struct LaterOf {
     return x.bound != y.bound ? x.bound > y.bound : x.number > y.number;
   }
 };
-
-std::vector<double> set_joints(const Scene& scene, const std::vector<std::size_t>& links,
-                               const std::vector<double>& values) {
-  std::vector<double> joints = joints_at(scene);
-  for (std::size_t i = 0; i < links.size(); ++i) joints[links[i]] = values[i];
-  let_follow(scene, joints);
-  return joints;
-}
 
 class Prover {
  public:
@@ -270,8 +261,12 @@ MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const
   return proof;
 }
 
-std::vector<double> joints_in(const Scene& scene, const MotionProof& proof) {
-  return set_joints(scene, proof.between, proof.joints);
+std::vector<double> set_joints(const Scene& scene, const std::vector<std::size_t>& links,
+                               const std::vector<double>& values) {
+  std::vector<double> joints = joints_at(scene);
+  for (std::size_t i = 0; i < links.size(); ++i) joints[links[i]] = values[i];
+  let_follow(scene, joints);
+  return joints;
 }
 
 void contradict(MotionProof& proof, double seen) {

@@ -64,9 +64,10 @@ struct MotionProof {
 /// to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
 
-/// Returns all joints of the scene in the configuration of a proof. Joints that do not matter are as near to
-/// 0 as they can be.
-std::vector<double> joints_in(const Scene& scene, const MotionProof& proof);
+/// Returns all joints of the scene with these links' joints at these values. The others are as near to 0 as
+/// they can be.
+std::vector<double> set_joints(const Scene& scene, const std::vector<std::size_t>& links,
+                               const std::vector<double>& values);
 
 /// The result for a link pair that the SRDF calls "Never". `within`: they come within the clearance, and are
 /// proved never to touch.

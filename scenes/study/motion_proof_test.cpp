@@ -121,7 +121,7 @@ TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
   const MotionProof past = prove_motion(geared(-1, 0.05), 0, 1, q), met = prove_motion(geared(0, 1), 0, 1, q);
   EXPECT_EQ(past.verdict, MotionVerdict::never) << "from 0.15 on";
   ASSERT_EQ(met.verdict, MotionVerdict::within);
-  const std::vector<double> joints = joints_in(geared(0, 1), met);
+  const std::vector<double> joints = set_joints(geared(0, 1), met.between, met.joints);
   EXPECT_NEAR(joints[1], 0.3 - 3 * joints[2], 1e-15);
   EXPECT_EQ(met.between, (std::vector<std::size_t>{2}));
   const Scene scene = geared(-1, 1);
@@ -232,7 +232,7 @@ TEST(MotionProof, NoConfigurationContradictsIt) {
     std::vector<MotionProof> never;
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
-      const std::vector<Solid> placed = place(scene, joints_in(scene, proof));
+      const std::vector<Solid> placed = place(scene, set_joints(scene, proof.between, proof.joints));
       if (proof.verdict <= MotionVerdict::within && (scene.bodies[a].box || scene.bodies[b].box)) {
         EXPECT_LE(distance(placed[a], placed[b]).value, proof.least) << "of inner solids";
         continue;

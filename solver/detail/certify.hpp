@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "solver/detail/frame.hpp"
+#include "solver/detail/both_solids.hpp"
 
 namespace cyl {
 
@@ -39,9 +39,12 @@ inline constexpr double proof_slack_tol = 0x1p-46;
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
 // it.
 inline Hull hull_of(double r, double h, double reach) noexcept {
+  static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2);
   const bool thin = r <= proof_slack_tol * reach, low = h <= proof_slack_tol * reach;
-  return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
+  return static_cast<Hull>(2 * static_cast<int>(thin) + static_cast<int>(low));
 }
+inline bool in_plane(Hull hull) noexcept { return (static_cast<int>(hull) & 1) != 0; }
+inline bool on_line(Hull hull) noexcept { return (static_cast<int>(hull) & 2) != 0; }
 
 // Writes a proof into the answer.
 inline void hand_out(const Vector3& direction, Answer& answer) noexcept {
@@ -57,6 +60,70 @@ inline void hand_out(Proof proof, const Vector3& head, const Vector3& tail, Hull
   answer.point_tail = tail;
   answer.hull_a = hull0;
   answer.hull_b = hull1;
+}
+
+// As a sum, because compilers make two branches of a test of two bools.
+inline bool none_of(bool x, bool y) noexcept { return static_cast<int>(x) + static_cast<int>(y) == 0; }
+
+// Whether a way between the solids separates them by more than `beyond`: `least` is -f along it, times its
+// length.
+inline bool is_beyond(double least, double square_of_way, double beyond) noexcept {
+  return least * std::fabs(least) > beyond * beyond * square_of_way;
+}
+
+// All bits, or none.
+inline BothBits mask_of(bool yes) noexcept {
+  const long long bits = -static_cast<long long>(yes);
+  return BothBits{bits, bits};
+}
+
+// x, y or 0, without a branch. At most one of the masks has bits.
+[[gnu::always_inline]] inline Vector3 either(BothBits of_x, const Vector3& x, BothBits of_y,
+                                             const Vector3& y) noexcept {
+  const Both first = Both((BothBits(Both{x[0], x[1]}) & of_x) | (BothBits(Both{y[0], y[1]}) & of_y)),
+             last = Both((BothBits(Both{x[2], 0}) & of_x) | (BothBits(Both{y[2], 0}) & of_y));
+  return {first[0], first[1], last[0]};
+}
+
+// One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
+// it is no branch. Neither is `swapped`: point 0 of `points` and hull 0 are of the second solid.
+[[gnu::always_inline]] inline Answer proof_of(bool meets, Proof kind, const Vector3& direction,
+                                              const Vector3& point0, const Vector3& point1, Hull hull0,
+                                              Hull hull1, bool swapped) noexcept {
+  static_assert(static_cast<int>(Proof::direction) == 1);
+  const bool turned = swapped & (kind == Proof::points);
+  const BothBits apart = mask_of(!meets), same = mask_of(meets & !turned), other = mask_of(meets & turned);
+  const int hulls[] = {meets * static_cast<int>(hull0), meets * static_cast<int>(hull1)};
+  return {verdict_of(meets),
+          static_cast<Proof>(1 + meets * (static_cast<int>(kind) - 1)),
+          either(apart, direction, BothBits{}, direction),
+          either(same, point0, other, point1),
+          either(same, point1, other, point0),
+          static_cast<Hull>(hulls[swapped]),
+          static_cast<Hull>(hulls[!swapped])};
+}
+
+// The answer to the pair in the other order, if `swapped`. Tables, because branches would be unpredictable.
+inline Answer in_order(bool swapped, const Answer& found) noexcept {
+  Answer answer = found;
+  constexpr double turns[] = {1, -1};
+  const bool points = swapped & (found.proof == Proof::points);
+  const Vector3* const ends[] = {&found.point_head, &found.point_tail};
+  const Hull hulls[] = {found.hull_a, found.hull_b};
+  // A direction that proves nothing stays +0.
+  answer.direction = turns[swapped & (found.proof == Proof::direction)] * found.direction;
+  answer.point_head = *ends[points];
+  answer.point_tail = *ends[!points];
+  answer.hull_a = hulls[swapped];
+  answer.hull_b = hulls[!swapped];
+  return answer;
+}
+
+// A direction has no unit. The way in one of about `size`, turned if `turns`.
+inline Vector3 without_unit(const Vector3& way, double size, bool turns = false) noexcept {
+  const double unit = power_of_two(-exponent_of(size));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(unit) | static_cast<std::uint64_t>(turns) << 63) *
+         way;
 }
 
 // The question, and the place of its certificate. Each is checked against these solids.
@@ -92,9 +159,8 @@ struct Place {
   double outside(double r, double h) const noexcept { return larger(along - h, across - r); }
   // With so much room left; within its hull a solid needs none across it.
   bool inside(double r, double h, Hull hull, double slack) const noexcept {
-    const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-    const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-    return (in_plane | (along + slack < h)) & (on_line | ((r - slack > 0) & (across < r - slack)));
+    return (in_plane(hull) | (along + slack < h)) &
+           (on_line(hull) | ((r - slack > 0) & (across < r - slack)));
   }
   double along, across, away;
 };
@@ -119,20 +185,23 @@ inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hu
   return at0.inside(p.r0, p.h0, hull0, error + move) && at1.inside(p.r1, p.h1, hull1, error + move);
 }
 
-// f(D) < 0 beyond rounding.
-inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
-  const Scaled& p = q.solids;
-  // Weights are products of lengths; a direction has no unit.
+// f(D) + R |D| < 0 beyond rounding. Otherwise `overlap` has that over |D|, if it is less.
+inline bool try_direction(const Scaled& p, Vector3 d, double contact_distance, double reach, double& overlap,
+                          Answer& answer) noexcept {
+  // Weights are products of lengths, and a way between points has a unit. A direction has none.
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
-  const double f = support_gap(p, d), size = length(d);
-  if (!(f < -separation_error * size * q.reach)) {
-    q.overlap = smaller(q.overlap, f / size);
+  const double size = length(d), f = support_gap(p, d) + contact_distance * size;
+  if (!(f < -separation_error * size * reach)) {
+    overlap = smaller(overlap, f / size);
     return false;
   }
-  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, q.answer);
+  hand_out(dot(d, p.delta) < 0 ? Vector3(-d) : d, answer);
   return true;
+}
+inline bool try_direction(ProofTask& q, const Vector3& d) noexcept {
+  return try_direction(q.solids, d, 0, q.reach, q.overlap, q.answer);
 }
 
 inline bool try_point(ProofTask& q, const Vector3& x) noexcept {

@@ -31,13 +31,14 @@ bool prove_by_filter(ProofTask& q, const Scaled& p, const F& frame) noexcept {
     return false;
   }
   const double radii = p.r0 + p.r1;
-  return filter.overlaps && try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0));
+  return filter.overlaps &&
+         try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0), false);
 }
 
 // The middle of the slices in which both widths suffice: at most u from C0 and v from C1.
 template <class F, class T>
 bool try_middle(ProofTask& q, const Scaled& p, const F& frame, T u, T v) noexcept {
-  return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v));
+  return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v), true);
 }
 
 // Widths x, y and half lengths u, v of two disks.

@@ -18,6 +18,8 @@ inline constexpr double quick_error = 4 * box_error;
 inline constexpr double plane_error = 16 * unit_roundoff_error;
 /// The same of a half-space and a solid that is near it, if the vector between them is taken exactly.
 inline constexpr double precise_plane_error = 40 * unit_roundoff_error;
+/// An error of intersect() for a half-space, relative to the size: half of the least margin.
+inline constexpr double plane_tol = 0x1p-44;
 /// By how much decide() shrinks cores before it looks for a common point, of the reach.
 inline constexpr double box_slack_tol = 2.5 * box_error;
 
@@ -33,9 +35,9 @@ inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
 /// numbers. True if b comes first.
 bool boxes_out_of_order(const Prepared& a, const Prepared& b) noexcept;
 inline bool shapes_out_of_order(const Prepared& a, const Prepared& b) noexcept {
-  constexpr unsigned ranks = 0b01'00'10;  // of the shapes, two bits each
-  if (a.shape == b.shape) return boxes_out_of_order(a, b);
-  return (ranks >> 2 * static_cast<int>(a.shape) & 3) > (ranks >> 2 * static_cast<int>(b.shape) & 3);
+  const auto rank = [](const Prepared& c) { return -static_cast<unsigned>(c.shape) & 3; };
+  static_assert(static_cast<int>(Shape::half_space) == 1 && static_cast<int>(Shape::box) == 2);
+  return a.shape == b.shape ? boxes_out_of_order(a, b) : rank(b) > rank(a);
 }
 
 /// A pair in its order and in a unit in which nothing overflows.
@@ -82,6 +84,8 @@ inline double core_size(const Prepared& c) noexcept {
 /// A point of the core that is farthest along n, from its centre.
 Vector3 farthest_of(const Prepared& c, const Vector3& n) noexcept;
 
+/// The first is the half-space.
+Verdict intersect_half_space(const Prepared& plane, const Prepared& c, double contact) noexcept;
 /// `a` is a box, `b` not a half-space, and not what intersect_thin_and_box() takes.
 Verdict intersect_box(const Prepared& a, const Prepared& b, double contact) noexcept;
 /// The signed distance from the plane of a centre, n.Delta, and of its core, -f(n), with a bound of their
@@ -90,9 +94,12 @@ struct AbovePlane {
   double center, gap, error;
 };
 AbovePlane above_plane(const Prepared& plane, const Prepared& c, double contact) noexcept;
-/// `normal`: of the plane, exactly. `of_second`: the centre of the other solid in the scene.
-void decide_half_space(const ShapePair& p, const Vector3& normal, const Vector3& of_second,
-                       Answer& answer) noexcept;
+/// The first is the half-space. `swapped`: it is the second solid of the answer.
+Answer decide_half_space(const Prepared& plane, const Prepared& c, double clearance, bool swapped) noexcept;
+/// The same for a box and a segment or a point, and for a box and anything.
+Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,
+                           bool swapped) noexcept;
+Answer decide_box(const Prepared& box, const Prepared& c, double clearance, bool swapped) noexcept;
 
 /// The edges of a box have these directions.
 struct Edges {
@@ -170,9 +177,6 @@ struct SegmentPoint {
 SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept;
 /// A box and a point, or a box and a segment with a contact > 0.
 Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double contact) noexcept;
-/// Returns whether a verdict is proved by `error`, or none can be proved.
-bool prove_thin_and_box(const ShapePair& p, double error, Answer& answer) noexcept;
-
 /// Whether the other core holds the point by `slack`.
 bool holds(const BoxView& v, const Vector3& at, double slack) noexcept;
 /// A point of both cores, if there is one beyond rounding.

@@ -62,7 +62,7 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
     PlanePoint<T> kept[8];
     int n = 0;
     for (int i = 0; i < count; ++i) {
-      const PlanePoint<T>&from = polygon[i], &to = polygon[(i + 1) % count];
+      const PlanePoint<T>&from = polygon[i], &to = polygon[i + 1 < count ? i + 1 : 0];
       const T d0 = limit - sign * (from.*axis), d1 = limit - sign * (to.*axis);
       // not covered: a rectangle cut four times has at most 8 corners
       if (d0 >= T(0) && n < 8) kept[n++] = from;
@@ -88,9 +88,9 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
   return true;
 }
 
-// Common points of the slice of `p` at height u above C0.
+// Common points of the slice of `p` at height u above C0. `narrow`: the rectangles may have little in common.
 template <class F>
-bool try_slice(ProofTask& q, const Scaled& p, const F& frame, typename F::Scalar u) noexcept {
+bool try_slice(ProofTask& q, const Scaled& p, const F& frame, typename F::Scalar u, bool narrow) noexcept {
   using T = typename F::Scalar;
   const Slices<T> slices = frame.slices();
   const T v = slices.z - u;
@@ -99,10 +99,12 @@ bool try_slice(ProofTask& q, const Scaled& p, const F& frame, typename F::Scalar
   const Rectangle<T> r1{slices.along, slices.beside, slices.cosine, slices.sine, p.h1, b1};
   auto attempt = [&](const PlanePoint<T>& at) { return try_point(q, frame.at(at.x, at.y, u)); };
   constexpr double slack_tol = proof_slack_tol / 8;  // of the reach: much of a rounding, little of the room
-  PlanePoint<T> at;
-  return attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
-         (middle_of_overlap(r0, r1, T(0), at) && attempt(at)) ||
-         (middle_of_overlap(r0, r1, T(slack_tol * q.reach), at) && attempt(at));
+  const auto in_middle = [&](T slack) {
+    PlanePoint<T> at;
+    return middle_of_overlap(r0, r1, slack, at) && attempt(at);
+  };
+  return (narrow && in_middle(T(0))) || attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
+         (!narrow && in_middle(T(0))) || in_middle(T(slack_tol * q.reach));
 }
 
 }  // namespace cyl
