@@ -144,7 +144,7 @@ int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
   for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);
   // Square to edges of the other one, of the first box, or of both, which may differ by less than `most`.
   for (const double square_tol : {0.0, 0x1p-26, 0x1p-10})
-    for (int which = v.box && square_tol > 0 ? 1 : 3; which <= 3; ++which) {
+    for (int which = square_tol > 0 ? 1 : 3; which <= 3; ++which) {
       Vector3 d = way;
       const double most = square_tol * length(way);
       for (int j = 0; j < (v.box ? 3 : 1); ++j)
