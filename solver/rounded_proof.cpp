@@ -66,7 +66,7 @@ bool is_hopeless(const Scaled& p, const Vector3& e, double contact_distance) noe
   return -support_gap(p, e) > below * length(e);
 }
 
-// What the points and ways in closed form are off by, of the reach (rounded.md, section 4).
+// The error of the points and ways in closed form, relative to the reach (rounded.md, section 4).
 constexpr double closed_form_error = 2 * membership_error;
 
 // Two segments. Their nearest points are known in closed form (rounded.md, section

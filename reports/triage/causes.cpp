@@ -54,7 +54,7 @@ std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
 std::optional<ShownPair> choose_simplest(CauseFindings& group,
                                          std::span<const std::unique_ptr<Method>> methods, PairShower& shower,
                                          const std::function<bool()>& out_of_time) {
-  // Those of its kind come first, then those simplified to the end, then those of the least shown_rank(), and
+  // Candidates of its kind come first, then candidates simplified to the end, then by least shown_rank(), and
   // then the simplest.
   std::ranges::stable_sort(group.candidates, {}, [kind = group.worst->kind](const ShownCandidate& c) {
     return std::tuple(c.of->kind != kind, !c.finished, shown_rank(c.pair), c.as_found, c.complexity);

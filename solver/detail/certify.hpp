@@ -85,8 +85,8 @@ inline BothBits mask_of(bool yes) noexcept {
   return {first[0], first[1], last[0]};
 }
 
-// One of two proofs: `kind`, of the points, or the direction. Which of the two it is cannot be predicted, so
-// it is no branch. Neither is `swapped`: point 0 of `points` and hull 0 are of the second solid.
+// One of two proofs: `kind`, of the points, or the direction. No branch can predict which of the two it
+// is, or `swapped`, so there is none: point 0 of `points` and hull 0 are of the second solid.
 [[gnu::always_inline]] inline Answer proof_of(bool meets, Proof kind, const Vector3& direction,
                                               const Vector3& point0, const Vector3& point1, Hull hull0,
                                               Hull hull1, bool swapped) noexcept {
