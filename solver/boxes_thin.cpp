@@ -88,7 +88,7 @@ template <class Otherwise>
     // Nothing can be proved if the points are so near, and the way between them separates so much.
     const double least = error * (box_error / quick_error), most = p.contact + 0.5 * least;
     const bool separates = is_beyond(gap, square_of_way, p.contact - least);
-    return fits & separates & (p.contact > least) & (square_of_way <= most * most) ? Answer() : otherwise();
+    return (fits & separates & (p.contact > least) & (square_of_way <= most * most)) ? Answer() : otherwise();
   }
   const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
   const Vector3 found = seen.world(p.a, Seen(of_box));

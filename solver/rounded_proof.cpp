@@ -88,7 +88,7 @@ template <class Otherwise>
   const bool near = dot(between, between) <= within * std::fabs(within), sure = nearest.reliable,
              apart = is_beyond(least, square_of_way, contact_distance + error);
   if (none_of(near, apart) || !sure)
-    return sure & (within > 0) & (square_of_way <= most * most) ? Answer() : otherwise();
+    return (sure & (within > 0) & (square_of_way <= most * most)) ? Answer() : otherwise();
   Vector3 point0, point1;
   if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
     return otherwise();
@@ -129,7 +129,7 @@ template <class Otherwise>
                  most = contact_distance + 3 * error;
     if (!is_beyond(least, square_of_way, contact_distance + error))
       // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
-      return (within > 0) & (square_of_way <= most * most) ? Answer() : otherwise();
+      return ((within > 0) & (square_of_way <= most * most)) ? Answer() : otherwise();
   }
   Vector3 point;
   if (!brought_to_scene(on, exponent, point)) return otherwise();
