@@ -48,10 +48,15 @@ template <bool asked>
   return best;
 }
 
-// Not inlined, to keep the common path small.
-[[gnu::noinline]] Verdict search(Seen half, Seen d, Seen w, double h, double contact, double t) noexcept {
-  return verdict_of(look_on_segment<true>(half, d, w, h, contact, t).near);
+// Not inlined, to keep the common path small. If rounding exceeds the contact, it hides that a segment
+// pierces a flat box.
+[[gnu::noinline]] Verdict search(const Prepared& a, const Prepared& b, double contact, double t) noexcept {
+  const BoxView v(a, b);
+  const SegmentPoint found = look_on_segment<true>(Seen(v.half), Seen(v.d), Seen(v.e[0]), v.h, contact, t);
+  return verdict_of(found.near ||
+                    (!is_beyond(found.gap, dot(found.way, found.way), contact) && separating_axis(v) < 0));
 }
+
 // If there is no proof, the answer is `otherwise`.
 template <class Otherwise>
 [[gnu::always_inline]] inline Answer prove_thin_and_box(const ShapePair& p, bool swapped,
@@ -123,7 +128,7 @@ Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double cont
   const Seen x = d + t * w, e = x - clamped(x, half);
   const double square = dot(e, e), slope = dot(e, w), gap = square - t * slope - h * std::fabs(slope);
   const unsigned near = square <= contact2, apart = (gap > 0) & (gap * gap > contact2 * square);
-  return near + apart != 0 ? verdict_of(near != 0) : search(half, d, w, h, contact, t);
+  return near + apart != 0 ? verdict_of(near != 0) : search(a, b, contact, t);
 }
 
 Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,

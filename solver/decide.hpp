@@ -100,7 +100,7 @@ Verdict intersect(const Solid& a, const Solid& b) noexcept;
 ///   holds if a disk crosses a disk or a segment at a small angle.
 /// * None of this holds for subnormal lengths.
 /// * With a box or a half-space, an overlap may stay undecided if an edge of a box is below 2 t. The same
-///   holds if a half-space and a rounded solid have in common less than 1e-15 of the distance of the centres.
+///   holds if a half-space and a rounded solid have in common less than 2e-15 of the distance of the centres.
 ///   It also holds if that distance overflows or is 1e400 sizes.
 /// Cost: three times that of intersect(), twice if the axes are parallel. It takes up to 0.3 ms within 1e-11
 /// of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.

@@ -7,6 +7,12 @@
 namespace cyl {
 namespace {
 
+// Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
+void drop_tiny(Vector3& x) noexcept {
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(x[i]) < 0x1p-200) x[i] = 0;  // never -0
+}
+
 // The columns of the rotation (boxes.md, section 6). The largest number of the quaternion comes to [1, 2), of
 // a subnormal one to [2^-51, 1].
 void prepare_box(const Solid& c, Prepared& p) noexcept {
@@ -17,6 +23,8 @@ void prepare_box(const Solid& c, Prepared& p) noexcept {
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, n = 1 / ((ww + xx) + (yy + zz));
   p.unit_axis = {((ww + xx) - (yy + zz)) * n, 2 * (x * y + w * z) * n, 2 * (x * z - w * y) * n};
   p.second_axis = {2 * (x * y - w * z) * n, ((ww + yy) - (xx + zz)) * n, 2 * (y * z + w * x) * n};
+  drop_tiny(p.unit_axis);
+  drop_tiny(p.second_axis);
   p.edges = {c.edges[0], c.edges[1], c.edges[2]};
   mark_traits(p);
 }
@@ -42,10 +50,7 @@ Prepared prepare(const Solid& c) noexcept {
     p.second_axis = w / unit == c.axis ? w : c.axis;
   }
   p.unit_axis = w / std::copysign(length(w), first);
-  // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
-  for (int i = 0; i < 3; ++i)
-    if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;  // never -0
-
+  drop_tiny(p.unit_axis);
   mark_traits(p);
   return p;
 }

@@ -98,9 +98,10 @@ template <class Otherwise>
 // Two balls. One comparison shows nothing only within rounding of touching, which is that of 6 operations.
 [[gnu::always_inline]] inline Answer prove_balls(const Vector3& delta, double contact_distance) noexcept {
   const double square_of_way = dot(delta, delta), error = separation_error * contact_distance;
-  const bool near = square_of_way < square(contact_distance - error);
+  // The square of a tiny clearance may vanish.
+  const bool near = (square_of_way == 0) | (square_of_way < square(contact_distance - error));
   if (none_of(near, square_of_way > square(contact_distance + error))) return {};
-  return proof_of(near, Proof::points, without_unit(delta, contact_distance), {0, 0, 0}, {0, 0, 0},
+  return proof_of(near, Proof::points, without_unit(delta, max_abs(delta)), {0, 0, 0}, {0, 0, 0},
                   Hull::center, Hull::center, false);
 }
 
