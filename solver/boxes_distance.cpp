@@ -31,6 +31,7 @@ class BoxDistance {
       Vector3 directions[direction_cap];
       const int count = find_directions(view_, found.on1, found.on1 - found.on0, directions);
       for (int i = 0; i < count; ++i) consider(directions[i]);
+      if (!(best_ >= most - out.error)) consider(best_direction(view_, found.on1 - found.on0));
       // If it is as good, the way between the points belongs to them.
       if (const Vector3 way = (found.on1 - found.on0) / most; view_.gap(way) > best_ - 0.25 * out.error) {
         best_ = view_.gap(way);

@@ -144,7 +144,7 @@ int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
   for (int i = 0; i < (v.box ? box_axes : cylinder_axes); ++i) found[count++] = axis_of(v, i);
   // Square to edges of the other one, of the first box, or of both, which may differ by less than `most`.
   for (const double square_tol : {0.0, 0x1p-26, 0x1p-10})
-    for (int which = v.box && square_tol > 0 ? 1 : 3; which <= 3; ++which) {
+    for (int which = square_tol > 0 ? 1 : 3; which <= 3; ++which) {
       Vector3 d = way;
       const double most = square_tol * length(way);
       for (int j = 0; j < (v.box ? 3 : 1); ++j)
@@ -162,6 +162,35 @@ int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
   const Vector3 edge(clipped.edge == 0, clipped.edge == 1, clipped.edge == 2);
   found[count++] = v.e[0].cross(clipped.out).cross(edge);
   return count;
+}
+
+// The gap is concave in D, and |D| is convex. So their ratio has one maximum on a plane if a gap is > 0.
+Vector3 best_direction(const BoxView& v, const Vector3& way) noexcept {
+  const Vector3 n = way / length(way), p = n.cross(Vector3(std::fabs(n[0]) < 0.6, std::fabs(n[0]) >= 0.6, 0)),
+                u = p / length(p), w = n.cross(u);
+  const auto search = [](auto value) {
+    constexpr double golden = 0.6180339887498949, width_tol = 0x1p-4;
+    constexpr int steps = 66;  // to 2^-50
+    double lo = -width_tol, hi = width_tol, s = hi - golden * (hi - lo), t = lo + golden * (hi - lo);
+    double at_s = value(s), at_t = value(t);
+    for (int i = 0; i < steps; ++i) {
+      if (at_s > at_t) {
+        hi = t, t = s, at_t = at_s, s = hi - golden * (hi - lo), at_s = value(s);
+      } else {
+        lo = s, s = t, at_s = at_t, t = lo + golden * (hi - lo), at_t = value(t);
+      }
+    }
+    return at_s > at_t ? s : t;
+  };
+  const auto at = [&](double s, double t) { return Vector3(n + s * u + t * w); };
+  const auto second = [&](double s) {
+    return search([&](double t) { return v.gap(at(s, t)) / length(at(s, t)); });
+  };
+  const double s = search([&](double x) {
+    const Vector3 d = at(x, second(x));
+    return v.gap(d) / length(d);
+  });
+  return at(s, second(s));
 }
 
 NearestPoints nearest_points(const BoxView& v, double contact) noexcept { return Nearest(v, contact).run(); }

@@ -133,7 +133,7 @@ class BoxProof {
     const int count = find_directions(view_, on1, way, found);
     for (int i = 0; i < count; ++i)
       if (try_direction(found[i])) return true;
-    return false;
+    return length(way) > p_.contact + error_ && try_direction(best_direction(view_, way));
   }
 
   // f(D) < 0 beyond rounding. D is given along the edges of the box.

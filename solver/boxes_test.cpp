@@ -87,6 +87,19 @@ TEST(Boxes, TinyGapsAreExact) {
   }
 }
 
+// The way between the nearest points does not show the gap.
+TEST(Boxes, CapsNearlyOnFacets) {
+  const Pair pairs[] = {
+      {{{0, 0, 0}, {1, 0, 0}, 6, 2}, box({4, 8, -1}, 6, 4, 4, {1, 1, 0, 5e-9})},
+      {{{0, 0, 0}, {0, 1, 0}, 1, 2}, rounded(box({1, 3, 1.5}, 2, 2, 1, {1.000000000001, 0, 0, 1}), 1)}};
+  for (const Pair& p : pairs) {
+    EXPECT_EQ(decide(p.a, p.b).verdict, Verdict::disjoint);
+    const Distance d = distance(p.a, p.b);
+    EXPECT_GT(d.value, 0.9e-12);
+    EXPECT_LT(d.error, 3e-12);
+  }
+}
+
 TEST(Boxes, WhatIsNoPair) {
   const Solid plane = half_space({0, 0, 0}, {0, 0, 1}), cube = box({0, 0, 3}, 1, 1, 1);
   EXPECT_EQ(intersect(plane, plane), Verdict::invalid);

@@ -91,14 +91,12 @@ template <class Otherwise>
                     ((h == 0) | (h > error));
   if (!fits || none_of(near, is_beyond(gap, square_of_way, p.contact + error))) {
     // Nothing can be proved if the points are so near, and the way between them separates so much.
-    const double least = error * (box_error / quick_error);
-    return fits && p.contact > least && square_of_way <= square(p.contact + 0.5 * least) &&
-                   is_beyond(gap, square_of_way, p.contact - least)
-               ? Answer()
-               : otherwise();
+    const double least = error * (box_error / quick_error), most = p.contact + 0.5 * least;
+    const bool separates = is_beyond(gap, square_of_way, p.contact - least);
+    return (fits & separates & (p.contact > least) & (square_of_way <= most * most)) ? Answer() : otherwise();
   }
   const Vector3 of_box = either(mask_of(near), on0, mask_of(!near), without_unit(way, reach, swapped));
-  const Vector3 found = seen.world(p.a, of_box);
+  const Vector3 found = seen.world(p.a, Seen(of_box));
   Vector3 head, tail;
   if (!brought_to_scene(found, p.exponent, head) || !brought_to_scene(t * p.b.unit_axis, p.exponent, tail))
     return otherwise();

@@ -2,6 +2,7 @@
 // A half-space and a solid: one value of f. Derivation: boxes.md, section 1.
 #include <cmath>
 
+#include "solver/detail/along_edges.hpp"
 #include "solver/detail/certify.hpp"
 #include "solver/detail/double_double.hpp"
 #include "solver/detail/shapes.hpp"
@@ -91,12 +92,13 @@ struct Lowest {
 [[gnu::always_inline]] inline Lowest lowest_of(const Prepared& c, const Vector3& n, double size,
                                                double room) noexcept {
   if (c.shape == Shape::box) {
-    const Edges edges(c);
-    const Vector3 along = edges.seen(n), half = 0.5 * c.edges, inner = half - 2 * Vector3(room, room, room),
-                  share(std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2]));
-    const auto end = [&](int i) { return along[i] != 0 ? std::copysign(inner[i], -along[i]) : 0; };
-    return {dot(half, share), dot(inner, share), edges.world({end(0), end(1), end(2)}), Hull::space,
-            smaller(smaller(inner[0], inner[1]), inner[2]) > room};
+    const SeenFrom seen(c);
+    const Seen along = seen(n), share = magnitude(along), half = half_of(c),
+               inner = half - Seen(both(2 * room), 2 * room);
+    const auto end = [](double most, double way) { return way != 0 ? std::copysign(most, -way) : 0; };
+    const Seen at(Both{end(inner.xy[0], along.xy[0]), end(inner.xy[1], along.xy[1])}, end(inner.z, along.z));
+    return {dot(half, share), dot(inner, share), seen.world(c, at), Hull::space,
+            smaller(smaller(inner.xy[0], inner.xy[1]), inner.z) > room};
   }
   const Vector3& w = c.unit_axis;
   const double along = dot(n, w), half = 0.5 * c.height;

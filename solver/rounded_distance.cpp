@@ -64,8 +64,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     out.verdict = Verdict::invalid;
     return out;
   }
-  if (a.rounding + b.rounding == 0)
-    return other ? distance_of_shapes(a, b, 0) : distance_of_cores(a, b, false);
+  if (a.rounding + b.rounding == 0) return other ? distance_of_shapes(a, b) : distance_of_cores(a, b, false);
   // The gap of the cores or the sum of the roundings may exceed the largest double, although their difference
   // does not. Lengths near it are made so small that neither does. The loss of lengths that become subnormal
   // is far below the error.

@@ -84,10 +84,11 @@ template <class Otherwise>
   const double s = in_plane(hull0) ? 0 : clamped(nearest.s, p.h0 - error);
   const double t = in_plane(hull1) ? 0 : clamped(nearest.t, p.h1 - error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
-  const bool near = dot(between, between) <= within * std::fabs(within);
-  const bool apart = is_beyond(least, dot(e, e), contact_distance + error), sure = nearest.reliable;
+  const double square_of_way = dot(e, e), most = contact_distance + 3 * error;
+  const bool near = dot(between, between) <= within * std::fabs(within), sure = nearest.reliable,
+             apart = is_beyond(least, square_of_way, contact_distance + error);
   if (none_of(near, apart) || !sure)
-    return sure && within > 0 && dot(e, e) <= square(contact_distance + 3 * error) ? Answer() : otherwise();
+    return (sure & (within > 0) & (square_of_way <= most * most)) ? Answer() : otherwise();
   Vector3 point0, point1;
   if (!brought_to_scene(on0, p.exponent, point0) || !brought_to_scene(on1, p.exponent, point1))
     return otherwise();
@@ -125,10 +126,11 @@ template <class Otherwise>
   const double square_of_way = dot(e, e);
   const bool near = square_of_way <= within * std::fabs(within);
   if (none_of(near, square_of_way > square(contact_distance + 8 * error) + 2 * error * reach)) {
-    const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
+    const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w)),
+                 most = contact_distance + 3 * error;
     if (!is_beyond(least, square_of_way, contact_distance + error))
       // Too near to touching for a proof. Else rounding turned a short way, and another may serve.
-      return within > 0 && square_of_way <= square(contact_distance + 3 * error) ? Answer() : otherwise();
+      return ((within > 0) & (square_of_way <= most * most)) ? Answer() : otherwise();
   }
   Vector3 point;
   if (!brought_to_scene(on, exponent, point)) return otherwise();

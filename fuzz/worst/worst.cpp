@@ -71,7 +71,7 @@ Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer&
   if (answer.error_bound == 0)
     return {std::max({0.0, real.lo - said, said - real.hi}) / most,
             std::max(real.hi - said, said - real.lo) / most};
-  const double deeper_stated = said > 0 ? 0 : std::max(0.0, real.lo - said) / most;
+  const double deeper_stated = said > 0 || !answer.has_distance ? 0 : std::max(0.0, real.lo - said) / most;
   const Enclosure error = error_bound_of(real, answer);
   return {std::max(deeper_stated, error.lo / answer.error_bound),
           std::max(deeper_stated, error.hi / answer.error_bound)};

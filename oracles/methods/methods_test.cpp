@@ -272,23 +272,26 @@ TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
 // The squares of their coordinates vanish.
 TEST(OwnMethods, DistanceIsSureOfPointsVeryNearEachOther) {
   const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{0x1p-600, 0, 0}, {0, 0, 1}, 0, 0}};
-  for (const auto& method : own_methods())
-    if (method->name() == "distance") {
-      const MethodAnswer answer = method->ask(points);
-      EXPECT_TRUE(answer.has_distance);
-      EXPECT_EQ(answer.distance, 0x1p-600);
-    }
+  const MethodAnswer answer = select_methods(own_methods(), "distance").front()->ask(points);
+  EXPECT_TRUE(answer.has_distance);
+  EXPECT_EQ(answer.distance, 0x1p-600);
 }
 
-// A ball overlaps a plane by 0.2 of its radius; the point of the plane is 1e12 away. A box overlaps a rod.
+// The plane's point is 1e12 away. The crumb is nearest at a vertex, in a direction nearly square to an edge.
 TEST(OwnMethods, DistanceReturnsNoNumberThatItDoesNotPromise) {
   const Solid ball{{0, 225000000000.0, 900000000000.0}, {0, 0, 1}, 0, 0, 0.9},
       plane{.center = {0, 0.95459, 0}, .axis = {1, -4, 1}, .shape = Shape::half_space},
-      box{.shape = Shape::box, .edges = {1, 1, 1}};
+      box{.shape = Shape::box, .edges = {1, 1, 1}},
+      crumb{.shape = Shape::box,
+            .edges = {3.6130115758521194e-8, 6.38302526904352e-6, 8.858524460624854e-6},
+            .quaternion = {1.910992153139412, -0.9286739806328015, -1.1158233265875891, 0.7052120560036716}};
+  const Vector3 at(-0.006105129749752828, -0.010511459170868123, -0.006511328605873546),
+      w(0.43997080750367235, 0.7567567108841752, 0.4690003796351363);
   const auto method = std::move(select_methods(own_methods(), "distance").front());
   for (const Pair& pair : {Pair{ball, plane}, Pair{box, {{0, 0, 0}, {0, 0, 1}, 1, 2}}})
     EXPECT_TRUE(method->ask(pair).verdict == Verdict::intersecting && !method->ask(pair).has_distance);
   EXPECT_EQ(method->ask({box, {.center = {0, 0, -1}, .shape = Shape::half_space}}).distance, 0.5);
+  EXPECT_TRUE(method->ask({crumb, {at, w, 0, 0.03409198776164704, 4.035537999864008e-7}}).has_distance);
 }
 
 }  // namespace

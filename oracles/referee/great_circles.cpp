@@ -86,10 +86,7 @@ class Circle {
   Vec in_space(const Vec2& d) const { return d.x * u_ + d.y * v_; }
 
   /// A direction towards delta.
-  Vec2 towards() const {
-    const double length = std::sqrt(dot(delta_, delta_));
-    return length > short_tol ? Vec2{delta_.x / length, delta_.y / length} : Vec2{1, 0};
-  }
+  Vec2 towards() const { return dot(delta_, delta_) > short_tol * short_tol ? unit(delta_) : Vec2{1, 0}; }
 
   /// A point y of K - delta with f(d) = d.y.
   Vec2 support(const Vec2& d) const {

@@ -49,8 +49,13 @@ struct SeenFrom {
   Seen operator()(const Vector3& v) const noexcept {
     return {v.x() * x + v.y() * y + v.z() * z, dot(v, last)};
   }
-  Vector3 world(const Prepared& box, const Vector3& v) const noexcept {
-    return v.x() * box.unit_axis + v.y() * box.second_axis + v.z() * last;
+  /// From along the edges. No vector is read as two numbers just after it was written as single ones, because
+  /// processors wait then.
+  Vector3 world(const Prepared& box, Seen v) const noexcept {
+    const Vector3 &e0 = box.unit_axis, &e1 = box.second_axis;
+    const Both xy =
+        v.xy[0] * Both{e0.x(), e0.y()} + v.xy[1] * Both{e1.x(), e1.y()} + v.z * Both{last.x(), last.y()};
+    return {xy[0], xy[1], v.xy[0] * e0.z() + v.xy[1] * e1.z() + v.z * last.z()};
   }
 
   Both x, y, z;

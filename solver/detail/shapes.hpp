@@ -26,7 +26,7 @@ inline constexpr double box_slack_tol = 2.5 * box_error;
 Verdict intersect_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_shapes(const Prepared& a, const Prepared& b, double clearance) noexcept;
 /// `contact`: by which the distance will be less. A half-space is measured in more digits near that.
-Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact) noexcept;
+Distance distance_of_shapes(const Prepared& a, const Prepared& b, double contact = 0) noexcept;
 inline bool has_other_shape(const Prepared& a, const Prepared& b) noexcept {
   return (a.shape != Shape::cylinder) | (b.shape != Shape::cylinder);
 }
@@ -162,9 +162,13 @@ ClippedBox clip(const BoxView& v) noexcept;
 /// One of them shows the gap but for rounding. They are those of axis_of(), `way`, and the directions of the
 /// outline (boxes.md, sections 4 and 5). `way` is also made square to edges and to the rim at on1, if it
 /// nearly is. Others are square to the rim and to an edge. Returns their number.
-inline constexpr int direction_cap = box_axes + 7;
+inline constexpr int direction_cap = box_axes + 12;
 int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
+
+/// The direction that shows the greatest gap, of those at most 2^-4 off `way`. A search of 0.2 ms, for cores
+/// that nearly touch with a cap and a facet, of which the way between the nearest points tells nothing.
+Vector3 best_direction(const BoxView& v, const Vector3& way) noexcept;
 
 /// The segment d + t e[0] and the box: finds t of the nearest point, unless `contact` >= 0 and it is known
 /// before whether the distance is at most that.
