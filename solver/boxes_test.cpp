@@ -100,16 +100,6 @@ TEST(Boxes, CapsNearlyOnFacets) {
   }
 }
 
-// No edge goes through the other box, if roundings are believed.
-TEST(Boxes, CornersThatCoincideButForRounding) {
-  const Solid a = box({0, 0, 0}, 0.9029406409130795, 2.62476568863047e-06, 1.9196053420029793),
-              b = box(
-                  {-0.06645575880165666, 0.44555008515501593, 0.9587135919892081}, 0.7700292680986964,
-                  0.8910974188748206, 0.00217879372956778,
-                  {0.9999999998927445, 3.5669779043358895e-07, 7.743205232053791e-16, 8.124191416907793e-08});
-  EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
-}
-
 TEST(Boxes, WhatIsNoPair) {
   const Solid plane = half_space({0, 0, 0}, {0, 0, 1}), cube = box({0, 0, 3}, 1, 1, 1);
   EXPECT_EQ(intersect(plane, plane), Verdict::invalid);
