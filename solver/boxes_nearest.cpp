@@ -209,6 +209,9 @@ bool find_common_point(const BoxView& v, Vector3& at) noexcept {
     return true;
   }
   const auto seen = [&](const Vector3& x) { return Vector3(dot(x, v.e[0]), dot(x, v.e[1]), dot(x, v.e[2])); };
+  // Of facets and edges that coincide but for rounding, each edge may seem to be just outside.
+  const double slack = 0.5 * box_error * (v.half.sum() + v.half1.sum() + length(v.d));
+  const Vector3 half = v.half + Vector3(slack, slack, slack), half1 = v.half1 + Vector3(slack, slack, slack);
   at = clamped(v.d, v.half);
   if (const Vector3 y = seen(at - v.d); clamped(y, v.half1) == y) return true;
   for (int i = 0; i < 3; ++i)
@@ -219,13 +222,13 @@ bool find_common_point(const BoxView& v, Vector3& at) noexcept {
       g[i] = v.half[i];
       p[l] = side_l * v.half[l];
       p[m] = side_m * v.half[m];
-      if (middle_of_part(seen(p - v.d), seen(g), v.half1, t)) {
+      if (middle_of_part(seen(p - v.d), seen(g), half1, t)) {
         at = p + t * g;
         return true;
       }
       g = v.half1[i] * v.e[i];
       p = v.d + side_l * v.half1[l] * v.e[l] + side_m * v.half1[m] * v.e[m];
-      if (middle_of_part(p, g, v.half, t)) {
+      if (middle_of_part(p, g, half, t)) {
         at = p + t * g;
         return true;
       }

@@ -282,6 +282,17 @@ TEST(Decide, ProvesThatFlatSolidsMeet) {
   EXPECT_EQ(decide(segment, segment).proof, Proof::point);  // one centre
 }
 
+// No edge goes through the other box, if roundings are believed.
+TEST(Decide, ProvesThatBoxesMeetWhoseCornersCoincideButForRounding) {
+  Solid a, b;
+  a.shape = b.shape = Shape::box;
+  a.edges = {0.9029406409130795, 2.62476568863047e-06, 1.9196053420029793};
+  b.edges = {0.7700292680986964, 0.8910974188748206, 0.00217879372956778};
+  b.center = {-0.06645575880165666, 0.44555008515501593, 0.9587135919892081};
+  b.quaternion = {0.9999999998927445, 3.5669779043358895e-07, 7.743205232053791e-16, 8.124191416907793e-08};
+  EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
+}
+
 TEST(Decide, NothingIsAllocated) {
   Stream random(11);
   Pair pairs[64];
