@@ -72,7 +72,8 @@ class BoxProof {
         reach_(reach_of(p)),
         error_(box_error * reach_ + underflow_error) {
     const double by = box_slack_tol * reach_;
-    hull_ = view_.box ? Hull::space : hull_of(view_.r, view_.h, reach_);
+    // Twice, so that what is left of a solid that is not flat has room for `error_`.
+    hull_ = view_.box ? Hull::space : hull_of(view_.r, view_.h, 2 * reach_);
     for (int i = 0; i < 3; ++i) {
       shrunk_.half[i] -= by;
       shrunk_.half1[i] -= by;

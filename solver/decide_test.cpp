@@ -293,6 +293,17 @@ TEST(Decide, ProvesThatBoxesMeetWhoseCornersCoincideButForRounding) {
   EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
 }
 
+// It is flat by the word of decide(), but a little thicker than a common point in its plane needs.
+TEST(Decide, ProvesThatADiskReachesIntoACorner) {
+  Solid box;
+  box.shape = Shape::box;
+  box.edges = {0.905693013727656, 0.5735003793246456, 1.9798432401547077};
+  const Solid disk = {Vector3(0.45284650685380134, 0.28675018965206694, 0.9899216200674803),
+                      Vector3(-0.7781200626282494, 0.43428655440798813, 0.4537888901194551),
+                      1.080901635803147e-11, 9.437723291610633e-14};
+  EXPECT_EQ(decide(box, disk).verdict, Verdict::intersecting);
+}
+
 TEST(Decide, NothingIsAllocated) {
   Stream random(11);
   Pair pairs[64];
