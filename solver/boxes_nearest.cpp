@@ -209,7 +209,7 @@ bool find_common_point(const BoxView& v, Vector3& at) noexcept {
     return true;
   }
   const auto seen = [&](const Vector3& x) { return Vector3(dot(x, v.e[0]), dot(x, v.e[1]), dot(x, v.e[2])); };
-  // Of facets and edges that coincide but for rounding, each edge may seem to be just outside.
+  // An edge may seem to be just outside if facets and edges coincide but for rounding.
   const double slack = 0.5 * box_error * (v.half.sum() + v.half1.sum() + length(v.d));
   const Vector3 half = v.half + Vector3(slack, slack, slack), half1 = v.half1 + Vector3(slack, slack, slack);
   at = clamped(v.d, v.half);

@@ -99,7 +99,7 @@ TEST(Rounded, AClearanceCountsAsARounding) {
   ASSERT_EQ(near.proof, Proof::points);
   EXPECT_LE((b.center + near.point_tail - a.center - near.point_head).norm(), 0.021);
   EXPECT_EQ(decide_within(a, b, 0.019).proof, Proof::direction);
-  // Of points, it may be so small that its square vanishes.
+  // The square of a clearance of points may vanish.
   const Prepared point = prepare(Solid{}), far = prepare({{0x1p30, 0, 0}});
   EXPECT_EQ(decide_within(point, point, 0x1p-1000).verdict, Verdict::intersecting);
   EXPECT_TRUE(decide_within(point, far, 0x1p-1000).direction.allFinite());
