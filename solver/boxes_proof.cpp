@@ -134,10 +134,9 @@ class BoxProof {
     const int count = find_directions(view_, on1, way, found);
     for (int i = 0; i < count; ++i)
       if (try_direction(found[i])) return true;
-    // If a direction shows a gap that rounding may hide, the pair nearly touches.
-    constexpr double shown_tol = 1.0 / 16;  // of the error
-    return overlap_ > -shown_tol * error_ && length(way) > p_.contact + error_ &&
-           try_direction(best_direction(view_, way));
+    // A gap is at most the way between the points. Only a gap that decide() promises is worth the search.
+    constexpr int worth_tol = 4;  // of the error
+    return length(way) > p_.contact + worth_tol * error_ && try_direction(best_direction(view_, way));
   }
 
   // f(D) < 0 beyond rounding. D is given along the edges of the box.
@@ -147,7 +146,6 @@ class BoxProof {
     const Vector3 d = view_.edges.world(seen * power_of_two(-exponent_of(most)));
     const double size = length(d), along = dot(d, delta_);
     const double f = core_support(p_.a, d) + core_support(p_.b, d) + p_.contact * size - std::fabs(along);
-    overlap_ = smaller(overlap_, f);
     if (!(f < -error_ * size)) return false;
     hand_out(along < 0 ? Vector3(-d) : d, answer_);
     return true;
@@ -193,7 +191,7 @@ class BoxProof {
   const Vector3 &head_, delta_;
   const BoxView& view_;
   BoxView shrunk_;
-  double reach_, error_, overlap_ = 0x1p1000;  ///< the last is the least f of a direction
+  double reach_, error_;
   Hull hull_ = Hull::space;
   bool flat_ = false;  ///< the box or the other one, which then has no point beyond rounding
 };

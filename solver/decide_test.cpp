@@ -293,6 +293,16 @@ TEST(Decide, ProvesThatBoxesMeetWhoseCornersCoincideButForRounding) {
   EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
 }
 
+// Some directions show a gap within rounding, and only the last search shows all of it.
+TEST(Decide, ProvesAGapThatOtherDirectionsHardlyShow) {
+  Solid box;
+  box.shape = Shape::box;
+  box.edges = {4, 1, 5};
+  box.center = {-3.0000000022701028, -1.249999999201159, 2.49997955349691};
+  box.quaternion = {-1, -1, 1, 0.9999999981839702};
+  EXPECT_EQ(decide(box, {{0, 0, 0}, {-1, 0, 0}, 2, 1}).verdict, Verdict::disjoint);
+}
+
 // It is flat by the word of decide(), but a little thicker than a common point in its plane needs.
 TEST(Decide, ProvesThatADiskReachesIntoACorner) {
   Solid box;
