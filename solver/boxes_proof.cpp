@@ -107,7 +107,9 @@ class BoxProof {
       if (try_points(on1, on1)) return true;
       const SegmentPoint again = nearest_on_segment(shrunk_, -1);
       const Vector3 nearest = view_.d + again.t * view_.e[0];
-      return try_points(nearest, nearest) || try_common_point() || try_directions(on1, found.way);
+      if (try_points(nearest, nearest) || try_common_point()) return true;
+      const SegmentPoint all = nearest_on_segment(view_, -1);
+      return try_directions(view_.d + all.t * view_.e[0], all.way);
     }
     const NearestPoints found = nearest_points(view_, p_.contact);
     if (found.apart ? try_direction(found.on1 - found.on0) : try_points(found.on0, found.on1)) return true;

@@ -293,7 +293,7 @@ TEST(Decide, ProvesThatBoxesMeetWhoseCornersCoincideButForRounding) {
   EXPECT_EQ(decide(a, b).verdict, Verdict::intersecting);
 }
 
-// Some directions show a gap within rounding, and only the last search shows all of it.
+// Some directions show a gap within rounding, and only the last search shows the whole gap.
 TEST(Decide, ProvesAGapThatOtherDirectionsHardlyShow) {
   Solid box;
   box.shape = Shape::box;
