@@ -166,7 +166,7 @@ inline constexpr int direction_cap = box_axes + 12;
 int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
 
-/// Returns the direction at most 2^-4 off `way` that shows the greatest gap. This search of 0.2 ms is for a
+/// Returns the direction at most 2^-4 off `way` that shows the greatest gap. This search of 0.05 ms is for a
 /// cap that nearly lies on a facet. The way between the nearest points is then mostly rounding.
 Vector3 best_direction(const BoxView& v, const Vector3& way) noexcept;
 
