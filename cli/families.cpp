@@ -81,9 +81,11 @@ void add_families(Program& program) {
       "  daylight families random --count 1000 | daylight check",
       "The exit codes 2 and 3 do not occur for families.");
   command.run([options] {
-    if (!options->name.empty()) print_pairs(*options);
-    for (const Family& family : options->name.empty() ? campaign_families() : std::span<const Family>())
-      fmt::print("{:<28} {}\n", family.name, family.summary);
+    if (!options->name.empty()) {
+      print_pairs(*options);
+      return exit_pass;
+    }
+    for (const Family& family : campaign_families()) fmt::print("{:<28} {}\n", family.name, family.summary);
     return exit_pass;
   });
 }

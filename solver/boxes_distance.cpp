@@ -87,17 +87,7 @@ class BoxDistance {
       for (int k = 0; k < samples; ++k) {
         const double after = gap((k + 1) * step);
         if (here >= before && here >= after) {
-          constexpr double golden = 0.6180339887498949;
-          double lo = (k - 1) * step, hi = (k + 1) * step;
-          double x = hi - golden * (hi - lo), y = lo + golden * (hi - lo), at_x = gap(x), at_y = gap(y);
-          for (int j = 0; j < search_cap; ++j) {
-            if (at_x > at_y) {
-              hi = y, y = x, at_y = at_x, x = hi - golden * (hi - lo), at_x = gap(x);
-            } else {
-              lo = x, x = y, at_x = at_y, y = lo + golden * (hi - lo), at_y = gap(y);
-            }
-          }
-          consider(at(x));
+          consider(at(golden_section(gap, (k - 1) * step, (k + 1) * step, search_cap)));
         }
         before = here, here = after;
       }

@@ -168,19 +168,9 @@ int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
 Vector3 best_direction(const BoxView& v, const Vector3& way) noexcept {
   const Vector3 n = way / length(way), p = n.cross(Vector3(std::fabs(n[0]) < 0.6, std::fabs(n[0]) >= 0.6, 0)),
                 u = p / length(p), w = n.cross(u);
+  constexpr double width_tol = 0x1p-4;
   const auto search = [](auto value) {
-    constexpr double golden = 0.6180339887498949, width_tol = 0x1p-4;
-    constexpr int steps = 66;  // to 2^-50
-    double lo = -width_tol, hi = width_tol, s = hi - golden * (hi - lo), t = lo + golden * (hi - lo);
-    double at_s = value(s), at_t = value(t);
-    for (int i = 0; i < steps; ++i) {
-      if (at_s > at_t) {
-        hi = t, t = s, at_t = at_s, s = hi - golden * (hi - lo), at_s = value(s);
-      } else {
-        lo = s, s = t, at_s = at_t, t = lo + golden * (hi - lo), at_t = value(t);
-      }
-    }
-    return at_s > at_t ? s : t;
+    return golden_section(value, -width_tol, width_tol, 66);  // to 2^-50
   };
   const auto at = [&](double s, double t) { return Vector3(n + s * u + t * w); };
   const auto second = [&](double s) {

@@ -9,6 +9,24 @@
 namespace cyl {
 namespace {
 
+// The point d + t w shows the way to it from the nearest point of the box, the square of the way, half of the
+// derivative of that, and -f(way).
+struct Look {
+  [[gnu::always_inline]] Look(Seen half, Seen d, Seen w, double h, double t) noexcept
+      : way((d + t * w) - clamped(d + t * w, half)),
+        square(dot(way, way)),
+        slope(dot(way, w)),
+        gap(square - t * slope - h * std::fabs(slope)) {}
+  Seen way;
+  double square, slope, gap;
+};
+
+// From the point of the segment that is nearest to the centre of the box to the nearest point of the box, and
+// back. Without a branch.
+[[gnu::always_inline]] inline double first_step(Seen half, Seen d, Seen w, double h) noexcept {
+  return clamped(dot(clamped(d + clamped(-dot(d, w), h) * w, half) - d, w), h);
+}
+
 // Newton's method on the derivative of the square, which is piecewise linear and rises. It starts at t. With
 // `asked`, `contact` is >= 0.
 template <bool asked>
@@ -21,12 +39,10 @@ template <bool asked>
   SegmentPoint best{t, {0, 0, 0}, 0, false};
   double least = 0x1p1000;
   for (int i = 0; i < step_cap; ++i) {
-    const Seen x = d + t * w, e = x - clamped(x, half);
-    const double square = dot(e, e), slope = dot(e, w);
+    const auto [e, square, slope, gap] = Look(half, d, w, h, t);
     const bool near = asked & (square <= contact2);
-    const double gap = square - t * slope - h * std::fabs(slope);
     // Then this e shows it, and a shorter one before may not.
-    const bool apart = asked & (gap > 0) & (gap * gap > contact2 * square);
+    const bool apart = asked & is_beyond(gap, square, contact);
     if ((square < least) | apart) {
       least = square;
       best = {t, e, gap, near};
@@ -70,14 +86,10 @@ template <class Otherwise>
   Seen way = d - clamped(d, half), on1 = d;
   double t = 0, square_of_way = dot(way, way), gap = square_of_way;
   if (h > 0) {
-    // The step of intersect().
     const Seen w = seen(p.b.unit_axis);
-    t = clamped(dot(clamped(d + clamped(-dot(d, w), h) * w, half) - d, w), h);
-    const Seen x = d + t * w;
-    way = x - clamped(x, half);
-    square_of_way = dot(way, way);
-    const double slope = dot(way, w);
-    gap = square_of_way - t * slope - h * std::fabs(slope);
+    t = first_step(half, d, w, h);
+    const Look look(half, d, w, h, t);
+    way = look.way, square_of_way = look.square, gap = look.gap;
     if (none_of(square_of_way <= p.contact * p.contact, is_beyond(gap, square_of_way, p.contact))) {
       const SegmentPoint found = look_on_segment<true>(half, d, w, h, p.contact, t);
       t = found.t, way = Seen(found.way), square_of_way = dot(way, way), gap = found.gap;
@@ -116,19 +128,16 @@ SegmentPoint nearest_on_segment(const BoxView& v, double contact) noexcept {
 Verdict intersect_thin_and_box(const Prepared& a, const Prepared& b, double contact) noexcept {
   const SeenFrom seen(a);
   const Seen half = half_of(a), d = seen(b.center - a.center);
-  const double contact2 = contact * contact;
   if (b.height == 0) {
     const Seen way = d - clamped(d, half);
-    return verdict_of(dot(way, way) <= contact2);
+    return verdict_of(dot(way, way) <= contact * contact);
   }
-  // One step: the point of the box that is nearest to a point of the segment, and back. Without a branch.
   const Seen w = seen(b.unit_axis);
-  const double h = 0.5 * b.height, from = clamped(-dot(d, w), h);
-  const double t = clamped(dot(clamped(d + from * w, half) - d, w), h);
-  const Seen x = d + t * w, e = x - clamped(x, half);
-  const double square = dot(e, e), slope = dot(e, w), gap = square - t * slope - h * std::fabs(slope);
-  const unsigned near = square <= contact2, apart = (gap > 0) & (gap * gap > contact2 * square);
-  return near + apart != 0 ? verdict_of(near != 0) : search(a, b, contact, t);
+  const double h = 0.5 * b.height, t = first_step(half, d, w, h);
+  const Look look(half, d, w, h, t);
+  const bool near = look.square <= contact * contact;
+  return none_of(near, is_beyond(look.gap, look.square, contact)) ? search(a, b, contact, t)
+                                                                  : verdict_of(near);
 }
 
 Answer decide_thin_and_box(const Prepared& box, const Prepared& thin, double clearance,

@@ -166,6 +166,21 @@ inline constexpr int direction_cap = box_axes + 12;
 int find_directions(const BoxView& v, const Vector3& on1, const Vector3& way,
                     Vector3 (&found)[direction_cap]) noexcept;
 
+/// Returns the place of the maximum of a function in [lo, hi] that has only one, by so many golden sections.
+template <class Value>
+double golden_section(Value value, double lo, double hi, int steps) noexcept {
+  constexpr double golden = 0.6180339887498949;
+  double x = hi - golden * (hi - lo), y = lo + golden * (hi - lo), at_x = value(x), at_y = value(y);
+  for (int i = 0; i < steps; ++i) {
+    if (at_x > at_y) {
+      hi = y, y = x, at_y = at_x, x = hi - golden * (hi - lo), at_x = value(x);
+    } else {
+      lo = x, x = y, at_x = at_y, y = lo + golden * (hi - lo), at_y = value(y);
+    }
+  }
+  return x;
+}
+
 /// Returns the direction at most 2^-4 off `way` that shows the greatest gap. This search of 0.05 ms is for a
 /// cap that nearly lies on a facet. The way between the nearest points is then mostly rounding.
 Vector3 best_direction(const BoxView& v, const Vector3& way) noexcept;
